@@ -1,0 +1,118 @@
+# How a folder becomes targets. See the head of CMakeLists.txt for the layout.
+
+# Our own code compiles without a warning; outside headers are system headers and keep theirs.
+add_library(enduring_options INTERFACE)
+target_include_directories(enduring_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(enduring_options INTERFACE
+  ENDURING_SOURCE_DIR="${PROJECT_SOURCE_DIR}" EIGEN_MAX_ALIGN_BYTES=16
+  $<$<BOOL:${ENDURING_RENDER}>:ENDURING_RENDER>)
+target_compile_options(enduring_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  # The error bounds of chapter 2 count every rounding: no contraction into fused multiply-adds.
+  -ffp-contract=off)
+if(ENDURING_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+set(ENDURING_TEST_ENVIRONMENT
+  "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/leaks.supp"
+  "UBSAN_OPTIONS=print_stacktrace=1")
+
+function(enduring_packages target)
+  target_link_libraries(${target} PUBLIC enduring_options Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11
+                        PkgConfig::BULLET Boost::headers ${TINYOBJLOADER_LIBRARY} ${CHOLMOD_LIBRARY})
+  target_include_directories(${target} SYSTEM PUBLIC ${BULLET_INCLUDE_DIRS} ${TINYOBJLOADER_INCLUDE} ${CHOLMOD_INCLUDE})
+endfunction()
+
+# A library from a list of sources; header-only folders become interface-like libraries with one empty source.
+function(enduring_library target)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  if(NOT ARG_SOURCES)
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp "")
+    set(ARG_SOURCES ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
+  endif()
+  add_library(${target} STATIC ${ARG_SOURCES})
+  enduring_packages(${target})
+  target_link_libraries(${target} PUBLIC ${ARG_USES})
+endfunction()
+
+# doctest's cases, one CTest each, named "PREFIX: case". Long names of cases are the documentation of a failure.
+function(enduring_tests target)
+  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;USES" ${ARGN})
+  if(ARG_SOURCES)
+    add_executable(${target} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/cmake/doctest_main.cpp)
+    target_link_libraries(${target} PRIVATE ${ARG_USES} doctest::doctest)
+    doctest_discover_tests(${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR}
+      PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 600 ENVIRONMENT "${ENDURING_TEST_ENVIRONMENT}")
+  endif()
+endfunction()
+
+function(enduring_benchmarks target)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  if(ARG_SOURCES AND ENDURING_BENCHMARKS)
+    add_executable(${target} ${ARG_SOURCES})
+    target_link_libraries(${target} PRIVATE ${ARG_USES} benchmark::benchmark_main)
+    set_property(GLOBAL APPEND PROPERTY ENDURING_BENCHMARK_TARGETS ${target})
+  endif()
+endfunction()
+
+# libFuzzer targets: each common/NAME/fuzz/X.cpp is one program.
+function(enduring_fuzzers)
+  cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  if(ENDURING_FUZZ)
+    foreach(source ${ARG_SOURCES})
+      get_filename_component(name ${source} NAME_WE)
+      add_executable(fuzz_${name} ${source})
+      target_compile_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+      target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+      target_link_libraries(fuzz_${name} PRIVATE ${ARG_USES})
+    endforeach()
+  endif()
+endfunction()
+
+function(enduring_common name)
+  cmake_parse_arguments(ARG "" "" "USES" ${ARGN})
+  set(folder ${PROJECT_SOURCE_DIR}/common/${name})
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  file(GLOB tests CONFIGURE_DEPENDS ${folder}/tests/*.cpp)
+  file(GLOB benchmarks CONFIGURE_DEPENDS ${folder}/benchmarks/*.cpp)
+  file(GLOB fuzzers CONFIGURE_DEPENDS ${folder}/fuzz/*.cpp)
+  list(TRANSFORM ARG_USES PREPEND enduring_)
+  enduring_library(enduring_${name} SOURCES ${sources} USES ${ARG_USES})
+  enduring_tests(test_${name} SOURCES ${tests} USES enduring_${name} enduring_report LABEL common)
+  enduring_benchmarks(bench_${name} SOURCES ${benchmarks} USES enduring_${name})
+  enduring_fuzzers(SOURCES ${fuzzers} USES enduring_${name})
+  if(name STREQUAL "render")
+    target_include_directories(enduring_render SYSTEM PUBLIC ${OSMESA_INCLUDE} ${STB_INCLUDE})
+    target_link_libraries(enduring_render PUBLIC ${OSMESA_LIBRARY})
+  endif()
+endfunction()
+
+# A chapter sees the base and the chapters before it, never those after.
+function(enduring_chapter number name)
+  set(folder ${PROJECT_SOURCE_DIR}/chapters/${number}_${name})
+  file(GLOB layer CONFIGURE_DEPENDS ${folder}/*.cpp)
+  list(REMOVE_ITEM layer ${folder}/main.cpp ${folder}/tests.cpp)
+  file(GLOB experiments CONFIGURE_DEPENDS ${folder}/experiments/*.cpp)
+  file(GLOB tests CONFIGURE_DEPENDS ${folder}/tests.cpp ${folder}/tests/*.cpp)
+  file(GLOB benchmarks CONFIGURE_DEPENDS ${folder}/benchmarks/*.cpp)
+  get_property(below GLOBAL PROPERTY ENDURING_CHAPTER_LAYERS)
+
+  set(uses enduring_simulation ${below})
+  if(ENDURING_RENDER)
+    list(APPEND uses enduring_render)
+  endif()
+  enduring_library(chapter${number}_layer SOURCES ${layer} USES ${uses})
+  set_property(GLOBAL APPEND PROPERTY ENDURING_CHAPTER_LAYERS chapter${number}_layer)
+
+  if(EXISTS ${folder}/main.cpp)
+    enduring_library(chapter${number}_experiments SOURCES ${experiments} USES chapter${number}_layer)
+    add_executable(chapter${number} ${folder}/main.cpp)
+    target_link_libraries(chapter${number} PRIVATE chapter${number}_experiments)
+    enduring_tests(test_chapter${number} SOURCES ${tests} USES chapter${number}_experiments LABEL chapter${number})
+  else()
+    enduring_tests(test_chapter${number} SOURCES ${tests} USES chapter${number}_layer LABEL chapter${number})
+  endif()
+  enduring_benchmarks(bench_chapter${number} SOURCES ${benchmarks} USES chapter${number}_layer)
+endfunction()

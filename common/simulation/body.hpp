@@ -1,0 +1,71 @@
+#pragma once
+
+#include "common/geometry/surface_topology.hpp"
+#include "common/geometry/vector.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace enduring {
+
+/// What a body carries besides its surface; the sum over all bodies tells whether contact adds energy.
+struct Energy {
+    double kinetic = 0, gravitational = 0, elastic = 0;  ///< [J]; the gravitational part is zero at the origin
+    double total() const { return kinetic + gravitational + elastic; }
+};
+
+/// The one face that static, rigid and deformable bodies show to the contact code: surface vertices that move
+/// along straight lines during the step, have a mass at that point, and can be pushed.
+///
+/// The order within one step (thesis 3.3):
+///   predict(g, dt)             new velocities from the body's own dynamics; positions_t1 follow
+///   apply_impulse(v, I) ...    changes the predicted velocities only: positions_t1 stay, so that all impulses
+///                              of one pass come from one prediction
+///   update_prediction(dt)      positions_t1 from the changed velocities
+///   commit()                   velocities, then positions: positions_t1 become positions_t0
+class Body {
+public:
+    Body(std::string name, SurfaceTopology surface);
+    virtual ~Body() = default;
+    Body(const Body&) = delete;
+    Body& operator=(const Body&) = delete;
+
+    const std::string& name() const { return name_; }
+    const SurfaceTopology& surface() const { return surface_; }
+
+    /// Surface vertices at the start of the step and at its predicted end [m]. For a rigid body the end is the pose that
+    /// committing would produce, so positions_t1 - positions_t0 is not exactly dt times a velocity.
+    std::span<const Vec3> positions_t0() const { return positions_t0_; }
+    std::span<const Vec3> positions_t1() const { return positions_t1_; }
+
+    /// New velocities from gravity [m/s^2], inner forces and damping over dt [s]; then positions_t1.
+    virtual void predict(const Vec3& gravity, double dt) = 0;
+    /// Positions_t1 from the present predicted velocities.
+    virtual void update_prediction(double dt) = 0;
+    /// The prediction becomes the state.
+    virtual void commit(double dt) = 0;
+
+    /// Adds an impulse [N s] at a surface vertex to the predicted velocities.
+    virtual void apply_impulse(int vertex, const Vec3& impulse) = 0;
+    /// Predicted velocity of a surface vertex [m/s].
+    virtual Vec3 velocity(int vertex) const = 0;
+    /// Velocity change at a surface vertex per impulse there [1/kg]; zero for what does not move.
+    virtual Mat3 inverse_mass(int vertex) const = 0;
+
+    virtual bool is_static() const { return false; }
+    virtual double mass() const = 0;                                  ///< [kg]; 0 for a static body
+    virtual Energy energy(const Vec3& gravity) const = 0;             ///< of the committed state
+    virtual Vec3 linear_momentum() const = 0;                         ///< [kg m/s]
+    virtual Vec3 angular_momentum(const Vec3& about) const = 0;       ///< [kg m^2/s]
+    virtual int inverted_elements() const { return 0; }
+
+protected:
+    std::vector<Vec3> positions_t0_, positions_t1_;
+
+private:
+    std::string name_;
+    SurfaceTopology surface_;
+};
+
+}  // namespace enduring

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "common/geometry/vector.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace enduring {
+
+enum class ContactKind : std::uint8_t { vertex_plane, vertex_face, edge_edge };
+
+/// One pair of features in contact: a point p of body A and a point q of body B, each a fixed combination of vertices.
+///
+/// Whatever the kind, p - q = sum_i weights[i] x[vertices[i]], and an impulse I on p reaches vertex i as weights[i] I.
+///   vertex_plane  vertices {v, -, -, -}          weights {1, 0, 0, 0}, and q is the foot on the plane
+///   vertex_face   vertices {v, f0, f1, f2}       weights {1, -w0, -w1, -w2}; normal (f1-f0) x (f2-f0)
+///   edge_edge     vertices {a0, a1, b0, b1}      weights {1-s, s, -(1-t), -t}; normal orientation * (a1-a0) x (b1-b0)
+/// The normal points out of B, towards A; depth is n . (p - q), negative inside.
+struct Contact {
+    ContactKind kind = ContactKind::vertex_face;
+    int body_a = -1, body_b = -1;        ///< indices into World::bodies; for a plane body_b indexes World::planes
+    int feature_a = -1, feature_b = -1;  ///< vertex and face, or the two edges; feature_b is -1 for a plane
+    std::array<int, 4> vertices{-1, -1, -1, -1};
+    std::array<double, 4> weights{};
+    double orientation = 1;   ///< edge_edge: the sign that made the normal point from B to A at first contact
+    double start = 0;         ///< part of the step from which the pair pushes: its time of impact, 0 when it endures
+    bool handled = false;     ///< has received its impulse in this step
+    Vec3 impulse = Vec3::Zero();  ///< on A in this step [N s]; kept for probes and pictures
+
+    /// How many of `vertices` belong to A (the others belong to B).
+    int vertices_of_a() const { return kind == ContactKind::edge_edge ? 2 : 1; }
+    int vertex_count() const { return kind == ContactKind::vertex_plane ? 1 : 4; }
+};
+
+using Contacts = std::vector<Contact>;
+
+}  // namespace enduring

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "common/simulation/body.hpp"
+#include "common/simulation/contact.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace enduring {
+
+/// An analytic half space: everything below the plane is inside.
+struct Plane {
+    std::string name;
+    Vec3 point = Vec3::Zero();
+    Vec3 normal = Vec3::UnitY();  ///< unit length, points out
+};
+
+/// The bodies and planes of a scene, and where time stands.
+struct World {
+    std::vector<std::unique_ptr<Body>> bodies;
+    std::vector<Plane> planes;
+    Vec3 gravity{0, -9.81, 0};  ///< [m/s^2]
+    double time = 0;            ///< of the committed state [s]
+    int step = 0;               ///< steps committed so far
+};
+
+/// A layer of the course works as a pass: a plain function over the world and the one list of contacts.
+struct Pass {
+    std::string name;  ///< names its row in the timing tables
+    std::function<void(World&, Contacts&, double dt)> run;
+};
+
+/// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line.
+struct Solver {
+    std::string name;
+    std::vector<Pass> enduring;  ///< once a step, before any detection: resolve, dismiss or redefine what endures
+    std::vector<Pass> detect;    ///< append new crossings as unhandled contacts
+    std::vector<Pass> respond;   ///< give every unhandled contact its impulse (all from one prediction), mark it handled
+};
+
+/// Called with a pass's name and the seconds it took; empty when nobody measures.
+using PassTimer = std::function<void(const std::string& pass, double seconds)>;
+
+/// One step of the thesis' scheme (its section 3.3, made precise in the book's page on the step):
+///   predict; enduring passes; at most 5 x (detect, respond, update the prediction) until nothing new appears;
+///   commit velocities, then positions. Pairs found by the last detection stay, unhandled, for the next step.
+///
+/// @param world     bodies, changed in place
+/// @param contacts  pairs that live on from the last step; on return those alive after this one
+/// @param dt        length of the step [s], positive
+/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex
+void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassTimer& timer = {});
+
+}  // namespace enduring
