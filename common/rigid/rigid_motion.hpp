@@ -1,0 +1,70 @@
+#pragma once
+
+#include "common/geometry/vector.hpp"
+#include "common/rigid/mass_properties.hpp"
+
+#include <memory>
+
+class btRigidBody;
+
+namespace enduring {
+
+/// Where a rigid body is: body coordinates (origin at the centre of mass, principal axes) to world coordinates.
+struct Pose {
+    Vec3 position = Vec3::Zero();                       ///< of the centre of mass [m]
+    Quaternion orientation = Quaternion::Identity();    ///< unit length
+
+    Vec3 to_world(const Vec3& body_point) const { return position + orientation * body_point; }
+    Vec3 to_body(const Vec3& world_point) const { return orientation.conjugate() * (world_point - position); }
+};
+
+/// The motion of one rigid body, in steps of the thesis' scheme: predict, push, commit.
+///
+/// Bullet holds the state and integrates velocities under gravity, impulses and poses. Two things are ours, because
+/// Bullet's own drift (see the page on rigid bodies): the free rotation is the energy and momentum conserving step of
+/// Simo and Wong (1991), and a turn of more than pi/4 a step is not cut short.
+///
+/// Between predict() and commit(), angular_velocity() is the constant one that turns the body through the step; after
+/// commit() it is the one the body has at that moment.
+class RigidMotion {
+public:
+    /// Starts where the mesh of `properties` lies in world coordinates.
+    /// @param velocity          of the centre of mass [m/s]
+    /// @param angular_velocity  in world axes [rad/s]
+    /// @throws InputError  mass not positive, inertia not positive definite, or a velocity not finite
+    explicit RigidMotion(const MassProperties& properties, const Vec3& velocity = Vec3::Zero(),
+                         const Vec3& angular_velocity = Vec3::Zero());
+    ~RigidMotion();
+    RigidMotion(RigidMotion&&) noexcept;
+    RigidMotion& operator=(RigidMotion&&) noexcept;
+
+    /// Velocities of the step from gravity [m/s^2] and the free rotation over dt [s] (thesis 3.3, 3.6).
+    void predict(const Vec3& gravity, double dt);
+    /// The pose that commit(dt) would produce with the present velocities (thesis 3.2, 3.8).
+    Pose predicted_pose(double dt) const;
+    /// Adds an impulse [N s] at a point [m] of the world, with its lever from the committed pose (thesis 3.9 to 3.12).
+    void apply_impulse(const Vec3& impulse, const Vec3& point);
+    /// The predicted pose becomes the pose.
+    void commit(double dt);
+
+    Pose pose() const;              ///< committed
+    Vec3 velocity() const;          ///< of the centre of mass [m/s]
+    Vec3 angular_velocity() const;  ///< in world axes [rad/s]
+    /// Velocity [m/s] of the material point that is at `point` in the committed pose.
+    Vec3 velocity_at(const Vec3& point) const;
+    /// Velocity change at `point` per impulse there [1/kg]: 1/m + [r]x J^-1 [r]x^T with r from the centre to the point.
+    Mat3 inverse_mass_at(const Vec3& point) const;
+
+    double mass() const { return mass_; }
+    Vec3 linear_momentum() const { return mass_ * velocity(); }   ///< [kg m/s]
+    Vec3 angular_momentum(const Vec3& about) const;               ///< orbital and own [kg m^2/s]
+    double kinetic_energy() const;                                ///< of translation and rotation [J]
+
+private:
+    double mass_ = 0;
+    Vec3 principal_inertia_ = Vec3::Zero();  ///< along the body axes [kg m^2]
+    Vec3 spin_momentum_ = Vec3::Zero();      ///< angular momentum about the centre, world axes: what a free body keeps
+    std::unique_ptr<btRigidBody> body_;
+};
+
+}  // namespace enduring
