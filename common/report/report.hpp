@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -36,17 +37,28 @@ public:
     void table(const std::string& name, const Table& table);
     /// NAME.md for the book's page, numbers with `digits` significant digits.
     void page_table(const std::string& name, const Table& table, int digits = 3);
-    /// One named number of the text, as `@fact{experiment.name}`: facts_EXPERIMENT.csv, one row a fact (name,value,text).
+    /// One named number of the text, as `@fact{experiment.name}`: facts_EXPERIMENT.csv, one row a fact with the columns
+    /// name,value,text. The text is the number with `digits` significant digits; telling a fact again replaces it.
     void fact(const std::string& experiment, const std::string& name, double value, int digits = 3);
+    /// A fact without a number: its value is empty.
     void fact(const std::string& experiment, const std::string& name, const std::string& text);
-    /// Runs a gnuplot script on the tables of this folder; the script reads `folder` and writes NAME.svg.
+    /// Runs a gnuplot script that writes NAME.svg. The script reads the tables in `folder` and begins with `load style`
+    /// (plot_style.gp: the common look, and the picture's place from `output`).
+    /// @throws InputError          there is no such script
+    /// @throws std::runtime_error  gnuplot is missing, failed, or drew nothing
     void plot(const std::filesystem::path& script, const std::string& name);
-    /// Where a picture called NAME.png belongs.
-    std::filesystem::path file(const std::string& name) const;
+    /// Where a file that somebody else writes belongs: file("ground.png"). It counts as written by this report.
+    std::filesystem::path file(const std::string& name);
     const std::filesystem::path& folder() const { return folder_; }
+    /// Files written through this report, in order and each once.
+    const std::vector<std::filesystem::path>& written() const { return written_; }
 
 private:
+    void write_facts(const std::string& experiment, std::vector<Cell> fact);
+
     std::filesystem::path folder_;
+    std::map<std::string, std::vector<std::vector<Cell>>> facts_;  ///< by experiment, in the order they were told
+    std::vector<std::filesystem::path> written_;
 };
 
 /// Writes through a neighbour file and a rename.

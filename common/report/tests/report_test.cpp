@@ -1,0 +1,88 @@
+#include "common/report/input_error.hpp"
+#include "common/report/number_text.hpp"
+#include "common/report/report.hpp"
+#include "common/report/table_text.hpp"
+#include "common/report/tests/temporary_folder.hpp"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+
+using namespace enduring;
+
+TEST_CASE("report: every double in a CSV reads back as the same double")
+{
+    std::mt19937_64 random(7);
+    Table table({"value"});
+    std::vector<double> values{0.0, -0.0, 0.1, 1.0 / 3, 5e-324, 1e-15, 1e9, std::numeric_limits<double>::max()};
+    while (values.size() < 2000)
+        if (const double value = std::bit_cast<double>(random()); std::isfinite(value))
+            values.push_back(value);
+    for (const double value : values)
+        table.add({value});
+
+    std::istringstream lines(csv(table));
+    std::string line;
+    std::getline(lines, line);
+    CHECK(line == "value");
+    for (const double value : values) {
+        std::getline(lines, line);
+        CAPTURE(line);
+        CHECK(std::bit_cast<std::uint64_t>(std::strtod(line.c_str(), nullptr)) == std::bit_cast<std::uint64_t>(value));
+    }
+}
+
+TEST_CASE("report: numbers for reading keep their significant digits and nothing more")
+{
+    CHECK(readable(0.14, 3) == "0.14");
+    CHECK(readable(1.0 / 3, 3) == "0.333");
+    CHECK(readable(1234.6, 3) == "1235");
+    CHECK(readable(9.996, 3) == "10");
+    CHECK(readable(-0.00123456, 3) == "-0.00123");
+    CHECK(readable(3.2e-7, 3) == "3.2·10⁻⁷");
+    CHECK(readable(9.996e5, 2) == "1·10⁶");
+    CHECK(readable(0, 3) == "0");
+    CHECK(readable(std::nan(""), 3) == "nan");
+}
+
+TEST_CASE("report: text with a comma or a quote stays one CSV cell, and a bar does not break a Markdown row")
+{
+    Table table({"method", "count", "dt_s"});
+    table.add({std::string("says \"no\", twice"), 3L, 0.1});
+    table.add({std::string("a|b"), -1L, 1e-7});
+    CHECK(csv(table) == "method,count,dt_s\n\"says \"\"no\"\", twice\",3,0.1\na|b,-1,1e-07\n");
+    CHECK(markdown(table, 3) == "| method | count | dt_s |\n|---|---:|---:|\n"
+                                "| says \"no\", twice | 3 | 0.1 |\n| a\\|b | -1 | 1·10⁻⁷ |\n");
+}
+
+TEST_CASE("report: a row of the wrong length is refused")
+{
+    Table table({"a", "b"});
+    CHECK_THROWS_AS(table.add({1L}), std::logic_error);
+    CHECK(table.rows().empty());
+}
+
+TEST_CASE("report: a fact told again replaces itself, and facts keep their order")
+{
+    const TemporaryFolder folder;
+    Report report(folder.path);
+    report.fact("damping", "kept", 0.5);
+    report.fact("damping", "method", "cpf");
+    report.fact("damping", "kept", 0.98765);
+    CHECK(content(folder.path / "facts_damping.csv") == "name,value,text\nkept,0.98765,0.988\nmethod,,cpf\n");
+    CHECK(report.written().size() == 1);
+}
+
+TEST_CASE("report: a folder that cannot be made is the user's mistake")
+{
+    const TemporaryFolder folder;
+    write_file(folder.path / "file", "");
+    CHECK_THROWS_AS(Report(folder.path / "file" / "results"), InputError);
+    CHECK_THROWS_AS(Report("/proc/results"), InputError);
+}
