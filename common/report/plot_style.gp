@@ -8,8 +8,7 @@ set output output
 set datafile separator ","
 set encoding utf8
 
-ink = "#808890"        # halfway between black and white: text and frame on either page
-faint = "#70808890"    # the same, mostly transparent (alpha first)
+ink = "#808890"    # halfway between black and white: text and frame on either page
 set linetype 1 linecolor rgb "#3f8fd0" linewidth 1.6 pointtype 7 pointsize 0.5
 set linetype 2 linecolor rgb "#d9673f" linewidth 1.6 pointtype 5 pointsize 0.5
 set linetype 3 linecolor rgb "#4aa36b" linewidth 1.6 pointtype 9 pointsize 0.6

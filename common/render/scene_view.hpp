@@ -1,0 +1,20 @@
+#pragma once
+
+#include "common/render/stage.hpp"
+#include "common/simulation/contact.hpp"
+#include "common/simulation/scene.hpp"
+
+namespace enduring {
+
+/// The bodies of a world at the committed state (positions_t0), its planes, and the scene's camera.
+/// @param world  usually scene.world, or what became of it
+/// @param scene  looks and camera; bodies it gives no look take the palette's colours in turn, static ones a pale sand
+Stage stage_of(const World& world, const Scene& scene);
+
+/// Marks the features of contacts in the thesis' colours at positions_t0: vertices red, faces blue, edges green.
+void mark_contacts(Stage& stage, const World& world, const Contacts& contacts);
+
+/// An orange dot, for a vertex that moved as it should not have.
+void mark_artefact(Stage& stage, const World& world, int body, int vertex);
+
+}  // namespace enduring
