@@ -15,7 +15,7 @@ struct SurfaceMesh {
 };
 
 /// A tetrahedral mesh with 4 nodes an element: positions [m]; the first three nodes of a tetrahedron run
-/// counter-clockwise seen from the fourth's far side, so that det(x1-x0, x2-x0, x3-x0) > 0.
+/// counter-clockwise seen from the fourth, so that det(x1-x0, x2-x0, x3-x0) > 0.
 struct TetrahedralMesh {
     std::vector<Vec3> nodes;
     std::vector<std::array<int, 4>> elements;
@@ -28,5 +28,11 @@ struct QuadraticTetrahedralMesh {
     std::vector<std::array<int, 10>> elements;
     int corner_count = 0;
 };
+
+/// The corners of each edge of a tetrahedron, in the order of the 10-node element.
+inline constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+
+/// The corners of each face of a tetrahedron, counter-clockwise seen from outside; face i lies opposite corner i.
+inline constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 }  // namespace enduring

@@ -37,6 +37,8 @@ public:
     bool is_consistently_oriented() const;  ///< neighbours run along their common edge in opposite directions
 
 private:
+    bool has_one_fan(int vertex) const;
+
     int vertex_count_ = 0;
     std::vector<Face> faces_;
     std::vector<Edge> edges_;
