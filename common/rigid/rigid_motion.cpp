@@ -92,7 +92,7 @@ Pose RigidMotion::predicted_pose(double dt) const
     // same turn and never meet that limit.
     const double longest_turn = 0.75;
     const btVector3& spin = body_->getAngularVelocity();
-    const int parts = 1 + static_cast<int>(spin.length() * dt / longest_turn);
+    const int parts = 1 + static_cast<int>(std::fmin(spin.length() * dt / longest_turn, 1000));  // a NaN ends as one
 
     btTransform transform = body_->getCenterOfMassTransform();
     for (int part = 0; part < parts; ++part) {
