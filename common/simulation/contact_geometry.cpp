@@ -1,0 +1,67 @@
+#include "common/simulation/contact_geometry.hpp"
+
+namespace enduring {
+namespace {
+
+ContactGeometry plane_geometry(const Plane& plane, const Vec3& p)
+{
+    const double depth = plane.normal.dot(p - plane.point);
+    return {p, p - depth * plane.normal, plane.normal, depth};
+}
+
+/// Unit vector, or zero when the features are parallel or degenerate and no direction is better than another.
+Vec3 unit_or_zero(const Vec3& v)
+{
+    const double length = v.norm();
+    return length > 0 ? Vec3(v / length) : Vec3(Vec3::Zero());
+}
+
+Vec3 normal_direction(const Contact& contact, const std::array<Vec3, 4>& x)
+{
+    if (contact.kind == ContactKind::vertex_face)
+        return (x[2] - x[1]).cross(x[3] - x[1]);
+    return contact.orientation * (x[1] - x[0]).cross(x[3] - x[2]);
+}
+
+}  // namespace
+
+Vec3 contact_vertex(const World& world, const Contact& contact, int i, double tau)
+{
+    const int side = i < contact.vertices_of_a() ? contact.body_a : contact.body_b;
+    const Body& body = *world.bodies[static_cast<std::size_t>(side)];
+    const std::size_t vertex = static_cast<std::size_t>(contact.vertices[static_cast<std::size_t>(i)]);
+    return (1 - tau) * body.positions_t0()[vertex] + tau * body.positions_t1()[vertex];
+}
+
+ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau)
+{
+    if (contact.kind == ContactKind::vertex_plane)
+        return plane_geometry(world.planes[static_cast<std::size_t>(contact.body_b)],
+                              contact_vertex(world, contact, 0, tau));
+
+    std::array<Vec3, 4> x;
+    ContactGeometry geometry;
+    for (std::size_t i = 0; i < 4; ++i) {
+        x[i] = contact_vertex(world, contact, static_cast<int>(i), tau);
+        if (static_cast<int>(i) < contact.vertices_of_a())
+            geometry.p += contact.weights[i] * x[i];
+        else
+            geometry.q -= contact.weights[i] * x[i];
+    }
+    geometry.normal = unit_or_zero(normal_direction(contact, x));
+    geometry.depth = geometry.normal.dot(geometry.p - geometry.q);
+    return geometry;
+}
+
+const std::string& name_of_a(const World& world, const Contact& contact)
+{
+    return world.bodies[static_cast<std::size_t>(contact.body_a)]->name();
+}
+
+const std::string& name_of_b(const World& world, const Contact& contact)
+{
+    const std::size_t b = static_cast<std::size_t>(contact.body_b);
+    return contact.kind == ContactKind::vertex_plane ? world.planes[b].name : world.bodies[b]->name();
+}
+
+}  // namespace enduring

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "common/simulation/contact.hpp"
+#include "common/simulation/step.hpp"
+
+namespace enduring {
+
+/// Where the two points of a contact lie at one moment of the step.
+struct ContactGeometry {
+    Vec3 p = Vec3::Zero();       ///< point of A [m]
+    Vec3 q = Vec3::Zero();       ///< point of B [m]; for a plane the foot of p
+    Vec3 normal = Vec3::Zero();  ///< unit length, out of B; zero where the face or the edges have no normal
+    double depth = 0;            ///< normal . (p - q) [m], negative inside
+};
+
+/// Points, normal and depth of a contact at tau in [0, 1], from vertices that move linearly between the ends of the step.
+///
+/// After a step has been committed both ends are the new state, so any tau reads that state. The solvers integrate
+/// over tau by closed forms of their own; this is for probes, pictures and checks.
+ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau);
+
+/// The names of the two sides; B may be a plane.
+const std::string& name_of_a(const World& world, const Contact& contact);
+const std::string& name_of_b(const World& world, const Contact& contact);
+
+/// World position of the contact's i-th vertex (0..3) at tau [m].
+Vec3 contact_vertex(const World& world, const Contact& contact, int i, double tau);
+
+}  // namespace enduring

@@ -1,0 +1,57 @@
+#include "common/simulation/rigid_body.hpp"
+
+#include <utility>
+
+namespace enduring {
+
+RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties, const Vec3& velocity,
+                     const Vec3& angular_velocity)
+    : Body(std::move(name), SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces)),
+      motion_(properties, velocity, angular_velocity)
+{
+    const Pose pose = motion_.pose();
+    body_points_.reserve(mesh.vertices.size());
+    for (const Vec3& vertex : mesh.vertices)
+        body_points_.push_back(pose.to_body(vertex));
+    positions_t0_ = mesh.vertices;
+    positions_t1_ = mesh.vertices;
+}
+
+void RigidBody::predict(const Vec3& gravity, double dt)
+{
+    motion_.predict(gravity, dt);
+    update_prediction(dt);
+}
+
+void RigidBody::update_prediction(double dt)
+{
+    const Pose pose = motion_.predicted_pose(dt);
+    for (std::size_t i = 0; i < body_points_.size(); ++i)
+        positions_t1_[i] = pose.to_world(body_points_[i]);
+}
+
+void RigidBody::commit(double dt)
+{
+    motion_.commit(dt);
+    const Pose pose = motion_.pose();
+    for (std::size_t i = 0; i < body_points_.size(); ++i)
+        positions_t1_[i] = pose.to_world(body_points_[i]);
+    positions_t0_ = positions_t1_;
+}
+
+// The lever is that of the start of the step: one prediction, one place for all its impulses.
+void RigidBody::apply_impulse(int vertex, const Vec3& impulse) { motion_.apply_impulse(impulse, start_of(vertex)); }
+
+Vec3 RigidBody::velocity(int vertex) const { return motion_.velocity_at(start_of(vertex)); }
+
+Mat3 RigidBody::inverse_mass(int vertex) const { return motion_.inverse_mass_at(start_of(vertex)); }
+
+Energy RigidBody::energy(const Vec3& gravity) const
+{
+    Energy energy;
+    energy.kinetic = motion_.kinetic_energy();
+    energy.gravitational = -mass() * gravity.dot(motion_.pose().position);
+    return energy;
+}
+
+}  // namespace enduring

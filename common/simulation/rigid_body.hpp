@@ -1,0 +1,44 @@
+#pragma once
+
+#include "common/geometry/meshes.hpp"
+#include "common/rigid/mass_properties.hpp"
+#include "common/rigid/rigid_motion.hpp"
+#include "common/simulation/body.hpp"
+
+namespace enduring {
+
+/// A rigid body as the contact code sees it: surface points fixed in the body, so that an impulse at one of them moves
+/// them all, and the inverse mass at a point is a full 3x3 matrix.
+class RigidBody final : public Body {
+public:
+    /// @param mesh              closed surface where it starts in the world [m]
+    /// @param properties        of that mesh, in the same coordinates
+    /// @param velocity          of the centre of mass [m/s]
+    /// @param angular_velocity  in world axes [rad/s]
+    /// @throws InputError       a surface or mass properties that no rigid body can have
+    RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties,
+              const Vec3& velocity = Vec3::Zero(), const Vec3& angular_velocity = Vec3::Zero());
+
+    void predict(const Vec3& gravity, double dt) override;
+    void update_prediction(double dt) override;
+    void commit(double dt) override;
+
+    void apply_impulse(int vertex, const Vec3& impulse) override;
+    Vec3 velocity(int vertex) const override;
+    Mat3 inverse_mass(int vertex) const override;
+
+    double mass() const override { return motion_.mass(); }
+    Energy energy(const Vec3& gravity) const override;
+    Vec3 linear_momentum() const override { return motion_.linear_momentum(); }
+    Vec3 angular_momentum(const Vec3& about) const override { return motion_.angular_momentum(about); }
+
+    const RigidMotion& motion() const { return motion_; }
+
+private:
+    const Vec3& start_of(int vertex) const { return positions_t0_[static_cast<std::size_t>(vertex)]; }
+
+    RigidMotion motion_;
+    std::vector<Vec3> body_points_;  ///< surface vertices in body coordinates [m]
+};
+
+}  // namespace enduring

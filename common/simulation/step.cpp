@@ -1,0 +1,101 @@
+#include "common/simulation/step.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace enduring {
+namespace {
+
+/// How often a step answers what its own answers brought about (thesis 3.3, item 4).
+constexpr int max_responses = 5;
+
+template <typename Work>
+void timed(const PassTimer& timer, const std::string& name, const Work& work)
+{
+    if (!timer)
+        return work();
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    work();
+    timer(name, std::chrono::duration<double>(Clock::now() - begin).count());
+}
+
+void run_passes(const std::vector<Pass>& passes, World& world, Contacts& contacts, double dt, const PassTimer& timer)
+{
+    for (const Pass& pass : passes)
+        timed(timer, pass.name, [&] { pass.run(world, contacts, dt); });
+}
+
+/// A contact that lives on pushes from the start of the new step and has not been answered in it.
+void begin_step(Contacts& contacts)
+{
+    for (Contact& contact : contacts) {
+        contact.start = 0;
+        contact.handled = false;
+        contact.impulse.setZero();
+    }
+}
+
+bool any_unhandled(const Contacts& contacts)
+{
+    return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return !contact.handled; });
+}
+
+/// Stops a NaN where it first shows: every later number would only repeat it.
+void require_finite(const World& world, const std::string& stage)
+{
+    for (const std::unique_ptr<Body>& body : world.bodies) {
+        const std::span<const Vec3> positions = body->positions_t1();
+        for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
+            if (!positions[vertex].allFinite())
+                throw std::runtime_error("step " + std::to_string(world.step + 1) + ": body '" + body->name() +
+                                         "', vertex " + std::to_string(vertex) + ": the position " + stage +
+                                         " is not a finite number");
+    }
+}
+
+void predict(World& world, double dt)
+{
+    for (const std::unique_ptr<Body>& body : world.bodies)
+        body->predict(world.gravity, dt);
+    require_finite(world, "predicted from the body's own motion");
+}
+
+void update_predictions(World& world, double dt)
+{
+    for (const std::unique_ptr<Body>& body : world.bodies)
+        body->update_prediction(dt);
+    require_finite(world, "predicted after contact impulses");
+}
+
+void commit(World& world, double dt)
+{
+    for (const std::unique_ptr<Body>& body : world.bodies)
+        body->commit(dt);
+    world.time += dt;
+    ++world.step;
+}
+
+}  // namespace
+
+//! [advance]
+void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassTimer& timer)
+{
+    timed(timer, "predict", [&] { predict(world, dt); });
+
+    begin_step(contacts);
+    run_passes(solver.enduring, world, contacts, dt, timer);
+
+    run_passes(solver.detect, world, contacts, dt, timer);
+    for (int response = 0; response < max_responses && any_unhandled(contacts); ++response) {
+        run_passes(solver.respond, world, contacts, dt, timer);
+        timed(timer, "update prediction", [&] { update_predictions(world, dt); });
+        run_passes(solver.detect, world, contacts, dt, timer);
+    }
+
+    timed(timer, "commit", [&] { commit(world, dt); });
+}
+//! [advance]
+
+}  // namespace enduring

@@ -1,0 +1,173 @@
+#include "common/simulation/step.hpp"
+#include "common/simulation/tests/point_masses.hpp"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+using namespace enduring;
+
+namespace {
+
+World one_triangle(const Vec3& gravity = Vec3::Zero())
+{
+    World world;
+    world.gravity = gravity;
+    world.bodies.push_back(triangle("sheet"));
+    return world;
+}
+
+/// Writes its name into a log each time it runs; then does what it is told.
+Pass logged(const std::string& name, std::string& log, std::function<void(World&, Contacts&)> work = {})
+{
+    return {name, [&log, name, work](World& world, Contacts& contacts, double) {
+                log += name + " ";
+                if (work)
+                    work(world, contacts);
+            }};
+}
+
+void append_contact(World&, Contacts& contacts)
+{
+    Contact found;
+    found.start = 0.5;
+    contacts.push_back(found);
+}
+
+void handle_all(World&, Contacts& contacts)
+{
+    for (Contact& contact : contacts)
+        contact.handled = true;
+}
+
+}  // namespace
+
+TEST_CASE("step: a body without contact follows symplectic Euler")
+{
+    World world = one_triangle({0, -10, 0});
+    Contacts contacts;
+    for (int i = 0; i < 5; ++i)
+        advance(world, contacts, {}, 0.1);
+    // v_n = -n, so that y_n = -0.1 (1 + 2 + 3 + 4 + 5).
+    CHECK(world.bodies[0]->positions_t0()[1].y() == doctest::Approx(-1.5));
+    CHECK(world.bodies[0]->velocity(1).y() == doctest::Approx(-5));
+    CHECK(world.time == doctest::Approx(0.5));
+    CHECK(world.step == 5);
+}
+
+TEST_CASE("step: without contacts one detection ends it, and nothing responds")
+{
+    std::string log;
+    World world = one_triangle();
+    Contacts contacts;
+    advance(world, contacts, {"", {logged("enduring", log)}, {logged("detect", log)}, {logged("respond", log)}}, 0.1);
+    CHECK(log == "enduring detect ");
+}
+
+TEST_CASE("step: detection and response alternate until nothing new appears")
+{
+    std::string log;
+    int finds = 2;
+    const Pass detect = logged("d", log, [&](World& world, Contacts& contacts) {
+        if (finds-- > 0)
+            append_contact(world, contacts);
+    });
+    World world = one_triangle();
+    Contacts contacts;
+    advance(world, contacts, {"", {}, {detect}, {logged("r", log, handle_all)}}, 0.1);
+    CHECK(log == "d r d r d ");
+    CHECK(contacts.size() == 2);
+}
+
+TEST_CASE("step: five responses are the most, and what the last detection finds waits unhandled")
+{
+    std::string log;
+    World world = one_triangle();
+    Contacts contacts;
+    advance(world, contacts, {"", {}, {logged("d", log, append_contact)}, {logged("r", log, handle_all)}}, 0.1);
+    CHECK(log == "d r d r d r d r d r d ");
+    REQUIRE(contacts.size() == 6);
+    CHECK(contacts[4].handled);
+    CHECK_FALSE(contacts[5].handled);
+}
+
+TEST_CASE("step: a contact that lives on starts the new step unhandled, without impulse, and from tau = 0")
+{
+    World world = one_triangle();
+    Contacts contacts(1);
+    contacts[0].start = 0.7;
+    contacts[0].handled = true;
+    contacts[0].impulse = {1, 2, 3};
+    bool seen = false;
+    const Pass enduring{"enduring", [&](World&, Contacts& living, double) {
+                            seen = living.size() == 1 && living[0].start == 0 && !living[0].handled && living[0].impulse.isZero();
+                        }};
+    std::string log;
+    advance(world, contacts, {"", {enduring}, {}, {logged("r", log, handle_all)}}, 0.1);
+    CHECK(seen);
+    CHECK(log == "r ");
+}
+
+TEST_CASE("step: impulses of one pass do not see each other, and their order does not matter")
+{
+    const Vec3 first{0, 1, 0}, second{0.5, 0, -2};
+    std::vector<Vec3> ends;
+    for (const bool swapped : {false, true}) {
+        World world = one_triangle();
+        bool prediction_stayed = true;
+        const Pass respond{"r", [&](World& in, Contacts& contacts, double) {
+                               Body& body = *in.bodies[0];
+                               const Vec3 before = body.positions_t1()[0];
+                               body.apply_impulse(0, swapped ? second : first);
+                               prediction_stayed = prediction_stayed && body.positions_t1()[0] == before;
+                               body.apply_impulse(0, swapped ? first : second);
+                               handle_all(in, contacts);
+                           }};
+        Contacts contacts(1);
+        advance(world, contacts, {"", {}, {}, {respond}}, 0.5);
+        CHECK(prediction_stayed);
+        ends.push_back(world.bodies[0]->positions_t0()[0]);
+    }
+    CHECK(ends[0] == ends[1]);
+    CHECK((ends[0] - Vec3(0.25, 0.5, -1)).norm() < 1e-15);  // 1 kg: dt (I1 + I2)
+}
+
+TEST_CASE("step: a NaN stops the run and names step, body and vertex")
+{
+    World world = one_triangle();
+    world.bodies.push_back(triangle("second sheet"));
+    Contacts contacts(1);
+    const Pass poison{"r", [&](World& in, Contacts& all, double) {
+                          if (in.step == 2)
+                              in.bodies[1]->apply_impulse(1, {0, std::numeric_limits<double>::quiet_NaN(), 0});
+                          handle_all(in, all);
+                      }};
+    const Solver solver{"", {}, {}, {poison}};
+    advance(world, contacts, solver, 0.1);
+    advance(world, contacts, solver, 0.1);
+    CHECK_THROWS_WITH_AS(advance(world, contacts, solver, 0.1),
+                         "step 3: body 'second sheet', vertex 1: the position predicted after contact impulses is not a finite number",
+                         std::runtime_error);
+}
+
+TEST_CASE("step: an infinite velocity is caught in the prediction")
+{
+    World world = one_triangle({0, -std::numeric_limits<double>::infinity(), 0});
+    Contacts contacts;
+    CHECK_THROWS_WITH_AS(advance(world, contacts, {}, 0.1), doctest::Contains("body 'sheet', vertex 0"), std::runtime_error);
+}
+
+TEST_CASE("step: the timer hears every pass by its name")
+{
+    std::string log, heard;
+    World world = one_triangle();
+    Contacts contacts(1);
+    bool never_negative = true;
+    advance(world, contacts, {"", {logged("e", log)}, {logged("d", log)}, {logged("r", log, handle_all)}}, 0.1,
+            [&](const std::string& pass, double seconds) {
+                heard += pass + ",";
+                never_negative = never_negative && seconds >= 0;
+            });
+    CHECK(heard == "predict,e,d,r,update prediction,d,commit,");
+    CHECK(never_negative);
+}
