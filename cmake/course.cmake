@@ -1,0 +1,23 @@
+# What is not C++: the `course` command and the book's weaver, as tests. And the targets `course` asks for by one name.
+get_property(targets DIRECTORY PROPERTY BUILDSYSTEM_TARGETS)
+foreach(kind bench fuzz)
+  set(programs ${targets})
+  list(FILTER programs INCLUDE REGEX "^${kind}_")
+  string(REPLACE "bench" "benchmarks" name ${kind})
+  string(REPLACE "fuzz" "fuzzers" name ${name})
+  add_custom_target(${name} DEPENDS ${programs})
+endforeach()
+
+find_program(BASH bash)
+find_package(Python3 QUIET COMPONENTS Interpreter)
+if(BASH AND NOT ENDURING_SANITIZE AND NOT ENDURING_FUZZ)
+  add_test(NAME "course: what it refuses, what it lists and what it installs"
+           COMMAND ${BASH} ${PROJECT_SOURCE_DIR}/docs/tests/test_course.sh)
+  set_tests_properties("course: what it refuses, what it lists and what it installs" PROPERTIES
+    LABELS course ENVIRONMENT "ENDURING_BUILD=${CMAKE_BINARY_DIR}")
+  if(Python3_FOUND)
+    add_test(NAME "book: what the weaver brings and what stops it"
+             COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/tests/test_weave.py)
+    set_tests_properties("book: what the weaver brings and what stops it" PROPERTIES LABELS course)
+  endif()
+endif()

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""Builds the book: weaves its pages, runs Doxygen on them and on the headers, and moves the result into place.
+
+The finished book is one folder that works from file:// without a network.
+"""
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+WORK = ROOT / "build/docs"
+THEME = Path("/usr/share/doxygen-awesome-css")
+MATHJAX = Path("/usr/share/javascript/mathjax")
+MATHJAX_PARTS = ["MathJax.js", "extensions", "jax/element/mml", "jax/input/TeX", "jax/output/SVG/jax.js",
+                 "jax/output/SVG/config.js", "jax/output/SVG/autoload", "jax/output/SVG/fonts/TeX"]
+
+
+def need_tools():
+    for thing, package in ((shutil.which("doxygen"), "doxygen"), (THEME.is_dir(), "doxygen-awesome-css"),
+                           (MATHJAX.is_dir(), "libjs-mathjax")):
+        if not thing:
+            sys.exit(f"The book needs {package}. On Debian: apt-get install {package}   (or: ./course setup)")
+
+
+def write_header():
+    """Doxygen's own page header, with the theme's scripts and a view that fits a phone."""
+    frame = [WORK / "header.html", WORK / "footer.html", WORK / "style.css"]
+    subprocess.run(["doxygen", "-w", "html", *map(str, frame), "docs/Doxyfile"], cwd=ROOT, check=True,
+                   stdout=subprocess.DEVNULL)
+    header = frame[0].read_text(encoding="utf-8")
+    if "viewport" not in header:
+        header = header.replace("<head>", '<head>\n<meta name="viewport" content="width=device-width, initial-scale=1">')
+    scripts = (ROOT / "docs/theme/scripts.html").read_text(encoding="utf-8")
+    frame[0].write_text(header.replace("</head>", scripts + "</head>"), encoding="utf-8")
+
+
+def run_doxygen():
+    settings = (ROOT / "docs/Doxyfile").read_text(encoding="utf-8")
+    settings += f"OUTPUT_DIRECTORY = {WORK}\nHTML_HEADER = {WORK}/header.html\nWARN_LOGFILE = {WORK}/warnings.txt\n"
+    shutil.rmtree(WORK / "html", ignore_errors=True)
+    done = subprocess.run(["doxygen", "-"], cwd=ROOT, input=settings, text=True)
+    warnings = (WORK / "warnings.txt").read_text(encoding="utf-8").replace(f"{ROOT}/", "")
+    if done.returncode or warnings.strip():
+        print(warnings, end="", file=sys.stderr)
+        sys.exit("The book was not built: Doxygen has the warnings above.")
+
+
+def leftovers(book):
+    """What Doxygen passes without a warning, but a reader would see."""
+    for page in sorted(book.glob("*.html")):
+        text = page.read_text(encoding="utf-8", errors="replace")
+        for place in set(re.findall(r'(?:src|href)="(figures/[^"]+)"', text)):
+            if not (book / place).is_file():
+                yield f"{page.name}: {place} is missing"
+        body = re.sub(r"<(code|pre)\b.*?</\1>", "", text, flags=re.S)
+        yield from (f"{page.name}: left in the text: {found}"
+                    for found in re.findall(r"@(?:fact|figure|table|figref|tabref)\{[^}]*\}", body))
+
+
+def copy_mathjax(book):
+    for part in MATHJAX_PARTS:
+        source, place = MATHJAX / part, book / "mathjax" / part
+        place.parent.mkdir(parents=True, exist_ok=True)
+        if source.is_dir():
+            shutil.copytree(source, place)
+        else:
+            shutil.copyfile(source, place)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--results", type=Path, default=ROOT / "build/results", help="what the run left")
+    parser.add_argument("--book", type=Path, default=ROOT / "build/book", help="where the book goes")
+    options = parser.parse_args()
+    need_tools()
+    WORK.mkdir(parents=True, exist_ok=True)
+    quick = ["--quick"] if options.results.name.endswith("quick") else []
+    woven = subprocess.run([sys.executable, str(ROOT / "docs/weave.py"), "--results", str(options.results), *quick])
+    if woven.returncode:
+        sys.exit(woven.returncode)
+    write_header()
+    run_doxygen()
+    html = WORK / "html"
+    shutil.copytree(WORK / "figures", html / "figures")
+    copy_mathjax(html)
+    if faults := list(leftovers(html)):
+        sys.exit("\n".join(faults))
+    (html / ".made_from").write_text(str(options.results))
+    shutil.rmtree(options.book, ignore_errors=True)
+    html.rename(options.book)
+
+
+if __name__ == "__main__":
+    main()

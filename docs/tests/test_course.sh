@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# The course command as a user meets it: exit codes, messages, lists; and what it asks apt for, with a false apt.
+set -u
+cd "$(dirname "$(readlink -f "$0")")/../.." || exit 1
+failed=0
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+expect() { # EXIT-CODE PATTERN ARGUMENT...: the code, and a line of the output
+    local code=$1 pattern=$2 output got=0
+    shift 2
+    output=$(./course "$@" 2>&1 </dev/null) || got=$?
+    if [[ $got -ne $code ]] || ! grep -q -e "$pattern" <<<"$output"; then
+        printf 'FAILED: ./course %s\n  expected exit %s and a line with: %s\n  got exit %s and:\n%s\n' "$*" "$code" \
+            "$pattern" "$got" "$(head -5 <<<"$output")"
+        failed=1
+    fi
+}
+
+expect 0 './course run --list' help
+expect 0 './course run --list'
+expect 2 'unknown command: frobnicate' frobnicate
+expect 2 'there is no chapter 99' run 99
+expect 2 'there is no chapter 0' test 0
+expect 2 "name one chapter before drop" run drop
+expect 2 'unknown option: --frob' run --frob
+expect 2 "unknown word: 'word'" test word
+expect 2 '--list means nothing here' test --list
+expect 2 '--quick means nothing here' bench --quick
+
+for main in chapters/[0-9][0-9]_*/main.cpp; do
+    [[ -e $main ]] || continue
+    number=$((10#$(basename "$(dirname "$main")" | cut -c1-2)))
+    expect 0 "^  [a-z_]* *[^ ]" run "$number" --list --no-install
+    expect 2 "has no experiment 'no_such'" run "$number" no_such --no-install
+done
+
+# A false dpkg-query that knows every package but one, and a false apt-get that writes down what it is asked for.
+cat >"$scratch/dpkg-query" <<END
+#!/bin/bash
+for word in "\$@"; do grep -qx -e "\$word" "$scratch/missing" || echo "installed \$word"; done
+END
+echo libcli11-dev >"$scratch/missing"
+cat >"$scratch/apt-get" <<END
+#!/bin/bash
+echo "\$*" >>"$scratch/asked"
+END
+printf '#!/bin/bash\n"$@"\n' >"$scratch/sudo"
+chmod +x "$scratch"/*
+PATH=$scratch:$PATH expect 0 'Installing libcli11-dev' setup
+if ! grep -q 'install .* libcli11-dev$' "$scratch/asked" 2>/dev/null; then
+    echo "FAILED: setup did not ask apt for exactly the one missing package"; failed=1
+fi
+rm -f "$scratch/asked"
+: >"$scratch/missing"
+PATH=$scratch:$PATH expect 0 'Everything is installed' setup
+if [[ -e $scratch/asked ]]; then echo "FAILED: setup asked apt although nothing is missing"; failed=1; fi
+
+if command -v shellcheck >/dev/null; then shellcheck course .ci/run docs/tests/test_course.sh || failed=1; fi
+exit $failed

@@ -1,0 +1,153 @@
+"""The weaver: what a page asks for arrives, and what is not there stops the book with file and line."""
+import atexit
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+WEAVE = Path(__file__).resolve().parent.parent / "weave.py"
+
+CODE = """#pragma once
+// [depth]
+double depth();  // metres
+// [depth]
+// [nothing]
+
+// [nothing]
+// [once]
+"""
+
+
+class Book:
+    """A small repository with one chapter and the results of its run."""
+
+    def __init__(self, text, second_chapter=None):
+        self.root = Path(tempfile.mkdtemp())
+        atexit.register(shutil.rmtree, self.root)
+        self.write("chapters/01_drop/chapter.md", text)
+        self.write("chapters/01_drop/depth.hpp", CODE)
+        self.write("docs/main.md", "# Title {#mainpage}\n\n@pages{chapters}\n")
+        self.write("build/results/01_drop/facts_drop.csv", 'name,value,text\nheight,0.1,"0.1 m, about"\n')
+        self.write("build/results/01_drop/steps.md", "| dt |\n|---:|\n| 0.14 |")
+        self.write("build/results/01_drop/drop.svg", "<svg/>")
+        self.write("build/results/01_drop/fall.mp4", "clip")
+        if second_chapter:
+            self.write("chapters/02_more/chapter.md", second_chapter)
+            self.write("build/results/02_more/facts_drop.csv", "name,value,text\nheight,0.2,0.2 m\n")
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def weave(self, *options):
+        return subprocess.run([sys.executable, str(WEAVE), "--root", str(self.root), "--results",
+                               str(self.root / "build/results"), "--out", str(self.root / "out"), *options],
+                              capture_output=True, text=True)
+
+    def page(self, label="chapter_01"):
+        return (self.root / "out/pages" / f"{label}.md").read_text(encoding="utf-8")
+
+
+class WhatArrives(unittest.TestCase):
+    def woven(self, text, *options):
+        book = Book("# The drop\n" + text)
+        done = book.weave(*options)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return book.page()
+
+    def test_a_chapter_gets_its_number_and_label(self):
+        self.assertTrue(self.woven("Why?").startswith("# 1. The drop {#chapter_01}\n"))
+
+    def test_a_fact_is_the_text_of_the_run(self):
+        self.assertIn("It falls 0.1 m, about.", self.woven("It falls @fact{drop.height}."))
+
+    def test_code_is_left_as_it_is(self):
+        page = self.woven("`@fact{drop.height}`\n\n```\n@fact{no.such}\n```\n")
+        self.assertIn("`@fact{drop.height}`", page)
+        self.assertIn("@fact{no.such}", page)
+
+    def test_figures_are_numbered_copied_and_linked(self):
+        book = Book("# The drop\nSee @figref{fall.mp4}.\n\n@figure{drop.svg, Up}\n@figure{fall.mp4, Down @fact{drop.height}}\n")
+        self.assertEqual(book.weave().returncode, 0)
+        self.assertIn('See \\ref fig_chapter_01_fall_mp4 "Figure 1.2".', book.page())
+        self.assertIn("<b>Figure 1.2.</b> Down 0.1 m, about", book.page())
+        self.assertEqual((book.root / "out/figures/01_drop/fall.mp4").read_text(), "clip")
+
+    def test_a_table_stands_in_the_page(self):
+        page = self.woven("@tabref{steps}\n\n@table{steps, Stable steps}\n")
+        self.assertIn("| 0.14 |", page)
+        self.assertIn('"Table 1.1"', page)
+
+    def test_a_snippet_names_its_file_from_the_top(self):
+        self.assertIn("\\snippet chapters/01_drop/depth.hpp depth\n", self.woven("\\snippet depth.hpp depth\n"))
+
+    def test_a_quick_run_is_said(self):
+        self.assertIn("quick run", self.woven("Why?", "--quick"))
+        self.assertNotIn("quick run", self.woven("Why?"))
+
+    def test_the_main_page_asks_what_the_chapter_asks(self):
+        book = Book("# The drop\n\nHow deep does\nit fall? Far.\n")
+        self.assertEqual(book.weave().returncode, 0)
+        self.assertIn("- \\subpage chapter_01 <br>How deep does it fall?\n", book.page("mainpage"))
+
+    def test_a_chapter_takes_its_own_fact(self):
+        book = Book("# A\n@fact{drop.height}\n", "# B\n@fact{drop.height}\n")
+        self.assertEqual(book.weave().returncode, 0)
+        self.assertIn("\n0.2 m\n", book.page("chapter_02"))
+
+
+class WhatStopsTheBook(unittest.TestCase):
+    def refused(self, text, message, **more):
+        book = Book(text, **more)
+        done = book.weave()
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(message, done.stderr)
+        self.assertFalse((book.root / "out").exists(), "nothing is written")
+
+    def test_an_unknown_fact(self):
+        self.refused("# The drop\n\nIt falls @fact{drop.depth}.", "chapters/01_drop/chapter.md:3: no run left the fact 'drop.depth'")
+
+    def test_an_unknown_table(self):
+        self.refused("# The drop\n@table{stops}", "chapter.md:2: no run left the table 'stops.md'")
+
+    def test_an_unknown_figure(self):
+        self.refused("# The drop\n@figure{drop.png, A drop}", "chapter.md:2: no run left the figure 'drop.png'")
+
+    def test_a_figure_without_a_caption(self):
+        self.refused("# The drop\n@figure{drop.svg}", "chapter.md:2: cannot read @figure{drop.svg}")
+
+    def test_a_reference_to_a_figure_that_no_page_shows(self):
+        self.refused("# The drop\n@figref{drop.svg}", "chapter.md:2: @figref{drop.svg}: no page shows it")
+
+    def test_a_snippet_of_no_file(self):
+        self.refused("# The drop\n\\snippet height.hpp depth", "chapter.md:2: \\snippet height.hpp: no such file")
+
+    def test_an_empty_snippet(self):
+        self.refused("# The drop\n\\snippet depth.hpp nothing", "the region [nothing] of chapters/01_drop/depth.hpp is empty")
+
+    def test_a_snippet_whose_mark_is_left_open(self):
+        self.refused("# The drop\n\\snippet depth.hpp once", "the mark [once] stands 1 times")
+
+    def test_a_snippet_without_a_mark(self):
+        self.refused("# The drop\n\\snippet depth.hpp width", "the mark [width] stands 0 times")
+
+    def test_a_fact_that_two_other_chapters_have(self):
+        book = Book("# A\n", "# B\n")
+        book.write("docs/page.md", "# Page\n@fact{drop.height}")
+        done = book.weave()
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("docs/page.md:2: the fact 'drop.height' is in several chapters: 01_drop, 02_more", done.stderr)
+
+    def test_a_page_without_a_title(self):
+        self.refused("The drop\n", "chapter.md:1: a page begins with its title")
+
+    def test_every_mistake_is_reported_at_once(self):
+        done = Book("# The drop\n@fact{a.b}\n@fact{c.d}\n").weave()
+        self.assertEqual(done.stderr.count("no run left"), 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,292 @@
+#!/usr/bin/env python3
+"""Weaves the pages of the book: the written text, and what the run measured, into Markdown for Doxygen.
+
+docs/writing.md lists what a page may ask for. A number, table, figure or listing that is not there is an error that
+names the page's file and line; all of them are reported, and nothing is written.
+"""
+import argparse
+import csv
+import html
+import re
+import shutil
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run (`./course docs --quick`)."
+
+
+class Mistake(Exception):
+    """Something a page asks for that the build does not have."""
+
+
+@dataclass
+class Figure:
+    number: str
+    anchor: str
+    source: Path
+    place: str  # in the finished book
+
+
+@dataclass
+class Page:
+    path: Path          # of the text
+    folder: str         # of its chapter, "" outside the chapters
+    label: str = ""
+    title: str = ""
+    lines: list = field(default_factory=list)      # of the body
+    first_line: int = 2
+    figures: dict = field(default_factory=dict)    # by file name
+    tables: dict = field(default_factory=dict)
+
+    @property
+    def number(self):
+        return str(int(self.folder[:2])) if self.folder else ""
+
+
+class Results:
+    """What the chapters' programs left: build/results/NN_name/."""
+
+    def __init__(self, root):
+        self.folders = sorted(path for path in root.glob("[0-9][0-9]_*") if path.is_dir())
+        self.facts = {folder.name: self._read_facts(folder) for folder in self.folders}
+
+    @staticmethod
+    def _read_facts(folder):
+        facts = {}
+        for path in sorted(folder.glob("facts_*.csv")):
+            experiment = path.stem[len("facts_"):]
+            with path.open(newline="", encoding="utf-8") as lines:
+                facts.update({f"{experiment}.{row['name']}": row["text"] for row in csv.DictReader(lines)})
+        return facts
+
+    def _of_one_chapter(self, page, what, name, found_in):
+        """A page's own chapter comes first; elsewhere a name must be the only one."""
+        if page.folder in found_in:
+            return page.folder
+        if not found_in:
+            raise Mistake(f"no run left the {what} '{name}'")
+        if len(found_in) > 1:
+            raise Mistake(f"the {what} '{name}' is in several chapters: {', '.join(found_in)}")
+        return found_in[0]
+
+    def fact(self, page, name):
+        found_in = [folder for folder, facts in self.facts.items() if name in facts]
+        return self.facts[self._of_one_chapter(page, "fact", name, found_in)][name]
+
+    def file(self, page, what, name):
+        found_in = [folder.name for folder in self.folders if (folder / name).is_file()]
+        chapter = self._of_one_chapter(page, what, name, found_in)
+        return next(folder / name for folder in self.folders if folder.name == chapter)
+
+
+# ------------------------------------------------------------------------------------------------- reading the pages
+def read_page(path, folder=""):
+    page = Page(path, folder)
+    lines = path.read_text(encoding="utf-8").splitlines()
+    title = re.match(r"#\s+(?:Chapter\s+)?(?:\d+[.:]?\s+)?(.+?)\s*(?:\{#(\w+)\})?$", lines[0] if lines else "")
+    if not title:
+        raise Mistake(f"{path}:1: a page begins with its title: # Title")
+    page.title = f"{page.number}. {title[1]}" if folder else title[1]
+    page.label = title[2] or (f"chapter_{folder[:2]}" if folder else f"page_{path.stem}")
+    page.lines = lines[1:]
+    return page
+
+
+def all_pages(root):
+    pages = [read_page(path, path.parent.name) for path in sorted((root / "chapters").glob("[0-9][0-9]_*/chapter.md"))]
+    pages += [read_page(path) for path in sorted((root / "common").glob("*/*.md"))]
+    pages += [read_page(path) for path in sorted((root / "docs").glob("*.md"))]
+    return pages
+
+
+def prose(page):
+    """The lines outside fenced code, with their numbers."""
+    fenced = False
+    for number, line in enumerate(page.lines, start=page.first_line):
+        if line.lstrip().startswith(("```", "~~~")):
+            fenced = not fenced
+        elif not fenced:
+            yield number, line
+
+
+FIGURE = re.compile(r"^@figure\{\s*([\w.-]+\.(?:png|svg|mp4))\s*,\s*(.+)\}\s*$")
+TABLE = re.compile(r"^@table\{\s*([\w-]+)\s*(?:,\s*(.+))?\}\s*$")
+
+
+def number_figures(page, results):
+    """Figures and captioned tables are numbered in the order of the page."""
+    for line_number, line in prose(page):
+        match = FIGURE.match(line)
+        if match:
+            try:
+                source = results.file(page, "figure", match[1])
+            except Mistake as mistake:
+                yield f"{page.path}:{line_number}: {mistake}"
+                continue
+            number = ".".join(filter(None, [page.number, str(len(page.figures) + 1)]))
+            page.figures[match[1]] = Figure(number, f"fig_{page.label}_{re.sub(r'[^a-zA-Z0-9]', '_', match[1])}", source,
+                                            f"figures/{source.parent.name}/{match[1]}")
+        match = TABLE.match(line)
+        if match and match[2]:
+            page.tables[match[1]] = (".".join(filter(None, [page.number, str(len(page.tables) + 1)])),
+                                     f"tab_{page.label}_{match[1]}")
+
+
+# --------------------------------------------------------------------------------------------------- what is woven in
+def figure_block(figure, caption):
+    plain = html.escape(re.sub(r"\\f\$|[*`_]|@\w+\{.*?\}", "", caption))
+    if figure.place.endswith(".mp4"):
+        shown = f'<video src="{figure.place}" autoplay loop muted controls playsinline aria-label="{plain}"></video>'
+    else:
+        shown = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain}" loading="lazy"></a>'
+    return (f'<div class="figure">\n\\anchor {figure.anchor}\n\\htmlonly{shown}\\endhtmlonly\n'
+            f'<div class="caption"><b>Figure {figure.number}.</b> {caption}</div>\n</div>')
+
+
+def table_block(page, name, caption, results):
+    rows = results.file(page, "table", name + ".md").read_text(encoding="utf-8").strip()
+    if not caption:
+        return f'<div class="data">\n\n{rows}\n\n</div>'
+    number, anchor = page.tables[name]
+    return (f'<div class="data">\n\\anchor {anchor}\n<div class="caption"><b>Table {number}.</b> {caption}</div>\n\n'
+            f'{rows}\n\n</div>')
+
+
+def snippet_block(root, page, option, name, region):
+    """A listing of the compiled code; Doxygen reads it, we make sure that there is something to read."""
+    file = next((path for path in (page.path.parent / name, root / name) if path.is_file()), None)
+    if file is None:
+        raise Mistake(f"\\snippet {name}: no such file")
+    lines = file.read_text(encoding="utf-8").splitlines()
+    marks = [number for number, line in enumerate(lines) if f"[{region}]" in line]
+    shown = file.relative_to(root).as_posix()
+    if len(marks) != 2:
+        raise Mistake(f"\\snippet {name}: the mark [{region}] stands {len(marks)} times in {shown}, not twice")
+    if not any(line.strip() for line in lines[marks[0] + 1:marks[1]]):
+        raise Mistake(f"\\snippet {name}: the region [{region}] of {shown} is empty")
+    return f'<div class="listing">{shown}</div>\n\\snippet{option} {shown} {region}'
+
+
+def first_sentence(page):
+    """What the page asks: its first paragraph up to the first full stop or question mark."""
+    paragraph = re.match(r"\s*((?:[^\n#@\\<].*\n?)+)", "\n".join(page.lines))
+    sentence = re.match(r".+?[.?!](?=\s|$)", paragraph[1].replace("\n", " ")) if paragraph else None
+    return sentence[0] if sentence else ""
+
+
+def link_block(weaver, kind):
+    chosen = {"chapters": [page for page in weaver.pages if page.folder],
+              "common": [page for page in weaver.pages if page.path.parent.parent.name == "common"]}.get(kind)
+    if chosen is None:
+        raise Mistake(f"@pages{{{kind}}}: either chapters or common")
+    return "\n".join(f"- \\subpage {page.label} <br>{weaver.inline(page, first_sentence(page))}" for page in chosen)
+
+
+def reference(pages, page, kind, name):
+    """@figref and @tabref: 'Figure 3.2', linked."""
+    for other in [page] + pages:
+        if kind == "figref" and name in other.figures:
+            return f'\\ref {other.figures[name].anchor} "Figure {other.figures[name].number}"'
+        if kind == "tabref" and name in other.tables:
+            return f'\\ref {other.tables[name][1]} "Table {other.tables[name][0]}"'
+    raise Mistake(f"@{kind}{{{name}}}: no page shows it under a number")
+
+
+# ------------------------------------------------------------------------------------------------------------ weaving
+class Weaver:
+    def __init__(self, root, pages, results):
+        self.root, self.pages, self.results = root, pages, results
+
+    def inline(self, page, text):
+        """Facts and references, everywhere but in `code`."""
+        def replaced(match):
+            if match[1] == "fact":
+                return self.results.fact(page, match[2].strip())
+            return reference(self.pages, page, match[1], match[2].strip())
+        parts = re.split(r"(`[^`]*`)", text)
+        parts[::2] = [re.sub(r"@(fact|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|figref|tabref|table|figure|pages)\b.*", part)),
+                    None)
+        if left:
+            raise Mistake(f"cannot read {left[:60]}")
+        return "".join(parts)
+
+    def line(self, page, line):
+        if match := FIGURE.match(line):
+            return figure_block(page.figures[match[1]], self.inline(page, match[2])) if match[1] in page.figures else ""
+        if match := TABLE.match(line):
+            return table_block(page, match[1], self.inline(page, match[2] or ""), self.results)
+        if match := re.match(r"^@pages\{(\w+)\}\s*$", line):
+            return link_block(self, match[1])
+        if match := re.match(r"^\s*[\\@]snippet(\{\w+\})?\s+(\S+)\s+(.+?)\s*$", line):
+            return snippet_block(self.root, page, match[1] or "", match[2], match[3])
+        return self.inline(page, line)
+
+    def page(self, page, quick):
+        """The page's Markdown for Doxygen, and what is wrong with it."""
+        woven, mistakes = dict(enumerate(page.lines, start=page.first_line)), []
+        for number, line in prose(page):
+            try:
+                woven[number] = self.line(page, line)
+            except Mistake as mistake:
+                mistakes.append(f"{page.path}:{number}: {mistake}")
+        body = "\n".join(woven.values())
+        head = f"# {page.title} {{#{page.label}}}\n"
+        contents = "" if page.label == "mainpage" or "[TOC]" in body else "\n[TOC]\n"
+        note = f"\n{QUICK_NOTE}\n" if quick and (page.folder or page.label == "mainpage") else ""
+        return "\n".join([head + contents + note, body, self.neighbours(page)]), mistakes
+
+    def neighbours(self, page):
+        chapters = [other for other in self.pages if other.folder]
+        if page not in chapters:
+            return ""
+        at = chapters.index(page)
+        before = f'\\ref {chapters[at - 1].label}' if at else '\\ref index "The start"'
+        after = f'\\ref {chapters[at + 1].label}' if at + 1 < len(chapters) else ""
+        return f'\n<div class="neighbours"><span>{before}</span> <span>{after}</span></div>\n'
+
+
+def weave(root, results_root, out, quick):
+    """Writes out/pages/*.md and out/figures/NN_name/*; returns the mistakes, and writes nothing if there are any."""
+    results = Results(results_root)
+    pages = all_pages(root)
+    mistakes = [mistake for page in pages for mistake in number_figures(page, results)]
+    weaver, texts = Weaver(root, pages, results), {}
+    for page in pages:
+        texts[page.label], found = weaver.page(page, quick)
+        mistakes += found
+    if mistakes:
+        return mistakes
+    for folder in ("pages", "figures"):
+        shutil.rmtree(out / folder, ignore_errors=True)
+        (out / folder).mkdir(parents=True)
+    for label, text in texts.items():
+        (out / "pages" / f"{label}.md").write_text(text, encoding="utf-8")
+    for page in pages:
+        for figure in page.figures.values():
+            place = out / figure.place
+            place.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(figure.source, place)
+    return []
+
+
+def main():
+    root = Path(__file__).resolve().parent.parent
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--root", type=Path, default=root, help="the repository")
+    parser.add_argument("--results", type=Path, default=root / "build/results", help="what the run left")
+    parser.add_argument("--out", type=Path, default=root / "build/docs", help="where pages/ and figures/ go")
+    parser.add_argument("--quick", action="store_true", help="say on each page that the run was a quick one")
+    options = parser.parse_args()
+    try:
+        mistakes = weave(options.root.resolve(), options.results.resolve(), options.out, options.quick)
+    except Mistake as mistake:
+        mistakes = [str(mistake)]
+    for mistake in mistakes:
+        print(mistake.replace(f"{options.root.resolve()}/", ""), file=sys.stderr)
+    return 2 if mistakes else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
