@@ -35,10 +35,11 @@ for main in chapters/[0-9][0-9]_*/main.cpp; do
     expect 2 "has no experiment 'no_such'" run "$number" no_such --no-install
 done
 
-# A false dpkg-query that knows every package but one, and a false apt-get that writes down what it is asked for.
+# A false dpkg-query that knows every package but one, and fails for it as the real one does, and a false apt-get that writes down what it is asked for.
 cat >"$scratch/dpkg-query" <<END
 #!/bin/bash
 for word in "\$@"; do grep -qx -e "\$word" "$scratch/missing" || echo "installed \$word"; done
+[[ ! -s $scratch/missing ]]
 END
 echo libcli11-dev >"$scratch/missing"
 cat >"$scratch/apt-get" <<END
