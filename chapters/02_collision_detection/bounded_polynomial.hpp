@@ -20,8 +20,11 @@ template <> struct Precision<DoubleDouble> {
     static constexpr int deepest = 110;
 };
 
-/// Products of coordinates that underflow lose at most 2^-1074 each; this covers every such loss in one query.
+/// A product that underflows loses at most 2^-1074; this covers all such losses of one query.
 constexpr double underflow = 0x1p-1000;
+
+/// +1 or -1 if a number that is off by at most `error` certainly has that sign, else 0.
+inline int certain_sign(double value, double error) { return value > error ? 1 : value < -error ? -1 : 0; }
 
 //! [bounded]
 /// A polynomial on [0, 1] in Bernstein form, with a bound on how far each computed coefficient may be from the true one.
@@ -34,12 +37,8 @@ struct BoundedPolynomial {
     std::array<Real, Degree + 1> c;
     double error = 0;
 
-    /// The sign of coefficient i: +1 or -1 if it is certain, else 0.
-    int sign(std::size_t i) const
-    {
-        const double value = rounded(c[i]);
-        return value > error ? 1 : value < -error ? -1 : 0;
-    }
+    /// The certain sign of coefficient i, or 0.
+    int sign(std::size_t i) const { return certain_sign(rounded(c[i]), error); }
 
     /// The certain sign over the whole interval, or 0.
     int sign() const
@@ -53,31 +52,28 @@ struct BoundedPolynomial {
 };
 //! [bounded]
 
-/// de Casteljau at 1/2: the same polynomial over [0, 1/2] and over [1/2, 1], each with a new [0, 1].
-template <class Real, std::size_t Degree>
-std::pair<BoundedPolynomial<Real, Degree>, BoundedPolynomial<Real, Degree>>
-halves(const BoundedPolynomial<Real, Degree>& whole)
+/// de Casteljau at 1/2: the coefficients of the same polynomial over [0, 1/2] and over [1/2, 1], each a new [0, 1].
+template <class Value, std::size_t Count>
+std::pair<std::array<Value, Count>, std::array<Value, Count>> halves(const std::array<Value, Count>& whole)
 {
     auto left = whole, right = whole;
-    for (std::size_t round = 1; round <= Degree; ++round) {
-        for (std::size_t i = 0; i + round <= Degree; ++i)
-            right.c[i] = half(right.c[i] + right.c[i + 1]);
-        left.c[round] = right.c[0];
+    for (std::size_t round = 1; round < Count; ++round) {
+        for (std::size_t i = 0; i + round < Count; ++i)
+            right[i] = half(right[i] + right[i + 1]);
+        left[round] = right[0];
     }
     return {left, right};
 }
 
-/// de Casteljau at any s in [0, 1]: the polynomial over [s, 1], with a new [0, 1]. Its first coefficient is the value
-/// at s. Costs the accuracy of five halvings.
-template <class Real, std::size_t Degree>
-BoundedPolynomial<Real, Degree> from(const BoundedPolynomial<Real, Degree>& whole, double s)
+/// de Casteljau at any s in [0, 1]: the coefficients over [s, 1]; the first of them is the value at s.
+template <class Real, std::size_t Count>
+std::array<Real, Count> from(std::array<Real, Count> c, double s)
 {
-    auto rest = whole;
     const Real towards_end(s), towards_start = Real(1.0) - Real(s);
-    for (std::size_t round = 1; round <= Degree; ++round)
-        for (std::size_t i = 0; i + round <= Degree; ++i)
-            rest.c[i] = towards_start * rest.c[i] + towards_end * rest.c[i + 1];
-    return rest;
+    for (std::size_t round = 1; round < Count; ++round)
+        for (std::size_t i = 0; i + round < Count; ++i)
+            c[i] = towards_start * c[i] + towards_end * c[i + 1];
+    return c;
 }
 
 }  // namespace enduring::certified

@@ -14,29 +14,41 @@ using namespace certified;
 /// Coordinate differences of this size neither overflow nor underflow in a product of four.
 constexpr double smallest_size = 0x1p-200, largest_size = 0x1p200;
 
+/// Do two vectors certainly point to opposite sides along some axis, throughout?
+bool disagree(const MovingVector<double, 2>& m, const MovingVector<double, 2>& n)
+{
+    const auto opposite = [&](double Triple<double>::* axis) {
+        const double m_error = m.error, n_error = n.error;
+        const double m_low = std::min({m.c[0].*axis, m.c[1].*axis, m.c[2].*axis});
+        const double n_low = std::min({n.c[0].*axis, n.c[1].*axis, n.c[2].*axis});
+        const double m_high = std::max({m.c[0].*axis, m.c[1].*axis, m.c[2].*axis});
+        const double n_high = std::max({n.c[0].*axis, n.c[1].*axis, n.c[2].*axis});
+        return (m_low > m_error && n_high < -n_error) || (m_high < -m_error && n_low > n_error);
+    };
+    return opposite(&Triple<double>::x) || opposite(&Triple<double>::y) || opposite(&Triple<double>::z);
+}
+
 //! [glance]
 /// The height, then the sides, each dropped as soon as it has answered: most pairs end here.
 bool apart_at_first_glance(const VertexFaceDifferences<double>& d)
 {
-    const auto n0 = cross(d.d1, d.d2);
-    if (dot(d.d0, n0, 0).sign() != 0)
+    const auto side_0 = cross(d.d1, d.d2);
+    if (dot(d.d0, side_0).sign() != 0)
         return true;
-    const auto n1 = cross(d.d2, d.d0);
-    if (dot(n0, n1, 0).sign() < 0)
+    const auto side_1 = cross(d.d2, d.d0);
+    if (disagree(side_0, side_1))
         return true;
-    const auto n2 = cross(d.d0, d.d1);
-    return dot(n1, n2, 0).sign() < 0 || dot(n2, n0, 0).sign() < 0;
+    const auto side_2 = cross(d.d0, d.d1);
+    return disagree(side_1, side_2) || disagree(side_2, side_0);
 }
 //! [glance]
 
 bool apart_at_first_glance(const EdgeEdgeDifferences<double>& d)
 {
-    const auto a_from_1 = cross(d.b, d.d00);
-    if (dot(d.a, a_from_1, 0).sign() != 0)
+    const auto side_0 = cross(d.b, d.d00);
+    if (dot(d.a, side_0).sign() != 0)
         return true;
-    if (dot(a_from_1, cross(d.d10, d.b), 0).sign() < 0)
-        return true;
-    return dot(cross(d.a, d.d00), cross(d.d01, d.a), 0).sign() < 0;
+    return disagree(side_0, cross(d.d10, d.b)) || disagree(cross(d.a, d.d00), cross(d.d01, d.a));
 }
 
 /// The step with every coordinate times 2^exponent.

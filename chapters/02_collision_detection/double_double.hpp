@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace enduring {
+namespace enduring::certified {
 
 /// A number of about 106 bits, kept as the unevaluated sum of two doubles: hi is the sum rounded, lo what is left.
 ///
@@ -75,4 +75,4 @@ inline double rounded(double a) { return a; }
 inline DoubleDouble half(DoubleDouble a) { return {0.5 * a.hi, 0.5 * a.lo}; }
 inline double half(double a) { return 0.5 * a; }
 
-}  // namespace enduring
+}  // namespace enduring::certified

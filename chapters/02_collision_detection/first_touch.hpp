@@ -32,7 +32,7 @@ struct Bracket {
     {
         if (s <= low || s >= high)
             return true;
-        const double value = rounded(from(height, s).c[0]);
+        const double value = rounded(from(height.c, s)[0]);
         if (std::abs(value) <= height.error)
             return false;
         const bool as_low = (value > 0) == (value_low > 0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/02_collision_detection/query.hpp"
 #include "chapters/02_collision_detection/separation.hpp"
 
 #include <tuple>
@@ -17,13 +18,17 @@ MovingDifference<Real> difference(const Vec3& a_t0, const Vec3& b_t0, const Vec3
     const auto minus = [](const Vec3& a, const Vec3& b) {
         return Triple<Real>{difference<Real>(a[0], b[0]), difference<Real>(a[1], b[1]), difference<Real>(a[2], b[2])};
     };
-    return {minus(a_t0, b_t0), minus(a_t1, b_t1)};
+    const Triple<Real> start = minus(a_t0, b_t0), end = minus(a_t1, b_t1);
+    const double size = std::max(largest(start), largest(end));
+    return {{start, end}, size, Precision<Real>::unit * size};
 }
 
-/// The corners of the triangle that the origin meets exactly when the vertex meets the face.
+//! [polygons]
+/// The triangle of differences v - f_i: the origin lies in it exactly when the vertex lies in the face.
 template <class Real>
 struct VertexFaceDifferences {
-    MovingDifference<Real> d0, d1, d2;  ///< v - f0, v - f1, v - f2
+    static constexpr std::size_t corners = 3;
+    MovingDifference<Real> d0, d1, d2;
 
     explicit VertexFaceDifferences(const VertexFaceStep& s)
         : d0(difference<Real>(s.v_t0, s.f0_t0, s.v_t1, s.f0_t1)),
@@ -34,11 +39,11 @@ struct VertexFaceDifferences {
     double size() const { return std::max({d0.size, d1.size, d2.size}); }
 };
 
-/// The corners and sides of the parallelogram that the origin meets exactly when the edges meet.
+/// The parallelogram of differences d_ij = ea_i - eb_j: the origin lies in it exactly when the edges meet.
 template <class Real>
 struct EdgeEdgeDifferences {
-    MovingDifference<Real> a, b;                ///< the edges: ea1 - ea0, eb1 - eb0
-    MovingDifference<Real> d00, d01, d10, d11;  ///< dij = ea_i - eb_j
+    static constexpr std::size_t corners = 4;
+    MovingDifference<Real> a, b, d00, d01, d10, d11;  ///< its sides ea1 - ea0 and eb1 - eb0, and its corners
 
     explicit EdgeEdgeDifferences(const EdgeEdgeStep& s)
         : a(difference<Real>(s.ea1_t0, s.ea0_t0, s.ea1_t1, s.ea0_t1)),
@@ -51,111 +56,149 @@ struct EdgeEdgeDifferences {
     }
     double size() const { return std::max({d00.size, d01.size, d10.size, d11.size}); }
 };
+//! [polygons]
+
+/// Signs of one component of several vectors over a whole interval, or at its start.
+struct Signs {
+    bool some_negative = false, some_positive = false, all_negative = true, all_positive = true;
+
+    void add(int sign)
+    {
+        some_negative |= sign < 0, some_positive |= sign > 0;
+        all_negative &= sign < 0, all_positive &= sign > 0;
+    }
+    bool all_agree() const { return all_negative || all_positive; }
+    bool some_disagree() const { return some_negative && some_positive; }
+};
 
 //! [directions]
-/// Polynomials whose signs keep the origin out of a moving triangle (3 corners) or parallelogram (4 corners).
+/// Polynomials of degree 1, 2 and 3 whose signs keep the origin out of a moving triangle or parallelogram.
 ///
-/// At one instant the origin lies in the polygon only if `height` is zero, no `agreement` is negative, and each corner
-/// has an `alignment` that is not positive. The reverse holds too, so these tests overlook nothing.
+/// The origin lies in the polygon at one instant if and only if
+///   - `height`, the volume it spans with the polygon, is zero;
+///   - no two `sides` point in opposite directions: with height zero all are multiples of one normal, and the multiples
+///     are the weights of the contact point;
+///   - no axis has all corners strictly on one side of it.
 template <class Real, std::size_t Corners>
 struct SeparatingDirections {
-    static constexpr std::size_t agreements = Corners == 3 ? 3 : 2, alignments = Corners * (Corners - 1) / 2;
-
-    BoundedPolynomial<Real, 3> height;                              ///< of the polygon's plane over the origin
-    std::array<BoundedPolynomial<Real, 4>, agreements> agreement;   ///< do the sides see the origin on the same hand?
-    std::array<BoundedPolynomial<Real, 2>, alignments> alignment;   ///< d_i . d_j, for (0,1) (0,2) .. (1,2) ..
+    template <std::size_t Degree> using Components = std::array<std::array<BoundedPolynomial<Real, Degree>, Corners>, 3>;
+    BoundedPolynomial<Real, 3> height;
+    Components<2> sides;
+    Components<1> corners;
 
     /// Certainly no contact at any time of the interval.
-    bool apart() const
-    {
-        if (height.sign() != 0)
-            return true;
-        for (const auto& q : agreement)
-            if (q.sign() < 0)
-                return true;
-        return some_corner_faces_all([](const auto& p) { return p.sign(); });
-    }
+    bool apart() const { return apart([](const auto& p) { return p.sign(); }); }
 
     /// Certainly no contact at the start of the interval.
-    bool apart_at_start() const
-    {
-        if (height.sign(0) != 0)
-            return true;
-        for (const auto& q : agreement)
-            if (q.sign(0) < 0)
-                return true;
-        return some_corner_faces_all([](const auto& p) { return p.sign(0); });
-    }
+    bool apart_at_start() const { return apart([](const auto& p) { return p.sign(0); }); }
 
-    /// Certainly one crossing: the height changes sign once, inside the polygon.
+    /// Certainly exactly one contact: the height changes sign once, within the polygon.
     bool crosses_once() const
     {
-        if (height.sign(0) * height.sign(3) >= 0)
-            return false;
-        if (height.sign(1) * height.sign(2) == 0 || (height.sign(1) != height.sign(0) && height.sign(2) != height.sign(3)))
-            return false;
-        return std::all_of(agreement.begin(), agreement.end(), [](const auto& q) { return q.sign() > 0; });
+        const std::array<int, 4> s{height.sign(0), height.sign(1), height.sign(2), height.sign(3)};
+        const bool one_change = s[0] * s[3] < 0 && s[1] * s[2] != 0 && (s[1] == s[0] || s[2] == s[3]);
+        return one_change && std::any_of(sides.begin(), sides.end(), [](const auto& axis) {
+            return signs(axis, [](const auto& p) { return p.sign(); }).all_agree();
+        });
     }
 
 private:
-    /// Is there a corner d_i whose own direction has every corner in front of it?
     template <class Sign>
-    bool some_corner_faces_all(const Sign& sign) const
+    bool apart(const Sign& sign) const
     {
-        std::array<bool, Corners> faces_all;
-        faces_all.fill(true);
-        std::size_t pair = 0;
-        for (std::size_t i = 0; i < Corners; ++i)
-            for (std::size_t j = i + 1; j < Corners; ++j, ++pair)
-                if (sign(alignment[pair]) <= 0)
-                    faces_all[i] = faces_all[j] = false;
-        return std::find(faces_all.begin(), faces_all.end(), true) != faces_all.end();
+        if (sign(height) != 0)
+            return true;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (signs(sides[axis], sign).some_disagree() || signs(corners[axis], sign).all_agree())
+                return true;
+        return false;
+    }
+
+    template <class Polynomials, class Sign>
+    static Signs signs(const Polynomials& polynomials, const Sign& sign)
+    {
+        Signs result;
+        for (const auto& p : polynomials)
+            result.add(sign(p));
+        return result;
     }
 };
 //! [directions]
 
+/// The polynomials of the three components of one vector, with room in their errors for `halvings` halvings.
+template <class Real, std::size_t Degree, std::size_t Corners>
+void set_components(std::array<std::array<BoundedPolynomial<Real, Degree>, Corners>, 3>& components, std::size_t corner,
+                    const MovingVector<Real, Degree>& vector, int halvings)
+{
+    const double error = vector.error + halving_error<Real>(halvings, Degree, vector.size);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        auto& polynomial = components[axis][corner];
+        polynomial.error = error;
+        for (std::size_t i = 0; i <= Degree; ++i)
+            polynomial.c[i] = vector.c[i][axis];
+    }
+}
+
 template <class Real>
 SeparatingDirections<Real, 3> separating_directions(const VertexFaceDifferences<Real>& d, int halvings)
 {
-    const auto n0 = cross(d.d1, d.d2), n1 = cross(d.d2, d.d0), n2 = cross(d.d0, d.d1);
-    return {dot(d.d0, n0, halvings),
-            {dot(n0, n1, halvings), dot(n1, n2, halvings), dot(n2, n0, halvings)},
-            {dot(d.d0, d.d1, halvings), dot(d.d0, d.d2, halvings), dot(d.d1, d.d2, halvings)}};
+    const auto side_0 = cross(d.d1, d.d2);
+    SeparatingDirections<Real, 3> result;
+    result.height = dot(d.d0, side_0);
+    result.height.error += halving_error<Real>(halvings, 3, 3 * d.d0.size * side_0.size);
+    set_components(result.sides, 0, side_0, halvings);
+    set_components(result.sides, 1, cross(d.d2, d.d0), halvings);
+    set_components(result.sides, 2, cross(d.d0, d.d1), halvings);
+    set_components(result.corners, 0, d.d0, halvings);
+    set_components(result.corners, 1, d.d1, halvings);
+    set_components(result.corners, 2, d.d2, halvings);
+    return result;
 }
 
 template <class Real>
 SeparatingDirections<Real, 4> separating_directions(const EdgeEdgeDifferences<Real>& d, int halvings)
 {
-    const auto a_from_1 = cross(d.b, d.d00), a_from_0 = cross(d.d10, d.b);
-    const auto b_from_1 = cross(d.a, d.d00), b_from_0 = cross(d.d01, d.a);
-    return {dot(d.a, a_from_1, halvings),
-            {dot(a_from_1, a_from_0, halvings), dot(b_from_1, b_from_0, halvings)},
-            {dot(d.d00, d.d01, halvings), dot(d.d00, d.d10, halvings), dot(d.d00, d.d11, halvings),
-             dot(d.d01, d.d10, halvings), dot(d.d01, d.d11, halvings), dot(d.d10, d.d11, halvings)}};
+    const auto side_0 = cross(d.b, d.d00);
+    SeparatingDirections<Real, 4> result;
+    result.height = dot(d.a, side_0);
+    result.height.error += halving_error<Real>(halvings, 3, 3 * d.a.size * side_0.size);
+    set_components(result.sides, 0, side_0, halvings);
+    set_components(result.sides, 1, cross(d.d10, d.b), halvings);
+    set_components(result.sides, 2, cross(d.a, d.d00), halvings);
+    set_components(result.sides, 3, cross(d.d01, d.a), halvings);
+    set_components(result.corners, 0, d.d00, halvings);
+    set_components(result.corners, 1, d.d01, halvings);
+    set_components(result.corners, 2, d.d10, halvings);
+    set_components(result.corners, 3, d.d11, halvings);
+    return result;
 }
 
+/// The same tests over the earlier and the later half of the interval.
 template <class Real, std::size_t Corners>
 std::pair<SeparatingDirections<Real, Corners>, SeparatingDirections<Real, Corners>>
 halves(const SeparatingDirections<Real, Corners>& whole)
 {
-    std::pair<SeparatingDirections<Real, Corners>, SeparatingDirections<Real, Corners>> parts;
-    std::tie(parts.first.height, parts.second.height) = halves(whole.height);
-    for (std::size_t i = 0; i < whole.agreement.size(); ++i)
-        std::tie(parts.first.agreement[i], parts.second.agreement[i]) = halves(whole.agreement[i]);
-    for (std::size_t i = 0; i < whole.alignment.size(); ++i)
-        std::tie(parts.first.alignment[i], parts.second.alignment[i]) = halves(whole.alignment[i]);
+    auto parts = std::make_pair(whole, whole);
+    const auto split = [](auto& early, auto& late) { std::tie(early.c, late.c) = halves(early.c); };
+    split(parts.first.height, parts.second.height);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t corner = 0; corner < Corners; ++corner) {
+            split(parts.first.sides[axis][corner], parts.second.sides[axis][corner]);
+            split(parts.first.corners[axis][corner], parts.second.corners[axis][corner]);
+        }
     return parts;
 }
 
-/// The same tests for the rest of the step after s.
+/// The same tests over the rest of the interval after s.
 template <class Real, std::size_t Corners>
 SeparatingDirections<Real, Corners> from(SeparatingDirections<Real, Corners> directions, double s)
 {
-    directions.height = from(directions.height, s);
-    for (auto& q : directions.agreement)
-        q = from(q, s);
-    for (auto& p : directions.alignment)
-        p = from(p, s);
+    directions.height.c = from(directions.height.c, s);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t corner = 0; corner < Corners; ++corner) {
+            directions.sides[axis][corner].c = from(directions.sides[axis][corner].c, s);
+            directions.corners[axis][corner].c = from(directions.corners[axis][corner].c, s);
+        }
     return directions;
 }
 
