@@ -40,7 +40,7 @@ void read_format(TextLines& lines)
         lines.fail("$MeshFormat is empty");
     const std::string version(lines.next_word());
     if (version != "2.2")
-        lines.fail("Gmsh format '" + version.substr(0, 40) + "' is not supported; save the mesh as version 2.2 ASCII");
+        lines.fail("Gmsh format " + TextLines::quoted(version) + " is not supported; save the mesh as version 2.2 ASCII");
     if (lines.next_integer("file type") != 0)
         lines.fail("a binary Gmsh file; save the mesh as version 2.2 ASCII");
     if (goes_on(lines, "$EndMeshFormat"))

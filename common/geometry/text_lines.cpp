@@ -74,7 +74,7 @@ long TextLines::next_integer(const char* what)
     if (word.empty())
         fail(std::string(what) + " is missing");
     if (parse(word, value) != std::errc())
-        fail(std::string(what) + " is '" + std::string(word.substr(0, 40)) + "', not a whole number");
+        fail(std::string(what) + " is " + quoted(word) + ", not a whole number");
     return value;
 }
 
@@ -86,10 +86,15 @@ double TextLines::next_finite_number(const char* what)
         fail(std::string(what) + " is missing");
     const std::errc error = parse(word, value);
     if (error == std::errc::invalid_argument)
-        fail(std::string(what) + " is '" + std::string(word.substr(0, 40)) + "', not a number");
+        fail(std::string(what) + " is " + quoted(word) + ", not a number");
     if (error != std::errc() || !std::isfinite(value))
-        fail(std::string(what) + " is '" + std::string(word.substr(0, 40)) + "', not a finite number");
+        fail(std::string(what) + " is " + quoted(word) + ", not a finite number");
     return value;
+}
+
+std::string TextLines::quoted(std::string_view word)
+{
+    return std::string(1, '\'').append(word.substr(0, 40)).append(1, '\'');
 }
 
 void TextLines::fail(const std::string& message) const

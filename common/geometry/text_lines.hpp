@@ -24,6 +24,8 @@ public:
     std::string_view line() const { return line_; }
     const std::string& text() const { return text_; }
     int number() const { return number_; }
+    /// A word as it appears in messages: in quotes, cut after 40 characters.
+    static std::string quoted(std::string_view word);
     /// @throws InputError  always: "name:line: message"
     [[noreturn]] void fail(const std::string& message) const;
     [[noreturn]] void fail_at(int line, const std::string& message) const;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "common/geometry/meshes.hpp"
+
+#include <string>
+
+namespace enduring {
+
+/// Volume inside a closed surface [m^3], by the divergence theorem; negative if it faces inwards.
+double enclosed_volume(const SurfaceMesh& mesh);
+
+/// The same surface without the vertices that no face names; the others keep their order.
+SurfaceMesh without_unused_vertices(const SurfaceMesh& mesh);
+
+/// Whether a surface may have a border. Only a static body may: a moving one needs an inside.
+enum class Border { refused, allowed };
+
+/// Checks that contact can live on this surface: vertices finite and all in use, faces with an area and no face twice,
+/// manifold, neighbours facing the same way; and, unless a border is allowed, closed and facing outwards.
+/// @param what  names the mesh in the message, e.g. its file
+/// @throws InputError  "what: reason", naming the vertex, face or edge (counted from 0)
+void check_surface(const SurfaceMesh& mesh, const std::string& what, Border border = Border::refused);
+
+/// Checks a solid mesh: node indices, finite nodes that are all in use, elements neither inverted nor flat, no face of
+/// more than two elements, and a surface that passes check_surface.
+/// @throws InputError  "what: reason", naming the element or node (counted from 0)
+void check_solid(const TetrahedralMesh& mesh, const std::string& what);
+void check_solid(const QuadraticTetrahedralMesh& mesh, const std::string& what);
+
+}  // namespace enduring

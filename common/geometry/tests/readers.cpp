@@ -1,0 +1,153 @@
+#include "common/geometry/element_quality.hpp"
+#include "common/geometry/quadratic.hpp"
+#include "common/geometry/read_gmsh.hpp"
+#include "common/geometry/read_obj.hpp"
+#include "common/geometry/shapes.hpp"
+#include "common/geometry/surface_checks.hpp"
+#include "common/geometry/surface_extraction.hpp"
+
+#include <doctest/doctest.h>
+
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+
+using namespace enduring;
+
+namespace {
+
+const std::filesystem::path meshes = std::filesystem::path(ENDURING_SOURCE_DIR) / "common/meshes";
+
+std::string gmsh_text(const std::vector<Vec3>& nodes, int type, const std::vector<std::vector<int>>& elements)
+{
+    std::ostringstream text;
+    text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\nanything\n$EndComments\n$Nodes\n" << nodes.size() << "\n" << std::setprecision(17);
+    for (std::size_t n = 0; n < nodes.size(); ++n)
+        text << 10 * n + 7 << " " << nodes[n].x() << " " << nodes[n].y() << " " << nodes[n].z() << "\n";  // numbers need not be dense
+    text << "$EndNodes\n$Elements\n" << elements.size() + 1 << "\n1 2 0 7 17 27\n";  // a triangle, to be passed over
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+        text << e + 2 << " " << type << " 2 1 1";
+        for (int node : elements[e])
+            text << " " << 10 * node + 7;
+        text << "\r\n";
+    }
+    text << "$EndElements\n";
+    return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("Gmsh reader: what is written in 17 digits is read back to the last bit")
+{
+    TetrahedralMesh mesh = bar({1, 2, 3}, {2, 2, 1});
+    for (Vec3& x : mesh.nodes)
+        x = x / 3 + Vec3(0.1, 1e-17, 1e5);
+    std::vector<std::vector<int>> elements;
+    for (const auto& e : mesh.elements)
+        elements.emplace_back(e.begin(), e.end());
+    std::istringstream stream(gmsh_text(mesh.nodes, 4, elements));
+    const TetrahedralMesh read = read_gmsh(stream, "text");
+    CHECK(read.nodes == mesh.nodes);
+    CHECK(read.elements == mesh.elements);
+}
+
+TEST_CASE("Gmsh reader: nodes that no tetrahedron uses are left out")
+{
+    std::istringstream stream(gmsh_text({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}, {0, 0, 1}}, 4, {{1, 2, 4, 5}}));
+    const TetrahedralMesh read = read_gmsh(stream, "text");
+    CHECK(read.nodes == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+    CHECK(read.elements == std::vector<std::array<int, 4>>{{0, 1, 2, 3}});
+}
+
+TEST_CASE("Gmsh reader: ten-node elements arrive in our order of edges, corners first")
+{
+    // Gmsh's own order: corners, then the middles of 01, 12, 02, 03, 23, 13. Here the middles stand first in the file.
+    const std::vector<Vec3> corner{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+    const std::array<std::array<std::size_t, 2>, 6> gmsh_edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
+    std::vector<Vec3> nodes;
+    for (const auto& [i, j] : gmsh_edges)
+        nodes.push_back((corner[i] + corner[j]) / 2);
+    nodes.insert(nodes.end(), corner.begin(), corner.end());
+    const std::string text = gmsh_text(nodes, 11, {{6, 7, 8, 9, 0, 1, 2, 3, 4, 5}});
+
+    std::istringstream stream(text), again(text);
+    const QuadraticTetrahedralMesh read = read_gmsh_quadratic(stream, "text");
+    CHECK(read.corner_count == 4);
+    REQUIRE(read.elements.size() == 1);
+    const auto node = [&](std::size_t i) { return read.nodes[static_cast<std::size_t>(read.elements[0][i])]; };
+    for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(read.elements[0][i] < 4);
+        CHECK(node(i) == corner[i]);
+    }
+    for (std::size_t e = 0; e < 6; ++e)
+        CHECK(node(4 + e) == (node(static_cast<std::size_t>(tetrahedron_edges[e][0])) + node(static_cast<std::size_t>(tetrahedron_edges[e][1]))) / 2);
+    CHECK(read_gmsh(again, "text").nodes == corner);
+}
+
+TEST_CASE("meshes: every bunny is sound, and what its README says")
+{
+    struct Bunny {
+        std::string file;
+        std::size_t nodes, elements, quadratic_nodes, faces;
+        double volume, angle_deg;
+    };
+    const std::vector<Bunny> bunnies{{"bunny_363.msh", 160, 363, 836, 308, 177.4, 20.0},
+                                     {"bunny_785.msh", 319, 785, 1722, 600, 184.0, 19.7},
+                                     {"bunny_1452.msh", 520, 1452, 2956, 930, 187.3, 20.0},
+                                     {"bunny_10668.msh", 2934, 10668, 18615, 4160, 192.5, 16.8}};
+    for (const Bunny& bunny : bunnies) {
+        CAPTURE(bunny.file);
+        const TetrahedralMesh mesh = read_gmsh(meshes / bunny.file);
+        CHECK(mesh.nodes.size() == bunny.nodes);
+        CHECK(mesh.elements.size() == bunny.elements);
+        CHECK_NOTHROW(check_solid(mesh, bunny.file));
+
+        double volume = 0, angle = 4;
+        for (const auto& e : mesh.elements) {
+            const auto x = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(e[i])]; };
+            volume += signed_volume({x(0), x(1), x(2), x(3)});
+            angle = std::min(angle, smallest_dihedral_angle({x(0), x(1), x(2), x(3)}));
+        }
+        const SurfaceMesh surface = surface_of(mesh).mesh;
+        CHECK(surface.faces.size() == bunny.faces);
+        CHECK(with_edge_midpoints(mesh).nodes.size() == bunny.quadratic_nodes);
+        CHECK(enclosed_volume(surface) == doctest::Approx(volume).epsilon(1e-12));
+        CHECK(std::abs(volume - bunny.volume) < 0.05);
+        CHECK(std::abs(angle * 180 / std::numbers::pi - bunny.angle_deg) < 0.05);
+    }
+}
+
+TEST_CASE("OBJ reader: triangles, polygons, textures, negative numbers and stray vertices")
+{
+    std::istringstream stream(
+        "# a cube\nmtllib none.mtl\no cube\n"
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.1 1e300 7\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+        "vt 0 0\nvn 0 0 1\ng sides\nusemtl red\n"
+        "f 4/1/1 3/1/1 2/1/1 1/1/1\nf 6//1 7//1 8//1 9//1\nf 1 2 7 6\ns off\nf 2 3 8\nf 2 8 7\nf 3 4 9 8\nf 4 1 -4 -1\n");
+    const SurfaceMesh cube = read_obj(stream, "text");
+    CHECK(cube.vertices.size() == 8);
+    CHECK(cube.faces.size() == 12);
+    CHECK_NOTHROW(check_surface(cube, "text"));
+    CHECK(enclosed_volume(cube) == doctest::Approx(1).epsilon(1e-14));
+}
+
+TEST_CASE("OBJ reader: a polygon with a dent is cut along its inside")
+{
+    std::istringstream stream("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\nf 1 2 3 4 5\n");
+    const SurfaceMesh dented = read_obj(stream, "text");
+    CHECK(dented.faces.size() == 3);
+    double area = 0;
+    for (const auto& [a, b, c] : dented.faces) {
+        const auto x = [&](int v) { return dented.vertices[static_cast<std::size_t>(v)]; };
+        const double part = (x(b) - x(a)).cross(x(c) - x(a)).z() / 2;
+        CHECK(part > 0);
+        area += part;
+    }
+    CHECK(area == doctest::Approx(4 - 1.5).epsilon(1e-14));  // the square without its dent
+}
+
+TEST_CASE("OBJ reader: coordinates are the doubles nearest to their decimals")
+{
+    std::istringstream stream("v 0.1 0.30000000000000004 12345678.901234567\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    CHECK(read_obj(stream, "text").vertices[0] == Vec3(0.1, 0.30000000000000004, 12345678.901234567));
+}
