@@ -1,9 +1,8 @@
 #include "common/simulation/json_value.hpp"
 
-#include "common/report/input_error.hpp"
-
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <sstream>
 
@@ -93,33 +92,40 @@ std::string NumberRange::text() const
 }
 
 JsonValue::JsonValue(const nlohmann::json& value, std::string file, std::string path)
-    : value_(value), file_(std::move(file)), path_(std::move(path)) {}
+    : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
 
 void JsonValue::complain(const std::string& message) const
 {
     throw InputError(file_ + ": " + (path_.empty() ? "/" : path_) + ": " + message);
 }
 
+void JsonValue::pass_on(const InputError& error) const
+{
+    if (std::string(error.what()).rfind(file_ + ": /", 0) == 0)
+        throw error;
+    complain(error.what());
+}
+
 void JsonValue::fail(const std::string& expected) const
 {
-    complain("expected " + expected + ", found " + with_article(value_));
+    complain("expected " + expected + ", found " + with_article(*value_));
 }
 
 void JsonValue::require_keys(std::initializer_list<std::string_view> allowed) const
 {
-    if (!value_.is_object())
+    if (!value_->is_object())
         fail("an object with the keys " + joined(allowed));
-    for (const auto& [key, value] : value_.items())
+    for (const auto& [key, value] : value_->items())
         if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
             JsonValue(value, file_, path_ + "/" + escaped(key)).complain("unknown key; " + advice(key, allowed));
 }
 
 std::optional<JsonValue> JsonValue::find(const std::string& key) const
 {
-    if (!value_.is_object())
+    if (!value_->is_object())
         fail("an object");
-    const auto found = value_.find(key);
-    if (found == value_.end())
+    const auto found = value_->find(key);
+    if (found == value_->end())
         return std::nullopt;
     return JsonValue(*found, file_, path_ + "/" + escaped(key));
 }
@@ -134,58 +140,64 @@ JsonValue JsonValue::at(const std::string& key) const
 
 std::vector<std::pair<std::string, JsonValue>> JsonValue::members() const
 {
-    if (!value_.is_object())
+    if (!value_->is_object())
         fail("an object");
     std::vector<std::pair<std::string, JsonValue>> all;
-    for (const auto& [key, value] : value_.items())
+    for (const auto& [key, value] : value_->items())
         all.emplace_back(key, JsonValue(value, file_, path_ + "/" + escaped(key)));
     return all;
 }
 
 std::vector<JsonValue> JsonValue::items(std::size_t at_least, std::size_t at_most) const
 {
-    if (!value_.is_array() || value_.size() < at_least || value_.size() > at_most)
+    if (!value_->is_array() || value_->size() < at_least || value_->size() > at_most)
         fail(at_least == at_most ? "a list of " + std::to_string(at_least)
                                  : "a list of " + std::to_string(at_least) + " to " + std::to_string(at_most) + " entries");
     std::vector<JsonValue> all;
-    for (std::size_t i = 0; i < value_.size(); ++i)
-        all.emplace_back(value_[i], file_, path_ + "/" + std::to_string(i));
+    for (std::size_t i = 0; i < value_->size(); ++i)
+        all.emplace_back((*value_)[i], file_, path_ + "/" + std::to_string(i));
     return all;
 }
 
 double JsonValue::number(const NumberRange& range) const
 {
-    if (!value_.is_number() || !range.contains(value_.get<double>()))
+    if (!value_->is_number() || !range.contains(value_->get<double>()))
         fail(range.text());
-    return value_.get<double>();
+    return value_->get<double>();
+}
+
+double JsonValue::angle(NumberRange degrees) const
+{
+    degrees.unit = "degrees";
+    return number(degrees) * std::numbers::pi / 180;
 }
 
 int JsonValue::integer(int low, int high) const
 {
-    const bool whole = value_.is_number_integer() && (!value_.is_number_unsigned() || value_.get<std::uint64_t>() <= INT64_MAX);
-    if (!whole || value_.get<std::int64_t>() < low || value_.get<std::int64_t>() > high)
+    const bool whole = value_->is_number_integer() && (!value_->is_number_unsigned() || value_->get<std::uint64_t>() <= INT64_MAX);
+    if (!whole || value_->get<std::int64_t>() < low || value_->get<std::int64_t>() > high)
         fail("a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-    return static_cast<int>(value_.get<std::int64_t>());
+    return static_cast<int>(value_->get<std::int64_t>());
 }
 
 bool JsonValue::flag() const
 {
-    if (!value_.is_boolean())
+    if (!value_->is_boolean())
         fail("true or false");
-    return value_.get<bool>();
+    return value_->get<bool>();
 }
 
 std::string JsonValue::text() const
 {
-    if (!value_.is_string() || value_.get_ref<const std::string&>().empty())
+    if (!value_->is_string() || value_->get_ref<const std::string&>().empty())
         fail("a text in quotes that is not empty");
-    return value_.get<std::string>();
+    return value_->get<std::string>();
 }
 
 std::size_t JsonValue::choice(std::initializer_list<std::string_view> words) const
 {
-    if (value_.is_string()) {
-        const auto found = std::find(words.begin(), words.end(), value_.get_ref<const std::string&>());
+    if (value_->is_string()) {
+        const auto found = std::find(words.begin(), words.end(), value_->get_ref<const std::string&>());
         if (found != words.end())
             return static_cast<std::size_t>(found - words.begin());
     }
@@ -194,11 +206,11 @@ std::size_t JsonValue::choice(std::initializer_list<std::string_view> words) con
 
 Vec3 JsonValue::vector(const NumberRange& each) const
 {
-    if (!value_.is_array() || value_.size() != 3)
+    if (!value_->is_array() || value_->size() != 3)
         fail("a list of three numbers");
     Vec3 v;
     for (int i = 0; i < 3; ++i)
-        v[i] = JsonValue(value_[static_cast<std::size_t>(i)], file_, path_ + "/" + std::to_string(i)).number(each);
+        v[i] = JsonValue((*value_)[static_cast<std::size_t>(i)], file_, path_ + "/" + std::to_string(i)).number(each);
     return v;
 }
 

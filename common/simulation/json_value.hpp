@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/geometry/vector.hpp"
+#include "common/report/input_error.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -44,6 +45,7 @@ public:
     std::vector<JsonValue> items(std::size_t at_least, std::size_t at_most) const;
 
     double number(const NumberRange& range) const;
+    double angle(NumberRange degrees) const;  ///< stands in degrees, returned in radians
     int integer(int low, int high) const;
     bool flag() const;
     std::string text() const;
@@ -62,9 +64,11 @@ public:
     [[noreturn]] void fail(const std::string& expected) const;
     /// @throws InputError  "FILE: PATH: MESSAGE"
     [[noreturn]] void complain(const std::string& message) const;
+    /// For a mistake found elsewhere, as in a mesh file: puts file and path before it, unless it has them already.
+    [[noreturn]] void pass_on(const InputError& error) const;
 
 private:
-    const nlohmann::json& value_;
+    const nlohmann::json* value_;  ///< never null; a pointer so that values can be assigned
     std::string file_, path_;
 };
 

@@ -1,0 +1,119 @@
+#include "common/simulation/scene_reader.hpp"
+
+#include "common/simulation/body_reader.hpp"
+#include "common/simulation/json_value.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace enduring {
+namespace {
+
+constexpr std::size_t most_planes = 100;
+
+ContactParameters read_contact(const JsonValue& value)
+{
+    value.require_keys({"method", "stiffness"});
+    ContactParameters contact;
+    if (const std::optional<JsonValue> method = value.find("method"))
+        contact.method = method->choice({"dpf", "cpf"}) == 0 ? PenaltyMethod::discrete : PenaltyMethod::continuous;
+    contact.stiffness = value.number_or("stiffness", {0, 1e12, false, true, "N/m"}, contact.stiffness);
+    return contact;
+}
+
+SceneCamera read_camera(const JsonValue& value)
+{
+    value.require_keys({"eye", "target", "field_of_view_deg"});
+    const NumberRange place{-1e5, 1e5, true, true, "m"};
+    SceneCamera camera;
+    camera.eye = value.vector_or("eye", place, camera.eye);
+    camera.target = value.vector_or("target", place, camera.target);
+    camera.field_of_view_deg = value.number_or("field_of_view_deg", {1, 120, true, true, "degrees"}, camera.field_of_view_deg);
+    if ((camera.eye - camera.target).norm() < 1e-9)
+        value.complain("\"eye\" and \"target\" are the same point");
+    return camera;
+}
+
+BodyLook read_look(const JsonValue& value)
+{
+    value.require_keys({"color", "smooth"});
+    BodyLook look;
+    look.color = value.vector_or("color", {0, 1}, look.color);
+    look.smooth = value.flag_or("smooth", look.smooth);
+    return look;
+}
+
+Plane read_plane(const JsonValue& value)
+{
+    value.require_keys({"name", "point", "normal"});
+    Plane plane;
+    plane.name = value.at("name").text();
+    plane.point = value.vector_or("point", {-1e4, 1e4, true, true, "m"}, plane.point);
+    if (const std::optional<JsonValue> normal = value.find("normal"))
+        plane.normal = normal->direction();
+    return plane;
+}
+
+/// Probes and pictures find bodies and planes by name, so no two may share one.
+void require_new_name(const JsonValue& entry, std::set<std::string>& names)
+{
+    if (!names.insert(entry.at("name").text()).second)
+        entry.at("name").complain("another body or plane is already called \"" + entry.at("name").text() + "\"");
+}
+
+void read_world(const JsonValue& root, const SceneSurroundings& surroundings, Scene& scene)
+{
+    std::set<std::string> names;
+    scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"}, scene.world.gravity);
+    if (const std::optional<JsonValue> planes = root.find("planes"))
+        for (const JsonValue& entry : planes->items(0, most_planes)) {
+            scene.world.planes.push_back(read_plane(entry));
+            require_new_name(entry, names);
+        }
+    for (const JsonValue& entry : root.at("bodies").items(1, surroundings.limits.bodies)) {
+        require_new_name(entry, names);
+        scene.world.bodies.push_back(read_body(entry, surroundings));
+        const std::optional<JsonValue> look = entry.find("look");
+        scene.looks[scene.world.bodies.back()->name()] = look ? read_look(*look) : BodyLook{};
+    }
+}
+
+Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
+{
+    root.require_keys({"name", "description", "gravity", "dt", "duration", "contact", "planes", "bodies", "camera"});
+    Scene scene;
+    scene.name = root.at("name").text();
+    scene.description = root.text_or("description", "");
+    scene.dt = root.at("dt").number({1e-6, 1, true, true, "s"});
+    scene.duration = root.at("duration").number({0, 3600, false, true, "s"});
+    if (const std::optional<JsonValue> contact = root.find("contact"))
+        scene.contact = read_contact(*contact);
+    if (const std::optional<JsonValue> camera = root.find("camera"))
+        scene.camera = read_camera(*camera);
+    read_world(root, surroundings, scene);
+    return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& text, const std::string& patch, const std::string& file, const SceneSurroundings& surroundings)
+{
+    nlohmann::json document = parse_json(text, file);
+    if (!patch.empty())
+        apply_patch(document, parse_json(patch, file + " (change)"), file);
+    return read_root(JsonValue(document, file), surroundings);
+}
+
+Scene load_scene(const std::filesystem::path& path, const std::string& patch)
+{
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path course_meshes = std::filesystem::path(ENDURING_SOURCE_DIR) / "common" / "meshes";
+    return read_scene(read_text_file(path), patch, path.string(), {{folder, course_meshes}});
+}
+
+std::filesystem::path scene_file(const std::string& name)
+{
+    return std::filesystem::path(ENDURING_SOURCE_DIR) / "common" / "scenes" / (name + ".json");
+}
+
+}  // namespace enduring
