@@ -42,6 +42,8 @@ if(ENDURING_RENDER)
   enduring_need(OSMESA_LIBRARY libosmesa6-dev "OSMesa, which draws the pictures (or configure with -DENDURING_RENDER=OFF),")
   find_path(STB_INCLUDE stb/stb_image_write.h)
   enduring_need(STB_INCLUDE libstb-dev "stb")
+  find_file(DEJAVU_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/dejavu-sans-fonts)
+  enduring_need(DEJAVU_FONT fonts-dejavu-core "the font DejaVu Sans")
 endif()
 
 if(ENDURING_BENCHMARKS)

@@ -16,9 +16,10 @@ struct Drawable {
     std::vector<Vec3> positions;
     std::vector<Face> faces;
     Vec3 color = palette::blue;
-    bool smooth = false;     ///< normals blend over edges flatter than 40 degrees
-    bool wireframe = false;  ///< thin dark lines along the edges
-    double opacity = 1;      ///< below 1 what lies behind shows through
+    bool smooth = false;       ///< normals blend over edges flatter than 40 degrees
+    bool wireframe = false;    ///< thin dark lines along the edges
+    double opacity = 1;        ///< below 1 what lies behind shows through
+    bool casts_shadow = true;  ///< off for surfaces much larger than the rest, such as a plane given as a mesh
 };
 
 /// A plane that receives shadows and fades into the background.
