@@ -89,7 +89,7 @@ SurfaceMesh plane_grid(double size_x, double size_z, std::array<int, 2> cells, G
     require_length("size_x of a plane grid", size_x);
     require_length("size_z of a plane grid", size_z);
     require_cells(cells);
-    const auto [nx, nz] = cells;
+    const int nx = cells[0], nz = cells[1];
     const auto point = [&](double i, double k) { return Vec3((i / nx - 0.5) * size_x, 0, (k / nz - 0.5) * size_z); };
 
     SurfaceMesh mesh;

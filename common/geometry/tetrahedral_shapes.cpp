@@ -63,8 +63,8 @@ TetrahedralMesh bar(const Vec3& size, std::array<int, 3> cells, CellSplit split)
     for (double length : size)
         require_length("size of a bar", length);
     require_cells(cells);
-    const auto [nx, ny, nz] = cells;
-    const auto node = [nx = nx, ny = ny](int i, int j, int k) { return i + (nx + 1) * (j + (ny + 1) * k); };
+    const int nx = cells[0], ny = cells[1], nz = cells[2];
+    const auto node = [&](int i, int j, int k) { return i + (nx + 1) * (j + (ny + 1) * k); };
 
     TetrahedralMesh mesh;
     for (int k = 0; k <= nz; ++k)
