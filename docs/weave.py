@@ -7,6 +7,7 @@ names the page's file and line; all of them are reported, and nothing is written
 import argparse
 import csv
 import html
+import itertools
 import re
 import shutil
 import sys
@@ -95,8 +96,11 @@ def read_page(path, folder=""):
 
 def all_pages(root):
     pages = [read_page(path, path.parent.name) for path in sorted((root / "chapters").glob("[0-9][0-9]_*/chapter.md"))]
-    pages += [read_page(path) for path in sorted((root / "common").glob("*/*.md"))]
-    pages += [read_page(path) for path in sorted((root / "docs").glob("*.md"))]
+    pages += [read_page(path) for folder in ("common/*", "docs") for path in sorted(root.glob(f"{folder}/*.md"))
+              if path.name != "README.md"]
+    for page, other in itertools.combinations(pages, 2):
+        if page.label == other.label:
+            raise Mistake(f"{other.path}:1: {page.path} has the label {{#{page.label}}} already")
     return pages
 
 

@@ -144,6 +144,13 @@ class WhatStopsTheBook(unittest.TestCase):
     def test_a_page_without_a_title(self):
         self.refused("The drop\n", "chapter.md:1: a page begins with its title")
 
+    def test_two_pages_with_one_label(self):
+        book = Book("# A\n")
+        book.write("common/fem/start.md", "# Start {#mainpage}\n")
+        done = book.weave()
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("has the label {#mainpage} already", done.stderr)
+
     def test_every_mistake_is_reported_at_once(self):
         done = Book("# The drop\n@fact{a.b}\n@fact{c.d}\n").weave()
         self.assertEqual(done.stderr.count("no run left"), 2)
