@@ -82,9 +82,10 @@ void commit(World& world, double dt)
 //! [advance]
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassTimer& timer)
 {
-    timed(timer, "predict", [&] { predict(world, dt); });
-
-    begin_step(contacts);
+    timed(timer, "predict", [&] {
+        predict(world, dt);
+        begin_step(contacts);
+    });
     run_passes(solver.enduring, world, contacts, dt, timer);
 
     run_passes(solver.detect, world, contacts, dt, timer);

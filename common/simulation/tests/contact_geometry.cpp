@@ -1,6 +1,6 @@
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/static_body.hpp"
-#include "common/simulation/tests/point_masses.hpp"
+#include "common/simulation/tests/triangle_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,8 +24,7 @@ TEST_CASE("contact geometry: positions between the ends of the step are linear i
 {
     World world;
     world.gravity.setZero();
-    auto moving = triangle("a", 0.5);
-    moving->set_velocity({0, -2, 0});
+    auto moving = triangle("a", 0.5, {0, -2, 0});
     moving->predict(world.gravity, 0.5);
     world.bodies.push_back(std::move(moving));
     world.bodies.push_back(triangle("b"));

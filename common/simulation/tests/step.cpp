@@ -1,5 +1,5 @@
 #include "common/simulation/step.hpp"
-#include "common/simulation/tests/point_masses.hpp"
+#include "common/simulation/tests/triangle_body.hpp"
 
 #include <doctest/doctest.h>
 

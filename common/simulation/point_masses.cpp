@@ -1,0 +1,60 @@
+#include "common/simulation/point_masses.hpp"
+
+#include <utility>
+
+namespace enduring {
+
+PointMasses::PointMasses(std::string name, std::vector<Vec3> positions, std::vector<Face> faces, double mass_of_each, const Vec3& velocity)
+    : Body(std::move(name), SurfaceTopology(static_cast<int>(positions.size()), std::move(faces))), mass_(mass_of_each),
+      velocities_(positions.size(), velocity)
+{
+    positions_t1_ = positions;
+    positions_t0_ = std::move(positions);
+}
+
+void PointMasses::predict(const Vec3& gravity, double dt)
+{
+    for (Vec3& velocity : velocities_)
+        velocity += dt * gravity;
+    update_prediction(dt);
+}
+
+void PointMasses::update_prediction(double dt)
+{
+    for (std::size_t i = 0; i < velocities_.size(); ++i)
+        positions_t1_[i] = positions_t0_[i] + dt * velocities_[i];
+}
+
+void PointMasses::commit(double dt)
+{
+    update_prediction(dt);
+    positions_t0_ = positions_t1_;
+}
+
+Energy PointMasses::energy(const Vec3& gravity) const
+{
+    Energy energy;
+    for (std::size_t i = 0; i < velocities_.size(); ++i) {
+        energy.kinetic += 0.5 * mass_ * velocities_[i].squaredNorm();
+        energy.gravitational -= mass_ * gravity.dot(positions_t0_[i]);
+    }
+    return energy;
+}
+
+Vec3 PointMasses::linear_momentum() const
+{
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& velocity : velocities_)
+        sum += mass_ * velocity;
+    return sum;
+}
+
+Vec3 PointMasses::angular_momentum(const Vec3& about) const
+{
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < velocities_.size(); ++i)
+        sum += mass_ * (positions_t0_[i] - about).cross(velocities_[i]);
+    return sum;
+}
+
+}  // namespace enduring
