@@ -1,0 +1,29 @@
+#pragma once
+
+#include "particle.hpp"
+
+#include <Eigen/Core>
+
+namespace enduring {
+
+/// The matrix A of one step for a particle that is inside the ground throughout: (x, v) of the step's end from those
+/// of its start, measured from rest, where gravity drops out (thesis 7.7 and 7.11).
+Eigen::Matrix2d amplification(PenaltyMethod method, double mass, double stiffness, double dt);
+
+/// Largest modulus of an eigenvalue of a 2x2 matrix.
+double spectral_radius(const Eigen::Matrix2d& a);
+
+/// The step [s] up to which the spectral radius stays below 1: sqrt(4m/3k) for DPF, sqrt(2m/k) for CPF (thesis 7.1.1).
+double critical_step(PenaltyMethod method, double mass, double stiffness);
+
+/// How a small oscillation about rest decays, read off A's eigenvalues rho exp(+-i theta).
+struct Decay {
+    double per_step = 0;           ///< rho, factor on the amplitude a step
+    double steps_per_contact = 0;  ///< pi / theta, half a swing
+    double per_contact = 0;        ///< rho^(pi/theta): an estimate of how much of its speed a bounce gives back
+};
+
+/// @throws std::domain_error  the eigenvalues are real: nothing swings
+Decay decay(const Eigen::Matrix2d& a);
+
+}  // namespace enduring

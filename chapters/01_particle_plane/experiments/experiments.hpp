@@ -1,0 +1,16 @@
+#pragma once
+
+#include "common/report/chapter_program.hpp"
+
+namespace enduring::chapter01 {
+
+void stability_map(const RunOptions& options, Report& report);
+void critical_step(const RunOptions& options, Report& report);
+void drop(const RunOptions& options, Report& report);
+void damping(const RunOptions& options, Report& report);
+void ground(const RunOptions& options, Report& report);
+
+/// Where this chapter's gnuplot scripts lie.
+std::filesystem::path plot_script(const std::string& name);
+
+}  // namespace enduring::chapter01

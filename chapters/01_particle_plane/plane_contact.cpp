@@ -1,0 +1,113 @@
+#include "plane_contact.hpp"
+
+#include "plane_impulse.hpp"
+#include "plane_interval.hpp"
+
+#include <algorithm>
+
+namespace enduring {
+namespace {
+
+/// Signed depths of a vertex at both ends of the step [m].
+struct PlaneStep {
+    double depth_t0, depth_t1;
+};
+
+PlaneStep plane_step(const Body& body, int vertex, const Plane& plane)
+{
+    const auto v = static_cast<std::size_t>(vertex);
+    return {plane.normal.dot(body.positions_t0()[v] - plane.point), plane.normal.dot(body.positions_t1()[v] - plane.point)};
+}
+
+PlaneStep plane_step(const World& world, const Contact& contact)
+{
+    return plane_step(*world.bodies[static_cast<std::size_t>(contact.body_a)], contact.feature_a,
+                      world.planes[static_cast<std::size_t>(contact.body_b)]);
+}
+
+/// Which vertices of a body already have a contact with a plane.
+std::vector<bool> vertices_in_contact(const Contacts& contacts, int body, int plane, int vertex_count)
+{
+    std::vector<bool> marks(static_cast<std::size_t>(vertex_count), false);
+    for (const Contact& contact : contacts)
+        if (contact.kind == ContactKind::vertex_plane && contact.body_a == body && contact.body_b == plane)
+            marks[static_cast<std::size_t>(contact.feature_a)] = true;
+    return marks;
+}
+
+Contact new_contact(int body, int vertex, int plane, double start)
+{
+    Contact contact;
+    contact.kind = ContactKind::vertex_plane;
+    contact.body_a = body;
+    contact.body_b = plane;
+    contact.feature_a = vertex;
+    contact.vertices[0] = vertex;
+    contact.weights[0] = 1;
+    contact.start = start;
+    return contact;
+}
+
+void detect(const World& world, int body_index, int plane_index, Contacts& contacts)
+{
+    const Body& body = *world.bodies[static_cast<std::size_t>(body_index)];
+    const Plane& plane = world.planes[static_cast<std::size_t>(plane_index)];
+    const int count = body.surface().vertex_count();
+    const std::vector<bool> known = vertices_in_contact(contacts, body_index, plane_index, count);
+    for (int vertex = 0; vertex < count; ++vertex) {
+        if (known[static_cast<std::size_t>(vertex)])
+            continue;
+        const PlaneStep step = plane_step(body, vertex, plane);
+        if (const auto inside = find_plane_interval(step.depth_t0, step.depth_t1))
+            contacts.push_back(new_contact(body_index, vertex, plane_index, inside->begin));
+    }
+}
+
+}  // namespace
+
+void detect_plane_contacts(World& world, Contacts& contacts)
+{
+    for (std::size_t body = 0; body < world.bodies.size(); ++body)
+        if (!world.bodies[body]->is_static())
+            for (std::size_t plane = 0; plane < world.planes.size(); ++plane)
+                detect(world, static_cast<int>(body), static_cast<int>(plane), contacts);
+}
+
+void resolve_plane_contacts(World& world, Contacts& contacts)
+{
+    const auto left_the_ground = [&](const Contact& contact) {
+        return contact.kind == ContactKind::vertex_plane && plane_step(world, contact).depth_t0 > 0;
+    };
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), left_the_ground), contacts.end());
+}
+
+//! [respond]
+void push_out_of_planes(World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt)
+{
+    for (Contact& contact : contacts) {
+        if (contact.kind != ContactKind::vertex_plane || contact.handled)
+            continue;
+        const PlaneStep step = plane_step(world, contact);
+        const double impulse = method == PenaltyMethod::discrete
+                                   ? discrete_plane_impulse(step.depth_t1, stiffness, dt)
+                                   : continuous_plane_impulse(step.depth_t0, step.depth_t1, stiffness, dt);
+        contact.impulse = impulse * world.planes[static_cast<std::size_t>(contact.body_b)].normal;
+        world.bodies[static_cast<std::size_t>(contact.body_a)]->apply_impulse(contact.feature_a, contact.impulse);
+        contact.handled = true;
+    }
+}
+//! [respond]
+
+//! [solver]
+Solver chapter01_solver(const ContactParameters& parameters)
+{
+    const auto detect_planes = [](World& world, Contacts& contacts, double) { detect_plane_contacts(world, contacts); };
+    const auto resolve_planes = [](World& world, Contacts& contacts, double) { resolve_plane_contacts(world, contacts); };
+    const auto push_out = [parameters](World& world, Contacts& contacts, double dt) {
+        push_out_of_planes(world, contacts, parameters.method, parameters.stiffness, dt);
+    };
+    return {"chapter 1", {{"resolve planes", resolve_planes}}, {{"detect planes", detect_planes}}, {{"push out of planes", push_out}}};
+}
+//! [solver]
+
+}  // namespace enduring

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "common/simulation/scene.hpp"
+
+namespace enduring {
+
+/// Detection: appends a contact for every vertex of a moving body that is below a plane at some time of the step and
+/// has no contact with it yet. Its start is where the vertex goes under.
+void detect_plane_contacts(World& world, Contacts& contacts);
+
+/// Resolution: removes the plane contacts whose vertex stands outside at the start of the step, that is, left the
+/// ground in the step before.
+void resolve_plane_contacts(World& world, Contacts& contacts);
+
+/// Response: gives every unhandled plane contact its impulse along the normal and marks it handled. All impulses come
+/// from the same predicted positions.
+/// @param stiffness  k of one vertex [N/m], positive
+/// @param dt         length of the step [s], positive
+void push_out_of_planes(World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
+
+/// This chapter's solver: vertices against the scene's planes, and nothing else.
+Solver chapter01_solver(const ContactParameters& parameters);
+
+}  // namespace enduring

@@ -1,0 +1,18 @@
+# Four drops, each method below and above its stable step (thesis figure 7.1).
+load style
+set terminal svg size 760,560
+set multiplot layout 2,2 margins 0.09,0.98,0.09,0.95 spacing 0.09,0.12
+set xrange [0:10]
+set yrange [-0.35:0.75]
+set ytics -0.2,0.2
+panel = "abcd"
+what = "'CPF, dt = 0.14 s' 'CPF, dt = 0.17 s' 'DPF, dt = 0.11 s' 'DPF, dt = 0.13 s'"
+do for [i=1:4] {
+    set title word(panel, 1)[i:i].")  ".word(what, i) offset 0,-0.6
+    set xlabel (i > 2 ? "time [s]" : "")
+    set ylabel (i % 2 ? "height [m]" : "")
+    plot 0 linetype 10, \
+         folder."/drop.csv" using (strcol("panel") eq panel[i:i] ? column("time_s") : NaN):"height_m" \
+         with linespoints linetype (i < 3 ? 1 : 2) linewidth 1 pointsize 0.35
+}
+unset multiplot

@@ -1,0 +1,17 @@
+# Heights still visited after thousands of steps, over the step: one dot where the particle rests.
+load style
+set terminal svg size 760,520
+set multiplot layout 2,1 margins 0.1,0.98,0.11,0.98 spacing 0,0.05
+set xrange [0:0.18]
+set yrange [-0.2:0.5]
+set ytics -0.2,0.2
+set ylabel "height [m]"
+set key top left
+set format x ""
+plot 0 linetype 10, folder."/visited_heights.csv" using "dt_s":(strcol("method") eq "DPF" ? column("height_m") : NaN) \
+     with dots linetype 2 linewidth 3 title "DPF"
+set format x "%.2f"
+set xlabel "step dt [s]"
+plot 0 linetype 10, folder."/visited_heights.csv" using "dt_s":(strcol("method") eq "CPF" ? column("height_m") : NaN) \
+     with dots linetype 1 linewidth 3 title "CPF"
+unset multiplot
