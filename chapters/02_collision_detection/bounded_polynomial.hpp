@@ -2,31 +2,31 @@
 
 #include "chapters/02_collision_detection/double_double.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace enduring::certified {
 
-/// What one rounding costs in each number type, and how often the search may halve the step with it.
+/// What one rounding costs in each number type, how deep the search may halve the step with it, and how often in all.
 template <class Real> struct Precision;
 template <> struct Precision<double> {
     static constexpr double unit = 0x1p-53;
-    static constexpr int deepest = 12;
+    static constexpr int deepest = 12, budget = 16;
 };
 template <> struct Precision<DoubleDouble> {
     static constexpr double unit = 0x1p-103;
-    static constexpr int deepest = 110;
+    static constexpr int deepest = 110, budget = 256;
 };
 
 /// A product that underflows loses at most 2^-1074; this covers all such losses of one query.
 constexpr double underflow = 0x1p-1000;
 
-/// +1 or -1 if a number that is off by at most `error` certainly has that sign, else 0.
-inline int certain_sign(double value, double error) { return value > error ? 1 : value < -error ? -1 : 0; }
-
 //! [bounded]
+/// +1 or -1 if all numbers between `low` and `high`, each off by at most `error`, certainly have that sign, else 0.
+inline int certain_sign(double low, double high, double error) { return low > error ? 1 : high < -error ? -1 : 0; }
+
 /// A polynomial on [0, 1] in Bernstein form, with a bound on how far each computed coefficient may be from the true one.
 ///
 /// Between its ends the polynomial is a weighted mean of the coefficients. So if all of them lie beyond the error on one
@@ -35,39 +35,49 @@ inline int certain_sign(double value, double error) { return value > error ? 1 :
 template <class Real, std::size_t Degree>
 struct BoundedPolynomial {
     std::array<Real, Degree + 1> c;
-    double error = 0;
+    double error;
+
+    /// No value is larger.
+    double size() const
+    {
+        double largest = 0;
+        for (const Real& value : c)
+            largest = std::max(largest, std::abs(rounded(value)));
+        return largest + error;
+    }
 
     /// The certain sign of coefficient i, or 0.
-    int sign(std::size_t i) const { return certain_sign(rounded(c[i]), error); }
+    int sign(std::size_t i) const { return certain_sign(rounded(c[i]), rounded(c[i]), error); }
 
     /// The certain sign over the whole interval, or 0.
     int sign() const
     {
-        const int first = sign(0);
-        for (std::size_t i = 1; i <= Degree; ++i)
-            if (sign(i) != first)
-                return 0;
-        return first;
+        double low = rounded(c[0]), high = low;
+        for (std::size_t i = 1; i <= Degree; ++i) {
+            low = std::min(low, rounded(c[i]));
+            high = std::max(high, rounded(c[i]));
+        }
+        return certain_sign(low, high, error);
     }
 };
 //! [bounded]
 
 /// de Casteljau at 1/2: the coefficients of the same polynomial over [0, 1/2] and over [1/2, 1], each a new [0, 1].
 template <class Value, std::size_t Count>
-std::pair<std::array<Value, Count>, std::array<Value, Count>> halves(const std::array<Value, Count>& whole)
+void halve(const std::array<Value, Count>& whole, std::array<Value, Count>& early, std::array<Value, Count>& late)
 {
-    auto left = whole, right = whole;
+    late = whole;
+    early[0] = whole[0];
     for (std::size_t round = 1; round < Count; ++round) {
         for (std::size_t i = 0; i + round < Count; ++i)
-            right[i] = half(right[i] + right[i + 1]);
-        left[round] = right[0];
+            late[i] = half(late[i] + late[i + 1]);
+        early[round] = late[0];
     }
-    return {left, right};
 }
 
 /// de Casteljau at any s in [0, 1]: the coefficients over [s, 1]; the first of them is the value at s.
-template <class Real, std::size_t Count>
-std::array<Real, Count> from(std::array<Real, Count> c, double s)
+template <class Real, class Value, std::size_t Count>
+std::array<Value, Count> from(std::array<Value, Count> c, double s)
 {
     const Real towards_end(s), towards_start = Real(1.0) - Real(s);
     for (std::size_t round = 1; round < Count; ++round)

@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace enduring {
 namespace {
@@ -13,43 +12,6 @@ using namespace certified;
 
 /// Coordinate differences of this size neither overflow nor underflow in a product of four.
 constexpr double smallest_size = 0x1p-200, largest_size = 0x1p200;
-
-/// Do two vectors certainly point to opposite sides along some axis, throughout?
-bool disagree(const MovingVector<double, 2>& m, const MovingVector<double, 2>& n)
-{
-    const auto opposite = [&](double Triple<double>::* axis) {
-        const double m_error = m.error, n_error = n.error;
-        const double m_low = std::min({m.c[0].*axis, m.c[1].*axis, m.c[2].*axis});
-        const double n_low = std::min({n.c[0].*axis, n.c[1].*axis, n.c[2].*axis});
-        const double m_high = std::max({m.c[0].*axis, m.c[1].*axis, m.c[2].*axis});
-        const double n_high = std::max({n.c[0].*axis, n.c[1].*axis, n.c[2].*axis});
-        return (m_low > m_error && n_high < -n_error) || (m_high < -m_error && n_low > n_error);
-    };
-    return opposite(&Triple<double>::x) || opposite(&Triple<double>::y) || opposite(&Triple<double>::z);
-}
-
-//! [glance]
-/// The height, then the sides, each dropped as soon as it has answered: most pairs end here.
-bool apart_at_first_glance(const VertexFaceDifferences<double>& d)
-{
-    const auto side_0 = cross(d.d1, d.d2);
-    if (dot(d.d0, side_0).sign() != 0)
-        return true;
-    const auto side_1 = cross(d.d2, d.d0);
-    if (disagree(side_0, side_1))
-        return true;
-    const auto side_2 = cross(d.d0, d.d1);
-    return disagree(side_1, side_2) || disagree(side_2, side_0);
-}
-//! [glance]
-
-bool apart_at_first_glance(const EdgeEdgeDifferences<double>& d)
-{
-    const auto side_0 = cross(d.b, d.d00);
-    if (dot(d.a, side_0).sign() != 0)
-        return true;
-    return disagree(side_0, cross(d.d10, d.b)) || disagree(cross(d.a, d.d00), cross(d.d01, d.a));
-}
 
 /// The step with every coordinate times 2^exponent.
 VertexFaceStep scaled(const VertexFaceStep& s, int exponent)
@@ -101,8 +63,8 @@ std::optional<double> first_touch(const Step& step, double start)
     const double size = quick.size();
     if (!(size > smallest_size && size < largest_size))
         return first_touch_rescaled<Differences>(step, start, size);
-    if (apart_at_first_glance(quick))
-        return std::nullopt;
+    if (height(quick).sign() != 0)
+        return std::nullopt;  // most pairs end here
 
     Touch touch = search(quick, start);
     if (touch.verdict == Verdict::open)

@@ -4,7 +4,6 @@
 #include "chapters/02_collision_detection/separating_directions.hpp"
 
 #include <optional>
-#include <type_traits>
 
 namespace enduring::certified {
 
@@ -13,7 +12,7 @@ enum class Verdict { apart, touch, open };
 
 struct Touch {
     Verdict verdict;
-    double time = 0;
+    double time;
 };
 
 /// Two times between which a height certainly changes sign.
@@ -32,7 +31,7 @@ struct Bracket {
     {
         if (s <= low || s >= high)
             return true;
-        const double value = rounded(from(height.c, s)[0]);
+        const double value = rounded(from<Real>(height.c, s)[0]);
         if (std::abs(value) <= height.error)
             return false;
         const bool as_low = (value > 0) == (value_low > 0);
@@ -64,15 +63,16 @@ std::optional<double> just_before_root(const BoundedPolynomial<Real, 3>& height,
 template <class Real, std::size_t Corners>
 Touch first_touch(const SeparatingDirections<Real, Corners>& directions, double start, int depth, int& halvings_left)
 {
-    if (directions.apart())
-        return {Verdict::apart};
+    if (directions.apart(Throughout{}))
+        return {Verdict::apart, start};
     if (directions.crosses_once())
         if (const auto before = just_before_root(directions.height, std::ldexp(time_of_impact_slack, depth)))
             return {Verdict::touch, start + std::ldexp(*before, -depth)};
-    if (!directions.apart_at_start() || depth == Precision<Real>::deepest || halvings_left-- == 0)
+    if (!directions.apart(AtStart{}) || depth == Precision<Real>::deepest || halvings_left-- == 0)
         return {Verdict::open, start};
 
-    const auto [early, late] = halves(directions);
+    SeparatingDirections<Real, Corners> early, late;
+    halve(directions, early, late);
     const Touch touch = first_touch(early, start, depth + 1, halvings_left);
     if (touch.verdict != Verdict::apart)
         return touch;
@@ -86,8 +86,8 @@ Touch search(const Differences<Real>& differences, double start)
 {
     // Roundings to plan for: the deepest halving, a cut at `start`, and one more to look for the root.
     constexpr int planned_halvings = Precision<Real>::deepest + 10;
-    int halvings_left = std::is_same_v<Real, double> ? 16 : 256;
-    auto directions = separating_directions(differences, planned_halvings);
+    int halvings_left = Precision<Real>::budget;
+    auto directions = with_halvings(separating_directions(differences), planned_halvings);
     if (start > 0)
         directions = from(directions, start);
     return first_touch(directions, 0.0, 0, halvings_left);

@@ -3,8 +3,6 @@
 #include "chapters/02_collision_detection/query.hpp"
 #include "chapters/02_collision_detection/separation.hpp"
 
-#include <tuple>
-
 namespace enduring::certified {
 
 /// The difference of two coordinates: rounded once in doubles, exact in double-doubles.
@@ -27,7 +25,6 @@ MovingDifference<Real> difference(const Vec3& a_t0, const Vec3& b_t0, const Vec3
 /// The triangle of differences v - f_i: the origin lies in it exactly when the vertex lies in the face.
 template <class Real>
 struct VertexFaceDifferences {
-    static constexpr std::size_t corners = 3;
     MovingDifference<Real> d0, d1, d2;
 
     explicit VertexFaceDifferences(const VertexFaceStep& s)
@@ -42,7 +39,6 @@ struct VertexFaceDifferences {
 /// The parallelogram of differences d_ij = ea_i - eb_j: the origin lies in it exactly when the edges meet.
 template <class Real>
 struct EdgeEdgeDifferences {
-    static constexpr std::size_t corners = 4;
     MovingDifference<Real> a, b, d00, d01, d10, d11;  ///< its sides ea1 - ea0 and eb1 - eb0, and its corners
 
     explicit EdgeEdgeDifferences(const EdgeEdgeStep& s)
@@ -58,7 +54,7 @@ struct EdgeEdgeDifferences {
 };
 //! [polygons]
 
-/// Signs of one component of several vectors over a whole interval, or at its start.
+/// What the signs of one component of several vectors say together.
 struct Signs {
     bool some_negative = false, some_positive = false, all_negative = true, all_positive = true;
 
@@ -71,6 +67,23 @@ struct Signs {
     bool some_disagree() const { return some_negative && some_positive; }
 };
 
+/// Whether a sign is to hold over the whole interval, or at its start.
+struct Throughout {
+    template <class Polynomial> int operator()(const Polynomial& p) const { return p.sign(); }
+};
+struct AtStart {
+    template <class Polynomial> int operator()(const Polynomial& p) const { return p.sign(0); }
+};
+
+template <class Vectors, class Axis, class When>
+Signs signs(const Vectors& vectors, Axis axis, const When& sign)
+{
+    Signs result;
+    for (const auto& vector : vectors)
+        result.add(sign(vector.component(axis)));
+    return result;
+}
+
 //! [directions]
 /// Polynomials of degree 1, 2 and 3 whose signs keep the origin out of a moving triangle or parallelogram.
 ///
@@ -81,124 +94,95 @@ struct Signs {
 ///   - no axis has all corners strictly on one side of it.
 template <class Real, std::size_t Corners>
 struct SeparatingDirections {
-    template <std::size_t Degree> using Components = std::array<std::array<BoundedPolynomial<Real, Degree>, Corners>, 3>;
     BoundedPolynomial<Real, 3> height;
-    Components<2> sides;
-    Components<1> corners;
+    std::array<MovingVector<Real, 2>, Corners> sides;
+    std::array<MovingVector<Real, 1>, Corners> corners;
 
-    /// Certainly no contact at any time of the interval.
-    bool apart() const { return apart([](const auto& p) { return p.sign(); }); }
-
-    /// Certainly no contact at the start of the interval.
-    bool apart_at_start() const { return apart([](const auto& p) { return p.sign(0); }); }
+    /// Certainly no contact at any time of the interval (Throughout), or at its start (AtStart).
+    template <class When>
+    bool apart(const When& when) const
+    {
+        return when(height) != 0 || apart_along(&Triple<Real>::x, when) || apart_along(&Triple<Real>::y, when) ||
+               apart_along(&Triple<Real>::z, when);
+    }
 
     /// Certainly exactly one contact: the height changes sign once, within the polygon.
     bool crosses_once() const
     {
         const std::array<int, 4> s{height.sign(0), height.sign(1), height.sign(2), height.sign(3)};
         const bool one_change = s[0] * s[3] < 0 && s[1] * s[2] != 0 && (s[1] == s[0] || s[2] == s[3]);
-        return one_change && std::any_of(sides.begin(), sides.end(), [](const auto& axis) {
-            return signs(axis, [](const auto& p) { return p.sign(); }).all_agree();
-        });
+        return one_change && (signs(sides, &Triple<Real>::x, Throughout{}).all_agree() ||
+                              signs(sides, &Triple<Real>::y, Throughout{}).all_agree() ||
+                              signs(sides, &Triple<Real>::z, Throughout{}).all_agree());
     }
 
 private:
-    template <class Sign>
-    bool apart(const Sign& sign) const
+    template <class When>
+    bool apart_along(Real Triple<Real>::* axis, const When& when) const
     {
-        if (sign(height) != 0)
-            return true;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            if (signs(sides[axis], sign).some_disagree() || signs(corners[axis], sign).all_agree())
-                return true;
-        return false;
-    }
-
-    template <class Polynomials, class Sign>
-    static Signs signs(const Polynomials& polynomials, const Sign& sign)
-    {
-        Signs result;
-        for (const auto& p : polynomials)
-            result.add(sign(p));
-        return result;
+        return signs(sides, axis, when).some_disagree() || signs(corners, axis, when).all_agree();
     }
 };
 //! [directions]
 
-/// The polynomials of the three components of one vector, with room in their errors for `halvings` halvings.
-template <class Real, std::size_t Degree, std::size_t Corners>
-void set_components(std::array<std::array<BoundedPolynomial<Real, Degree>, Corners>, 3>& components, std::size_t corner,
-                    const MovingVector<Real, Degree>& vector, int halvings)
+template <class Real>
+BoundedPolynomial<Real, 3> height(const VertexFaceDifferences<Real>& d) { return dot(d.d0, cross(d.d1, d.d2)); }
+
+template <class Real>
+BoundedPolynomial<Real, 3> height(const EdgeEdgeDifferences<Real>& d) { return dot(d.a, cross(d.b, d.d00)); }
+
+template <class Real>
+SeparatingDirections<Real, 3> separating_directions(const VertexFaceDifferences<Real>& d)
 {
-    const double error = vector.error + halving_error<Real>(halvings, Degree, vector.size);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        auto& polynomial = components[axis][corner];
-        polynomial.error = error;
-        for (std::size_t i = 0; i <= Degree; ++i)
-            polynomial.c[i] = vector.c[i][axis];
-    }
+    return {height(d), {cross(d.d1, d.d2), cross(d.d2, d.d0), cross(d.d0, d.d1)}, {d.d0, d.d1, d.d2}};
 }
 
 template <class Real>
-SeparatingDirections<Real, 3> separating_directions(const VertexFaceDifferences<Real>& d, int halvings)
+SeparatingDirections<Real, 4> separating_directions(const EdgeEdgeDifferences<Real>& d)
 {
-    const auto side_0 = cross(d.d1, d.d2);
-    SeparatingDirections<Real, 3> result;
-    result.height = dot(d.d0, side_0);
-    result.height.error += halving_error<Real>(halvings, 3, 3 * d.d0.size * side_0.size);
-    set_components(result.sides, 0, side_0, halvings);
-    set_components(result.sides, 1, cross(d.d2, d.d0), halvings);
-    set_components(result.sides, 2, cross(d.d0, d.d1), halvings);
-    set_components(result.corners, 0, d.d0, halvings);
-    set_components(result.corners, 1, d.d1, halvings);
-    set_components(result.corners, 2, d.d2, halvings);
-    return result;
+    return {height(d),
+            {cross(d.b, d.d00), cross(d.d10, d.b), cross(d.a, d.d00), cross(d.d01, d.a)},
+            {d.d00, d.d01, d.d10, d.d11}};
 }
 
-template <class Real>
-SeparatingDirections<Real, 4> separating_directions(const EdgeEdgeDifferences<Real>& d, int halvings)
+/// The same tests, with room in their error bounds for halving the interval.
+template <class Real, std::size_t Corners>
+SeparatingDirections<Real, Corners> with_halvings(SeparatingDirections<Real, Corners> directions, int halvings)
 {
-    const auto side_0 = cross(d.b, d.d00);
-    SeparatingDirections<Real, 4> result;
-    result.height = dot(d.a, side_0);
-    result.height.error += halving_error<Real>(halvings, 3, 3 * d.a.size * side_0.size);
-    set_components(result.sides, 0, side_0, halvings);
-    set_components(result.sides, 1, cross(d.d10, d.b), halvings);
-    set_components(result.sides, 2, cross(d.a, d.d00), halvings);
-    set_components(result.sides, 3, cross(d.d01, d.a), halvings);
-    set_components(result.corners, 0, d.d00, halvings);
-    set_components(result.corners, 1, d.d01, halvings);
-    set_components(result.corners, 2, d.d10, halvings);
-    set_components(result.corners, 3, d.d11, halvings);
-    return result;
+    auto& height = directions.height;
+    height.error = with_halvings<Real>(height.error, halvings, 3, height.size());
+    for (auto& side : directions.sides)
+        side.error = with_halvings<Real>(side.error, halvings, 2, side.size);
+    for (auto& corner : directions.corners)
+        corner.error = with_halvings<Real>(corner.error, halvings, 1, corner.size);
+    return directions;
 }
 
 /// The same tests over the earlier and the later half of the interval.
 template <class Real, std::size_t Corners>
-std::pair<SeparatingDirections<Real, Corners>, SeparatingDirections<Real, Corners>>
-halves(const SeparatingDirections<Real, Corners>& whole)
+void halve(const SeparatingDirections<Real, Corners>& whole, SeparatingDirections<Real, Corners>& early,
+           SeparatingDirections<Real, Corners>& late)
 {
-    auto parts = std::make_pair(whole, whole);
-    const auto split = [](auto& early, auto& late) { std::tie(early.c, late.c) = halves(early.c); };
-    split(parts.first.height, parts.second.height);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (std::size_t corner = 0; corner < Corners; ++corner) {
-            split(parts.first.sides[axis][corner], parts.second.sides[axis][corner]);
-            split(parts.first.corners[axis][corner], parts.second.corners[axis][corner]);
-        }
-    return parts;
+    const auto split = [](const auto& all, auto& first, auto& second) {
+        halve(all.c, first.c, second.c);
+        first.error = second.error = all.error;
+    };
+    split(whole.height, early.height, late.height);
+    for (std::size_t i = 0; i < Corners; ++i) {
+        split(whole.sides[i], early.sides[i], late.sides[i]);
+        split(whole.corners[i], early.corners[i], late.corners[i]);
+    }
 }
 
 /// The same tests over the rest of the interval after s.
 template <class Real, std::size_t Corners>
 SeparatingDirections<Real, Corners> from(SeparatingDirections<Real, Corners> directions, double s)
 {
-    directions.height.c = from(directions.height.c, s);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (std::size_t corner = 0; corner < Corners; ++corner) {
-            directions.sides[axis][corner].c = from(directions.sides[axis][corner].c, s);
-            directions.corners[axis][corner].c = from(directions.corners[axis][corner].c, s);
-        }
+    directions.height.c = from<Real>(directions.height.c, s);
+    for (auto& side : directions.sides)
+        side.c = from<Real>(side.c, s);
+    for (auto& corner : directions.corners)
+        corner.c = from<Real>(corner.c, s);
     return directions;
 }
 

@@ -10,14 +10,14 @@ namespace enduring::certified {
 template <class Real>
 struct Triple {
     Real x, y, z;
-
-    const Real& operator[](std::size_t axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
 template <class Real> Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b)
 {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
+
+template <class Real> Triple<Real> operator*(const Real& s, const Triple<Real>& a) { return {s * a.x, s * a.y, s * a.z}; }
 
 template <class Real> Triple<Real> half(const Triple<Real>& a) { return {half(a.x), half(a.y), half(a.z)}; }
 
@@ -39,8 +39,18 @@ template <class Real> double largest(const Triple<Real>& a)
 /// A vector that is a polynomial in time, in Bernstein form; no component is larger than `size` or off by more than `error`.
 template <class Real, std::size_t Degree>
 struct MovingVector {
+    using Component = Real Triple<Real>::*;
     std::array<Triple<Real>, Degree + 1> c;
     double size, error;
+
+    BoundedPolynomial<Real, Degree> component(Component axis) const
+    {
+        BoundedPolynomial<Real, Degree> result;
+        for (std::size_t i = 0; i <= Degree; ++i)
+            result.c[i] = c[i].*axis;
+        result.error = error;
+        return result;
+    }
 };
 
 /// The difference of two points that move on straight lines.
@@ -53,9 +63,11 @@ template <class Real> using MovingDifference = MovingVector<Real, 1>;
 // Halving a polynomial of degree m adds m roundings of the largest coefficient; cutting it elsewhere, 5 times that.
 constexpr double cross_error = 12, triple_error = 80;
 
-/// What `halvings` halvings cost a polynomial of this degree and size.
-template <class Real>
-double halving_error(int halvings, int degree, double size) { return Precision<Real>::unit * halvings * degree * size; }
+/// Makes room in an error bound for halvings of a polynomial of this degree and size.
+template <class Real> double with_halvings(double error, int halvings, int degree, double size)
+{
+    return error + Precision<Real>::unit * halvings * degree * size;
+}
 
 //! [cross]
 /// The cross product of two moving differences: quadratic in time.
