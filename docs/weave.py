@@ -197,20 +197,33 @@ def reference(pages, page, kind, name):
     raise Mistake(f"@{kind}{{{name}}}: no page shows it under a number")
 
 
+def test_names(root):
+    """The names of all tests, as CTest shows them."""
+    sources = [path for top in ("common", "chapters") for path in sorted((root / top).glob("*/tests/*.cpp"))]
+    return {name for path in sources for name in re.findall(r'TEST_CASE\("([^"]+)"', path.read_text(encoding="utf-8"))}
+
+
 # ------------------------------------------------------------------------------------------------------------ weaving
 class Weaver:
     def __init__(self, root, pages, results):
-        self.root, self.pages, self.results = root, pages, results
+        self.root, self.pages, self.results, self.tests = root, pages, results, test_names(root)
+
+    def test(self, name):
+        if name not in self.tests:
+            raise Mistake(f"no test is called '{name}'")
+        return f"<code>{html.escape(name, quote=False).replace('|', '&#124;')}</code>"
 
     def inline(self, page, text):
         """Facts and references, everywhere but in `code`."""
         def replaced(match):
             if match[1] == "fact":
                 return self.results.fact(page, match[2].strip())
+            if match[1] == "test":
+                return self.test(match[2].strip())
             return reference(self.pages, page, match[1], match[2].strip())
         parts = re.split(r"(`[^`]*`)", text)
-        parts[::2] = [re.sub(r"@(fact|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|figref|tabref|table|figure|pages)\b.*", part)),
+        parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages)\b.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")

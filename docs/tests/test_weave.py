@@ -28,6 +28,7 @@ class Book:
         atexit.register(shutil.rmtree, self.root)
         self.write("chapters/01_drop/chapter.md", text)
         self.write("chapters/01_drop/depth.hpp", CODE)
+        self.write("chapters/01_drop/tests/drop.cpp", 'TEST_CASE("drop: |v| < 1")\n{\n}\n')
         self.write("docs/main.md", "# Title {#mainpage}\n\n@pages{chapters}\n")
         self.write("build/results/01_drop/facts_drop.csv", 'name,value,text\nheight,0.1,"0.1 m, about"\n')
         self.write("build/results/01_drop/steps.md", "| dt |\n|---:|\n| 0.14 |")
@@ -84,6 +85,9 @@ class WhatArrives(unittest.TestCase):
     def test_a_snippet_names_its_file_from_the_top(self):
         self.assertIn("\\snippet chapters/01_drop/depth.hpp depth\n", self.woven("\\snippet depth.hpp depth\n"))
 
+    def test_a_test_is_named_so_that_a_table_survives_it(self):
+        self.assertIn("<code>drop: &#124;v&#124; &lt; 1</code>", self.woven("@test{drop: |v| < 1}"))
+
     def test_a_quick_run_is_said(self):
         self.assertIn("quick run", self.woven("Why?", "--quick"))
         self.assertNotIn("quick run", self.woven("Why?"))
@@ -124,6 +128,9 @@ class WhatStopsTheBook(unittest.TestCase):
 
     def test_a_snippet_of_no_file(self):
         self.refused("# The drop\n\\snippet height.hpp depth", "chapter.md:2: \\snippet height.hpp: no such file")
+
+    def test_the_name_of_no_test(self):
+        self.refused("# The drop\n@test{drop: v < 1}", "chapter.md:2: no test is called 'drop: v < 1'")
 
     def test_an_empty_snippet(self):
         self.refused("# The drop\n\\snippet depth.hpp nothing", "the region [nothing] of chapters/01_drop/depth.hpp is empty")
