@@ -114,7 +114,7 @@ def prose(page):
             yield number, line
 
 
-FIGURE = re.compile(r"^@figure\{\s*([\w.-]+\.(?:png|svg|mp4))\s*,\s*(.+)\}\s*$")
+FIGURE = re.compile(r"^@figure\{\s*([\w.-]+\.(?:png|svg|webp|mp4))\s*,\s*(.+)\}\s*$")
 TABLE = re.compile(r"^@table\{\s*([\w-]+)\s*(?:,\s*(.+))?\}\s*$")
 
 
