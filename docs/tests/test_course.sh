@@ -48,7 +48,7 @@ echo "\$*" >>"$scratch/asked"
 END
 printf '#!/bin/bash\n"$@"\n' >"$scratch/sudo"
 chmod +x "$scratch"/*
-PATH=$scratch:$PATH expect 0 'Installing libcli11-dev' setup
+PATH=$scratch:$PATH expect 1 'Installing libcli11-dev' setup # 1: the false apt installs nothing
 if ! grep -q 'install .* libcli11-dev$' "$scratch/asked" 2>/dev/null; then
     echo "FAILED: setup did not ask apt for exactly the one missing package"; failed=1
 fi
