@@ -141,4 +141,16 @@ Table top_drift_table()
     return table;
 }
 
+void report_top_drift(Report& report)
+{
+    const Table table = top_drift_table();
+    report.table("top_drift", table);
+    report.page_table("top_drift", table, 2);
+    const TopDrift bullet = top_drift(TopMethod::bullet_implicit_body, 10, 240), ours = top_drift(TopMethod::ours, 10, 240);
+    report.fact("rigid", "bullet_energy_percent", 100 * bullet.energy, 2);
+    report.fact("rigid", "bullet_momentum_percent", 100 * bullet.momentum, 2);
+    report.fact("rigid", "our_energy", ours.energy, 1);
+    report.fact("rigid", "our_momentum", ours.momentum, 1);
+}
+
 }  // namespace enduring

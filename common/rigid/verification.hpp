@@ -27,4 +27,7 @@ TopDrift top_drift(TopMethod method, double seconds, double rate);
 /// Every method at 60, 240 and 960 Hz over 10 s: method, rate_hz, energy_drift, momentum_drift.
 Table top_drift_table();
 
+/// Leaves that table as `top_drift`, and the drifts at 240 Hz as facts of `rigid`.
+void report_top_drift(Report& report);
+
 }  // namespace enduring

@@ -1,10 +1,10 @@
 # Four drops, each method below and above its stable step (thesis figure 7.1).
 load style
 set terminal svg size 760,560
-set multiplot layout 2,2 margins 0.09,0.98,0.09,0.95 spacing 0.09,0.12
+set multiplot layout 2,2 margins 0.1,0.98,0.1,0.94 spacing 0.1,0.13
 set xrange [0:10]
-set yrange [-0.35:0.75]
-set ytics -0.2,0.2
+set yrange [-0.15:0.75]
+set ytics 0,0.2
 panel = "abcd"
 what = "'CPF, dt = 0.14 s' 'CPF, dt = 0.17 s' 'DPF, dt = 0.11 s' 'DPF, dt = 0.13 s'"
 do for [i=1:4] {

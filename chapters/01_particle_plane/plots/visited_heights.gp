@@ -9,9 +9,9 @@ set ylabel "height [m]"
 set key top left
 set format x ""
 plot 0 linetype 10, folder."/visited_heights.csv" using "dt_s":(strcol("method") eq "DPF" ? column("height_m") : NaN) \
-     with dots linetype 2 linewidth 3 title "DPF"
+     with points linetype 2 pointtype 7 pointsize 0.16 title "DPF"
 set format x "%.2f"
 set xlabel "step dt [s]"
 plot 0 linetype 10, folder."/visited_heights.csv" using "dt_s":(strcol("method") eq "CPF" ? column("height_m") : NaN) \
-     with dots linetype 1 linewidth 3 title "CPF"
+     with points linetype 1 pointtype 7 pointsize 0.16 title "CPF"
 unset multiplot
