@@ -27,7 +27,7 @@ inline const Vec3 blue = srgb(0x5b87b8), terracotta = srgb(0xcc7a5c), sand = srg
 inline const std::array<Vec3, 6> bodies{blue, terracotta, sand, sage, plum, slate};
 
 /// The thesis' colours of features.
-inline const Vec3 colliding_vertex = srgb(0xd8232a), colliding_face = srgb(0x2a6fdb), colliding_edge = srgb(0x1fa34a),
+inline const Vec3 colliding_vertex = srgb(0xd8232a), colliding_face = srgb(0x1f4fd8), colliding_edge = srgb(0x1fa34a),
                   artefact = srgb(0xf28c1c);
 
 }  // namespace palette

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/geometry/vector.hpp"
+
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -33,6 +35,10 @@ private:
         return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
     }
 };
+
+/// Mixes a linear colour into a pixel; outside of the picture nothing happens.
+/// @param share  of the new colour, 0 to 1
+void blend(Picture& picture, int x, int y, const Vec3& color, double share);
 
 /// Writes beside and renames; an empty picture writes nothing.
 /// @throws InputError  the place cannot be written

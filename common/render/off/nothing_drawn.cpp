@@ -24,7 +24,7 @@ Picture read_png(const std::filesystem::path&)
     return {};
 }
 
-void draw_text(Picture&, const std::string&, double, double, double, const Vec3&, bool) {}
+void draw_text(Picture&, const std::string&, double, double, double, const Vec3&) {}
 
 double text_width(const std::string&, double)
 {

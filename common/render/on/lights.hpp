@@ -6,7 +6,7 @@
 
 namespace enduring {
 
-inline constexpr int light_count = 32, sun_count = 12;
+inline constexpr int light_count = 28, sun_count = 8;
 
 /// One of the directions that light comes from.
 struct DirectionalLight {

@@ -44,7 +44,7 @@ vec3 backdrop()
 
 // Each of the four samples of a pixel sees a quarter of the lights; averaging the samples brings them together.
 static const std::string light = R"(
-const int lights = 32;
+const int lights = 28;
 uniform mat3 light[lights];
 uniform vec3 radiance[lights];
 uniform int sun_lights;
@@ -61,16 +61,32 @@ vec3 toward(int i) { return vec3(light[i][0][2], light[i][1][2], light[i][2][2])
 
 struct Light { vec3 diffuse, gloss; };
 
+// A hash of a place on the screen (PCG, Jarzynski and Olano 2020): the same grain in every picture.
+float grain(uvec2 place)
+{
+    uint state = place.x * 747796405u + place.y * 2891336453u;
+    state = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return float(((state >> 22u) ^ state) & 0xffffu) / 65536.0;
+}
+
 Light light_at(vec3 point, vec3 normal, vec3 view)
 {
     Light sum = Light(vec3(0), vec3(0));
     vec3 lifted = point + 1.7 * texel * normal;
+    vec3 x = normalize(abs(normal.x) < 0.9 ? cross(normal, vec3(1, 0, 0)) : cross(normal, vec3(0, 0, 1))), y = cross(normal, x);
     int first = (int(gl_FragCoord.x) & 1) + 2 * (int(gl_FragCoord.y) & 1);
+    uvec2 pixel = uvec2(gl_FragCoord.xy) / 2u;
+    float quarter = float((pixel.x & 1u) ^ (pixel.y & 1u)) * 0.5 + float(pixel.y & 1u) * 0.25;  // four neighbours share the circle
+    float turn = 6.2831853 * (grain(pixel / 2u) + quarter), reach = fract(grain(pixel / 2u + 7919u) + quarter);
     for (int i = first; i < lights; i += 4) {
         float facing = dot(normal, toward(i));
         if (facing <= 0)
             continue;
-        vec3 seen = 4 * facing * radiance[i] * visibility(i, lifted);
+        // A few directions stand for the whole sky: looking from places a little apart along the surface hides the gaps.
+        reach = fract(reach + 0.618034);
+        turn += 2.3999632;
+        float away = radius * (i < sun_lights ? 0.010 : 0.035) * sqrt(reach);
+        vec3 seen = 4 * facing * radiance[i] * visibility(i, lifted + away * (cos(turn) * x + sin(turn) * y));
         sum.diffuse += seen;
         if (i < sun_lights)
             sum.gloss += seen * pow(max(0, dot(normal, normalize(toward(i) + view))), 40.0);
@@ -119,10 +135,12 @@ float grid_line(vec3 along)
 // The ground is the backdrop itself, darkened by shadows and lines: it has no border and no horizon.
 vec4 ground_color()
 {
+    float fade = 1 - smoothstep(2.0, 5.0, length(p) / radius);
+    if (fade == 0)
+        return vec4(backdrop(), 1);
     Light arriving = light_at(p, n, normalize(eye - p));
     vec3 across = normalize(abs(n.x) < 0.9 ? cross(n, vec3(1, 0, 0)) : cross(n, vec3(0, 0, 1)));
     float lines = grid > 0 ? max(grid_line(across), grid_line(cross(n, across))) : 0;
-    float fade = 1 - smoothstep(2.0, 5.0, length(p) / radius);
     return vec4(backdrop() * mix(vec3(1), arriving.diffuse / open_floor * (1 - 0.13 * lines), fade), 1);
 }
 

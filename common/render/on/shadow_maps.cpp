@@ -10,7 +10,7 @@ using namespace graphics;
 
 namespace {
 
-constexpr int size = 512;  ///< pixels along one map
+constexpr int size = 384;  ///< pixels along one map
 
 }  // namespace
 

@@ -52,12 +52,6 @@ std::vector<int> code_points(const std::string& utf8)
 struct Coverage {
     int left = 0, top = 0, width = 0, height = 0;
     std::vector<float> share;
-
-    float at(int x, int y) const
-    {
-        const bool inside = x >= 0 && y >= 0 && x < width && y < height;
-        return inside ? share[static_cast<std::size_t>(y * width + x)] : 0.0F;
-    }
 };
 
 void cover(Coverage& line, int code_point, float scale, double pen)
@@ -93,17 +87,6 @@ double walk(const std::string& text, float scale, double start, Visit&& visit)
     return pen - start;
 }
 
-void blend(Picture& picture, int x, int y, const Vec3& color, double share)
-{
-    if (x < 0 || y < 0 || x >= picture.width || y >= picture.height || share <= 0)
-        return;
-    std::uint8_t* pixel = picture.at(x, y);
-    for (int c = 0; c < 3; ++c) {
-        const double screen = 255 * std::pow(color[c], 1 / 2.2);
-        pixel[c] = static_cast<std::uint8_t>(std::lround((1 - share) * pixel[c] + share * screen));
-    }
-}
-
 }  // namespace
 
 double text_width(const std::string& text, double size_px)
@@ -111,28 +94,18 @@ double text_width(const std::string& text, double size_px)
     return walk(text, stbtt_ScaleForPixelHeight(&font(), static_cast<float>(size_px)), 0, [](int, double) {});
 }
 
-void draw_text(Picture& picture, const std::string& text, double x, double y, double size_px, const Vec3& color, bool halo)
+void draw_text(Picture& picture, const std::string& text, double x, double y, double size_px, const Vec3& color)
 {
     if (picture.empty())
         return;
     const float scale = stbtt_ScaleForPixelHeight(&font(), static_cast<float>(size_px));
-    const int margin = 4, ascent = static_cast<int>(std::ceil(size_px)), base = static_cast<int>(std::lround(y));
-    Coverage line{static_cast<int>(std::floor(x)) - margin, -ascent, 0, 0, {}};
-    line.width = static_cast<int>(std::ceil(text_width(text, size_px))) + 2 * margin;
-    line.height = 2 * ascent;
+    const int ascent = static_cast<int>(std::ceil(size_px)), base = static_cast<int>(std::lround(y));
+    Coverage line{static_cast<int>(std::floor(x)) - 2, -ascent, static_cast<int>(std::ceil(text_width(text, size_px))) + 4, 2 * ascent, {}};
     line.share.resize(static_cast<std::size_t>(line.width * line.height));
     walk(text, scale, x, [&](int code_point, double pen) { cover(line, code_point, scale, pen); });
-
-    constexpr int reach = 3;
     for (int row = 0; row < line.height; ++row)
-        for (int column = 0; column < line.width; ++column) {
-            float rim = 0;
-            for (int dy = -reach; halo && dy <= reach; ++dy)
-                for (int dx = -reach; dx <= reach; ++dx)
-                    rim = std::max(rim, line.at(column + dx, row + dy) * (1 - std::sqrt(static_cast<float>(dx * dx + dy * dy)) / (reach + 1)));
-            blend(picture, line.left + column, base + line.top + row, Vec3::Ones() * 0.96, std::min(1.0F, 1.2F * rim) * 0.8);
-            blend(picture, line.left + column, base + line.top + row, color, line.at(column, row));
-        }
+        for (int column = 0; column < line.width; ++column)
+            blend(picture, line.left + column, base + line.top + row, color, line.share[static_cast<std::size_t>(row * line.width + column)]);
 }
 
 }  // namespace enduring

@@ -1,0 +1,77 @@
+#include "common/render/scene_view.hpp"
+
+namespace enduring {
+namespace {
+
+const Vec3& position(const World& world, int body, int vertex)
+{
+    return world.bodies[static_cast<std::size_t>(body)]->positions_t0()[static_cast<std::size_t>(vertex)];
+}
+
+Drawable drawable_of(const Body& body, const Vec3& own_color, const Scene& scene)
+{
+    Drawable drawable;
+    drawable.positions.assign(body.positions_t0().begin(), body.positions_t0().end());
+    drawable.faces.assign(body.surface().faces().begin(), body.surface().faces().end());
+    drawable.color = own_color;
+    // An open static surface is a piece of ground: it would stretch the shadow maps and shade nothing.
+    drawable.casts_shadow = !body.is_static() || body.surface().is_closed();
+    if (const auto look = scene.looks.find(body.name()); look != scene.looks.end()) {
+        drawable.color = look->second.color;
+        drawable.smooth = look->second.smooth;
+    }
+    return drawable;
+}
+
+/// The contact's four vertices: which body each belongs to, and where it is.
+std::array<Vec3, 4> corners(const World& world, const Contact& contact)
+{
+    std::array<Vec3, 4> points;
+    for (int i = 0; i < contact.vertex_count(); ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        points[index] = position(world, i < contact.vertices_of_a() ? contact.body_a : contact.body_b, contact.vertices[index]);
+    }
+    return points;
+}
+
+}  // namespace
+
+Stage stage_of(const World& world, const Scene& scene)
+{
+    Stage stage;
+    std::size_t moving = 0;
+    for (const auto& body : world.bodies) {
+        const Vec3& color = body->is_static() ? palette::sand : palette::bodies[moving++ % palette::bodies.size()];
+        stage.bodies.push_back(drawable_of(*body, color, scene));
+    }
+    for (const Plane& plane : world.planes)
+        stage.grounds.push_back({plane.point, plane.normal});
+    stage.camera.eye = scene.camera.eye;
+    stage.camera.target = scene.camera.target;
+    stage.camera.field_of_view_deg = scene.camera.field_of_view_deg;
+    return stage;
+}
+
+void mark_contacts(Stage& stage, const World& world, const Contacts& contacts)
+{
+    for (Drawable& body : stage.bodies)  // pale bodies let the marks stand out
+        body.color = 0.35 * body.color + 0.65 * palette::ivory;
+    for (const Contact& contact : contacts) {
+        const auto points = corners(world, contact);
+        if (contact.kind == ContactKind::edge_edge) {
+            stage.segments.push_back({points[0], points[1], palette::colliding_edge, 4});
+            stage.segments.push_back({points[2], points[3], palette::colliding_edge, 4});
+            continue;
+        }
+        stage.dots.push_back({points[0], palette::colliding_vertex});
+        if (contact.kind == ContactKind::vertex_face)
+            stage.triangles.push_back({{points[1], points[2], points[3]}, palette::colliding_face});
+    }
+}
+
+void mark_artefact(Stage& stage, const World& world, int body, int vertex)
+{
+    stage.dots.push_back({position(world, body, vertex), palette::artefact, 8});
+}
+
+}  // namespace enduring
