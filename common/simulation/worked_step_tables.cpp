@@ -1,0 +1,71 @@
+#include "common/report/number_text.hpp"
+#include "common/simulation/step_record.hpp"
+#include "common/simulation/worked_step.hpp"
+
+namespace enduring {
+namespace {
+
+using Records = std::vector<StageRecord>;
+using Array = std::vector<Vec3> BodyRecord::*;
+
+constexpr int digits = 6;  // enough for every number of the step to stand whole
+
+/// One row a vertex, one column a stage: how the y of one array of the bodies changes.
+Table array_table(const World& world, const Records& records, Array array)
+{
+    std::vector<std::string> columns{"vertex"};
+    for (const StageRecord& record : records)
+        columns.push_back(record.stage);
+    Table table(columns);
+    for (std::size_t body = 0; body < world.bodies.size(); ++body)
+        for (std::size_t vertex = 0; vertex < world.bodies[body]->positions_t0().size(); ++vertex) {
+            std::vector<Cell> row{world.bodies[body]->name() + " " + std::to_string(vertex)};
+            for (const StageRecord& record : records)
+                row.emplace_back((record.bodies[body].*array)[vertex].y());
+            table.add(row);
+        }
+    return table;
+}
+
+std::string list(const std::array<double, 4>& numbers)
+{
+    std::string text;
+    for (const double number : numbers)
+        text += (text.empty() ? "" : ", ") + readable(number, digits);
+    return text;
+}
+
+std::string list(const std::array<int, 4>& numbers)
+{
+    std::string text;
+    for (const int number : numbers)
+        text += (text.empty() ? "" : ", ") + std::to_string(number);
+    return text;
+}
+
+/// The one list of contacts, entry by entry, after each stage.
+Table contacts_table(const Records& records)
+{
+    Table table({"after", "entry", "vertices", "weights", "start", "handled", "impulse y [N s]"});
+    for (const StageRecord& record : records)
+        for (std::size_t i = 0; i < record.contacts.size(); ++i) {
+            const Contact& contact = record.contacts[i];
+            table.add({record.stage, static_cast<long>(i), list(contact.vertices), list(contact.weights), contact.start,
+                       contact.handled ? "yes" : "no", contact.impulse.y()});
+        }
+    return table;
+}
+
+}  // namespace
+
+void write_worked_step(const Solver& solver, Report& report)
+{
+    WorkedStep step = worked_step();
+    const Records records = record_step(step.world, step.contacts, solver, step.dt);
+    report.page_table("worked_step_velocities", array_table(step.world, records, &BodyRecord::velocities), digits);
+    report.page_table("worked_step_predictions", array_table(step.world, records, &BodyRecord::positions_t1), digits);
+    report.page_table("worked_step_positions", array_table(step.world, records, &BodyRecord::positions_t0), digits);
+    report.page_table("worked_step_contacts", contacts_table(records), digits);
+}
+
+}  // namespace enduring
