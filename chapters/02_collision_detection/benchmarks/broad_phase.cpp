@@ -1,0 +1,114 @@
+// One step of the broad phase for two balls about to touch: our tree of faces, and Bullet's dynamic tree over the same boxes.
+#include "chapters/02_collision_detection/broad_phase.hpp"
+
+#include "common/geometry/shapes.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <BulletCollision/BroadphaseCollision/btDbvt.h>
+
+#include <cmath>
+#include <memory>
+
+namespace enduring {
+namespace {
+
+/// A ball of radius 1 that moves by a tenth of its edge length in each step.
+struct Ball {
+    SurfaceTopology topology;
+    std::vector<Vec3> t0, t1;
+
+    Ball(int subdivisions, const Vec3& place, const Vec3& direction)
+    {
+        const SurfaceMesh mesh = sphere(1, subdivisions);
+        topology = SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces);
+        const double edge = 1.1 / std::exp2(subdivisions);
+        for (const Vec3& x : mesh.vertices) {
+            t0.push_back(x + place);
+            t1.push_back(x + place + 0.1 * edge * direction);
+        }
+    }
+    SurfaceStep step() const { return {topology, t0, t1}; }
+};
+
+struct Balls {
+    Ball upper, lower;
+    explicit Balls(int subdivisions) : upper(subdivisions, {0, 1.97, 0}, {0.3, -1, 0}), lower(subdivisions, {0, 0, 0}, {0, 0.2, 0.1}) {}
+};
+
+void tree_of_faces(benchmark::State& state)
+{
+    const Balls balls(static_cast<int>(state.range(0)));
+    FaceTree upper(balls.upper.topology, balls.upper.t0), lower(balls.lower.topology, balls.lower.t0);
+    CandidatePairs pairs;
+    for (auto _ : state) {
+        upper.refit(balls.upper.step());
+        lower.refit(balls.lower.step());
+        collect_pairs(upper, lower, pairs);
+        benchmark::DoNotOptimize(pairs.edge_edge.data());
+    }
+    state.counters["faces"] = static_cast<double>(balls.upper.topology.faces().size());
+    state.counters["pairs"] = static_cast<double>(pairs.size());
+}
+BENCHMARK(tree_of_faces)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
+
+void refit_alone(benchmark::State& state)
+{
+    const Balls balls(static_cast<int>(state.range(0)));
+    FaceTree upper(balls.upper.topology, balls.upper.t0);
+    for (auto _ : state) {
+        upper.refit(balls.upper.step());
+        benchmark::DoNotOptimize(&upper.vertex_box(0));
+    }
+}
+BENCHMARK(refit_alone)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
+
+/// Bullet's tree over the same boxes of faces; pairs of features are then looked up in the same way.
+struct BulletTree {
+    btDbvt tree;
+    std::vector<btDbvtNode*> leaves;
+
+    static btDbvtVolume volume(const SweptBox& box)
+    {
+        return btDbvtVolume::FromMM({box.low.x(), box.low.y(), box.low.z()}, {box.high.x(), box.high.y(), box.high.z()});
+    }
+    explicit BulletTree(const SurfaceStep& surface)
+    {
+        for (int f = 0; f < static_cast<int>(surface.topology.faces().size()); ++f) {
+            leaves.push_back(tree.insert(volume(face_box(surface, f)), nullptr));
+            leaves.back()->dataAsInt = f;
+        }
+        tree.optimizeTopDown();
+    }
+    void refit(const SurfaceStep& surface)
+    {
+        for (std::size_t f = 0; f < leaves.size(); ++f) {
+            btDbvtVolume box = volume(face_box(surface, static_cast<int>(f)));
+            tree.update(leaves[f], box);
+        }
+    }
+};
+
+struct CountFaces final : btDbvt::ICollide {
+    std::vector<FeaturePair> pairs;
+    void Process(const btDbvtNode* a, const btDbvtNode* b) override { pairs.push_back({a->dataAsInt, b->dataAsInt}); }
+};
+
+void bullet_tree_faces_only(benchmark::State& state)
+{
+    const Balls balls(static_cast<int>(state.range(0)));
+    BulletTree upper(balls.upper.step()), lower(balls.lower.step());
+    CountFaces found;
+    for (auto _ : state) {
+        upper.refit(balls.upper.step());
+        lower.refit(balls.lower.step());
+        found.pairs.clear();
+        upper.tree.collideTT(upper.tree.m_root, lower.tree.m_root, found);
+        benchmark::DoNotOptimize(found.pairs.data());
+    }
+    state.counters["face_pairs"] = static_cast<double>(found.pairs.size());
+}
+BENCHMARK(bullet_tree_faces_only)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace enduring

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "chapters/02_collision_detection/swept_box.hpp"
+
+#include <vector>
+
+namespace enduring {
+
+/// A binary tree of boxes over the faces of one surface. Its shape is made once, from where the faces lie at first;
+/// each step only refits the boxes. That stays good as long as neighbours stay neighbours, which a body's do.
+///
+/// Every vertex and every edge is owned by the first of its faces. A pair of faces then speaks for the features that the
+/// two own, and each pair of features has one pair of faces that speaks for it.
+class FaceTree {
+public:
+    FaceTree() = default;
+    /// Builds the shape; call refit before the first search.
+    /// @param positions  of the vertices at any one time [m]
+    FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positions);
+
+    /// Boxes around this step, from the leaves to the root. No memory is taken.
+    void refit(const SurfaceStep& surface);
+
+    /// Calls visit(face of a, face of b) for all pairs of faces whose boxes overlap, always in the same order.
+    template <class Visit>
+    static void overlapping_faces(const FaceTree& a, const FaceTree& b, Visit&& visit)
+    {
+        if (!a.nodes_.empty() && !b.nodes_.empty())
+            descend(a, 0, b, 0, visit);
+    }
+
+    const SweptBox& vertex_box(int vertex) const { return vertex_boxes_[static_cast<std::size_t>(vertex)]; }
+    const SweptBox& edge_box(int edge) const { return edge_boxes_[static_cast<std::size_t>(edge)]; }
+    const SweptBox& face_box(int face) const { return nodes_[static_cast<std::size_t>(leaf_of_face_[static_cast<std::size_t>(face)])].box; }
+    std::span<const int> owned_vertices(int face) const { return owned(owned_vertices_, face); }
+    std::span<const int> owned_edges(int face) const { return owned(owned_edges_, face); }
+
+private:
+    /// The first child of an inner node stands right behind it; for a leaf, second_child is -1 - face.
+    struct Node {
+        SweptBox box;
+        int second_child = 0;
+        bool is_leaf() const { return second_child < 0; }
+        int face() const { return -1 - second_child; }
+        double extent() const { return (box.high - box.low).sum(); }
+    };
+    /// At most three vertices, or edges, of one face.
+    struct Owned {
+        std::array<int, 3> features{};
+        int count = 0;
+    };
+
+    void build(std::span<int> faces, std::span<const Vec3> middles);
+    static std::span<const int> owned(const std::vector<Owned>& all, int face)
+    {
+        const Owned& one = all[static_cast<std::size_t>(face)];
+        return {one.features.data(), static_cast<std::size_t>(one.count)};
+    }
+
+    //! [descend]
+    template <class Visit>
+    static void descend(const FaceTree& a, int i, const FaceTree& b, int j, Visit& visit)
+    {
+        const Node &in_a = a.nodes_[static_cast<std::size_t>(i)], &in_b = b.nodes_[static_cast<std::size_t>(j)];
+        if (!in_a.box.overlaps(in_b.box))
+            return;
+        if (in_a.is_leaf() && in_b.is_leaf()) {
+            visit(in_a.face(), in_b.face());
+        } else if (in_b.is_leaf() || (!in_a.is_leaf() && in_a.extent() > in_b.extent())) {
+            descend(a, i + 1, b, j, visit);
+            descend(a, in_a.second_child, b, j, visit);
+        } else {
+            descend(a, i, b, j + 1, visit);
+            descend(a, i, b, in_b.second_child, visit);
+        }
+    }
+    //! [descend]
+
+    std::vector<Node> nodes_;
+    std::vector<int> leaf_of_face_;
+    std::vector<SweptBox> vertex_boxes_, edge_boxes_;
+    std::vector<Owned> owned_vertices_, owned_edges_;
+};
+
+}  // namespace enduring
