@@ -1,0 +1,89 @@
+#include "common/simulation/deformable_body.hpp"
+
+#include "common/geometry/surface_extraction.hpp"
+
+#include <utility>
+
+namespace enduring {
+namespace {
+
+SurfaceTopology topology_of(const ExtractedSurface& surface)
+{
+    return SurfaceTopology(static_cast<int>(surface.mesh.vertices.size()), surface.mesh.faces);
+}
+
+/// The velocities of a rigid motion, so that nothing is strained at first.
+void set_motion(ElasticBody& elastic, const Vec3& velocity, const Vec3& angular_velocity)
+{
+    const Vec3 centre = elastic.centre_of_mass();
+    for (Eigen::Index node = 0; node < elastic.positions().cols(); ++node)
+        elastic.velocities().col(node) = velocity + angular_velocity.cross(elastic.positions().col(node) - centre);
+}
+
+}  // namespace
+
+DeformableBody::DeformableBody(std::string name, const TetrahedralMesh& mesh, const DeformableSettings& settings)
+    : DeformableBody(std::move(name), topology_of(surface_of(mesh)), ElasticMesh(mesh),
+                     SurfaceEmbedding(mesh, surface_of(mesh).nodes), settings)
+{
+}
+
+DeformableBody::DeformableBody(std::string name, const QuadraticTetrahedralMesh& mesh, const DeformableSettings& settings)
+    : DeformableBody(std::move(name), topology_of(surface_of(mesh)), ElasticMesh(mesh),
+                     SurfaceEmbedding(mesh, surface_of(mesh).nodes), settings)
+{
+}
+
+DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh, SurfaceEmbedding embedding,
+                               const DeformableSettings& settings)
+    : Body(std::move(name), std::move(surface)), elastic_(std::move(mesh), settings.material, settings.options),
+      embedding_(std::move(embedding))
+{
+    elastic_.place(settings.rotation, settings.position);
+    set_motion(elastic_, settings.velocity, settings.angular_velocity);
+    for (const int node : settings.fixed_nodes)
+        elastic_.fix(node);
+    positions_t0_.resize(static_cast<std::size_t>(embedding_.vertex_count()));
+    embedding_.evaluate(elastic_.positions(), positions_t0_);
+    positions_t1_ = positions_t0_;
+}
+
+void DeformableBody::predict(const Vec3& gravity, double dt)
+{
+    elastic_.predict(gravity, dt);
+    update_prediction(dt);
+}
+
+void DeformableBody::update_prediction(double dt)
+{
+    for (std::size_t vertex = 0; vertex < positions_t1_.size(); ++vertex)
+        positions_t1_[vertex] = positions_t0_[vertex] + dt * velocity(static_cast<int>(vertex));
+}
+
+void DeformableBody::commit(double dt)
+{
+    elastic_.commit(dt);
+    embedding_.evaluate(elastic_.positions(), positions_t1_);
+    positions_t0_ = positions_t1_;
+}
+
+void DeformableBody::apply_impulse(int vertex, const Vec3& impulse)
+{
+    embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), elastic_.velocities());
+}
+
+Mat3 DeformableBody::inverse_mass(int vertex) const
+{
+    return embedding_.inverse_mass(vertex, elastic_.inverse_masses()) * Mat3::Identity();
+}
+
+Energy DeformableBody::energy(const Vec3& gravity) const
+{
+    Energy energy;
+    energy.kinetic = elastic_.kinetic_energy();
+    energy.gravitational = -mass() * gravity.dot(elastic_.centre_of_mass());
+    energy.elastic = elastic_.elastic_energy();
+    return energy;
+}
+
+}  // namespace enduring

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "common/fem/elastic_body.hpp"
+#include "common/fem/surface_embedding.hpp"
+#include "common/geometry/meshes.hpp"
+#include "common/simulation/body.hpp"
+
+namespace enduring {
+
+/// What a deformable body is made of, and where it starts.
+struct DeformableSettings {
+    ElasticMaterial material;
+    Mat3 rotation = Mat3::Identity();      ///< turns the mesh about its origin, then ...
+    Vec3 position = Vec3::Zero();          ///< ... moves it [m]; the shape stays unstrained
+    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass [m/s]
+    Vec3 angular_velocity = Vec3::Zero();  ///< about it, in world axes [rad/s]
+    std::vector<int> fixed_nodes;          ///< nodes of the mesh that never move
+    ElasticOptions options;
+};
+
+/// An elastic body as the contact code sees it. Each surface vertex is a fixed combination of nodes, x = sum_i w_i c_i;
+/// an impulse on it goes back through the transpose, w_i of it to node i.
+class DeformableBody final : public Body {
+public:
+    /// @throws InputError  a mesh, material constant or fixed node that cannot be
+    DeformableBody(std::string name, const TetrahedralMesh& mesh, const DeformableSettings& settings);
+    DeformableBody(std::string name, const QuadraticTetrahedralMesh& mesh, const DeformableSettings& settings);
+
+    void predict(const Vec3& gravity, double dt) override;
+    void update_prediction(double dt) override;
+    void commit(double dt) override;
+
+    void apply_impulse(int vertex, const Vec3& impulse) override;
+    Vec3 velocity(int vertex) const override { return embedding_.at(vertex, elastic_.velocities()); }
+    Mat3 inverse_mass(int vertex) const override;
+
+    double mass() const override { return elastic_.mass(); }
+    Energy energy(const Vec3& gravity) const override;
+    Vec3 linear_momentum() const override { return elastic_.linear_momentum(); }
+    Vec3 angular_momentum(const Vec3& about) const override { return elastic_.angular_momentum(about); }
+    int inverted_elements() const override { return elastic_.inverted_elements(); }
+
+    const ElasticBody& elastic() const { return elastic_; }
+    const SurfaceEmbedding& embedding() const { return embedding_; }
+
+private:
+    DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh, SurfaceEmbedding embedding,
+                   const DeformableSettings& settings);
+
+    ElasticBody elastic_;
+    SurfaceEmbedding embedding_;
+};
+
+}  // namespace enduring
