@@ -1,0 +1,54 @@
+#pragma once
+
+#include "common/fem/elastic_mesh.hpp"
+#include "common/fem/material.hpp"
+#include "common/geometry/vector.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace enduring {
+
+/// One rotation an element.
+using ElementRotations = std::vector<Mat3>;
+
+/// The rotation of every element from its mean deformation gradient (its value at the centroid).
+void find_rotations(const ElasticMesh& mesh, const NodalVectors& positions, ElementRotations& rotations);
+
+/// Elements that are turned inside out: a deformation gradient with determinant <= 0 at the element (linear) or at one of
+/// its corners (quadratic).
+int inverted_elements(const ElasticMesh& mesh, const NodalVectors& positions);
+
+/// Stiffness of one element in its rest orientation, 3n x 3n for n nodes, node by node [N/m]:
+/// K_e = V sum_kl m_kl B_k^T E B_l (thesis 3.18, whose K_e = V B^T E B is the linear element with its one point).
+Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element, const Eigen::Matrix<double, 6, 6>& hooke);
+
+/// The body's elasticity with the elements turned by given rotations: forces f = -K_R (x - R X), where
+/// K_R = sum_e R_e K_e R_e^T and "R X" stands for the rest shape of each element turned with it.
+/// Keeps references; all three must live on.
+class CorotatedElasticity {
+public:
+    CorotatedElasticity(const ElasticMesh& mesh, const LameConstants& lame, const ElementRotations& rotations)
+        : mesh_(mesh), lame_(lame), rotations_(rotations)
+    {
+    }
+
+    const ElasticMesh& mesh() const { return mesh_; }
+    const LameConstants& lame() const { return lame_; }
+    const ElementRotations& rotations() const { return rotations_; }
+
+    /// forces += the elastic forces on the nodes at these positions [N].
+    void add_forces(const NodalVectors& positions, NodalVectors& forces) const;
+    /// result += scale K_R v, without building K_R.
+    void add_stiffness_times(const NodalVectors& v, double scale, NodalVectors& result) const;
+    /// Half of strain times stress, over the body [J].
+    double energy(const NodalVectors& positions) const;
+
+private:
+    const ElasticMesh& mesh_;
+    const LameConstants& lame_;
+    const ElementRotations& rotations_;
+};
+
+}  // namespace enduring

@@ -1,0 +1,136 @@
+#include "common/fem/elastic_body.hpp"
+
+#include "common/report/input_error.hpp"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace enduring {
+namespace {
+
+const ElasticMaterial& checked(const ElasticMaterial& material)
+{
+    check(material);
+    return material;
+}
+
+}  // namespace
+
+ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, const ElasticOptions& options)
+    : mesh_(std::move(mesh)),
+      material_(checked(material)),
+      options_(options),
+      lame_(lame_constants(material)),
+      masses_(lumped_masses(mesh_, material.density)),
+      inverse_masses_(masses_.cwiseInverse()),
+      fixed_(mesh_.node_count(), 0),
+      positions_(mesh_.rest()),
+      velocities_(NodalVectors::Zero(3, mesh_.node_count())),
+      external_forces_(NodalVectors::Zero(3, mesh_.node_count())),
+      rotations_(mesh_.elements().size(), Mat3::Identity()),
+      solver_(mesh_, masses_, options.solver_tolerance)
+{
+    // A node of no element has no mass, and no equation.
+    for (int n = 0; n < mesh_.node_count(); ++n)
+        if (!(masses_[n] > 0))
+            throw InputError("node " + std::to_string(n) + " belongs to no element, so it has no mass");
+}
+
+void ElasticBody::place(const Mat3& rotation, const Vec3& translation)
+{
+    positions_ = (rotation * positions_).colwise() + translation;
+    velocities_ = (rotation * velocities_).eval();
+    for (Mat3& r : rotations_)
+        r = rotation * r;
+}
+
+void ElasticBody::fix(int node)
+{
+    if (node < 0 || node >= node_count())
+        throw InputError("fixed node " + std::to_string(node) + " does not exist; allowed are 0 to " +
+                         std::to_string(node_count() - 1));
+    fixed_[node] = 1;
+    inverse_masses_[node] = 0;
+    velocities_.col(node).setZero();
+}
+
+void ElasticBody::update_rotations(double dt)
+{
+    if (options_.rotations == RotationUpdate::at_start)
+        find_rotations(mesh_, positions_, rotations_);
+    if (options_.rotations == RotationUpdate::predicted)
+        find_rotations(mesh_, positions_ + dt * velocities_, rotations_);
+}
+
+//! [predict]
+void ElasticBody::predict(const Vec3& gravity, double dt)
+{
+    if (!(dt > 0 && std::isfinite(dt)))
+        throw InputError("dt (length of the step, s) must be positive and finite, not " + std::to_string(dt));
+    update_rotations(dt);
+    const CorotatedElasticity elasticity(mesh_, lame_, rotations_);
+
+    NodalVectors outer = external_forces_ + gravity * masses_.transpose();
+    NodalVectors forces = outer;
+    elasticity.add_forces(positions_, forces);
+    const NodalVectors rhs = velocities_ * masses_.asDiagonal() + dt * forces;
+
+    velocities_ += dt * outer * inverse_masses_.asDiagonal();  // the first guess: right for a free fall
+    solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping, dt * (dt + material_.stiffness_damping), rhs, velocities_);
+}
+//! [predict]
+
+void ElasticBody::commit(double dt)
+{
+    positions_ += dt * velocities_;
+}
+
+ElementRotations ElasticBody::fitting_rotations() const
+{
+    ElementRotations rotations = rotations_;
+    if (options_.rotations != RotationUpdate::frozen)
+        find_rotations(mesh_, positions_, rotations);
+    return rotations;
+}
+
+NodalVectors ElasticBody::elastic_forces() const
+{
+    const ElementRotations rotations = fitting_rotations();
+    NodalVectors forces = NodalVectors::Zero(3, node_count());
+    CorotatedElasticity(mesh_, lame_, rotations).add_forces(positions_, forces);
+    return forces;
+}
+
+double ElasticBody::elastic_energy() const
+{
+    const ElementRotations rotations = fitting_rotations();
+    return CorotatedElasticity(mesh_, lame_, rotations).energy(positions_);
+}
+
+double ElasticBody::kinetic_energy() const
+{
+    return 0.5 * velocities_.colwise().squaredNorm() * masses_;
+}
+
+Vec3 ElasticBody::centre_of_mass() const
+{
+    return positions_ * masses_ / mass();
+}
+
+Vec3 ElasticBody::linear_momentum() const
+{
+    return velocities_ * masses_;
+}
+
+Vec3 ElasticBody::angular_momentum(const Vec3& about) const
+{
+    Vec3 sum = Vec3::Zero();
+    for (int n = 0; n < node_count(); ++n)
+        sum += masses_[n] * (positions_.col(n) - about).cross(velocities_.col(n));
+    return sum;
+}
+
+}  // namespace enduring

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "common/fem/corotated_elasticity.hpp"
+#include "common/fem/implicit_solver.hpp"
+
+#include <vector>
+
+namespace enduring {
+
+/// When the elements' rotations are found.
+enum class RotationUpdate {
+    at_start,   ///< once a step, from the positions at its start: the usual way
+    predicted,  ///< once a step, from where the present velocities would lead: hardly any energy is made by spinning
+    frozen      ///< never: linear elasticity, for small rotations and for proofs
+};
+
+struct ElasticOptions {
+    RotationUpdate rotations = RotationUpdate::at_start;
+    double solver_tolerance = 1e-10;  ///< relative error of the velocities in the norm of the system's matrix
+};
+
+/// A deformable body: masses at nodes, held together by corotated elements. It knows nothing of surfaces or contact.
+///
+/// One step is predict (new velocities, positions unchanged), then whatever changes velocities(), then commit. Positions
+/// and velocities may be written at any time in between: there is no hidden state but the rotations of the last prediction.
+class ElasticBody {
+public:
+    /// @throws InputError  a material constant outside its range
+    ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, const ElasticOptions& options = {});
+    ElasticBody(const ElasticBody&) = delete;
+    ElasticBody& operator=(const ElasticBody&) = delete;
+
+    const ElasticMesh& mesh() const { return mesh_; }
+    const ElasticMaterial& material() const { return material_; }
+    int node_count() const { return mesh_.node_count(); }
+
+    NodalVectors& positions() { return positions_; }  ///< [m], one a node (control point)
+    const NodalVectors& positions() const { return positions_; }
+    NodalVectors& velocities() { return velocities_; }  ///< [m/s]
+    const NodalVectors& velocities() const { return velocities_; }
+    NodalVectors& external_forces() { return external_forces_; }  ///< [N], besides gravity; stay until changed
+
+    /// Turns about the origin, then moves; velocities turn along. Rotations start from the placed shape.
+    void place(const Mat3& rotation, const Vec3& translation);
+    /// The node stays where it is from now on.
+    /// @throws InputError  no such node
+    void fix(int node);
+
+    const Eigen::VectorXd& masses() const { return masses_; }                  ///< [kg], all positive
+    const Eigen::VectorXd& inverse_masses() const { return inverse_masses_; }  ///< [1/kg], zero for fixed nodes
+
+    /// New velocities by implicit Euler, linearised about the start of the step:
+    ///   (M + dt C + dt^2 K_R) v_new = M v + dt (f_ext + M g + f_el(x)),  C = alpha M + beta K_R.
+    /// @param gravity  [m/s^2]
+    /// @param dt       [s]
+    /// @throws InputError  dt is not positive and finite
+    void predict(const Vec3& gravity, double dt);
+    /// positions += dt velocities.
+    void commit(double dt);
+
+    /// Elastic forces on the nodes at the present positions [N].
+    NodalVectors elastic_forces() const;
+    double mass() const { return masses_.sum(); }
+    double kinetic_energy() const;  ///< [J]
+    /// With the rotations that fit the present positions (or the frozen ones) [J].
+    double elastic_energy() const;
+    Vec3 centre_of_mass() const;
+    Vec3 linear_momentum() const;                     ///< [kg m/s]
+    Vec3 angular_momentum(const Vec3& about) const;   ///< [kg m^2/s]
+    int inverted_elements() const { return enduring::inverted_elements(mesh_, positions_); }
+
+    int solver_iterations() const { return solver_.iterations(); }  ///< of the last prediction
+    int factorisations() const { return solver_.factorisations(); } ///< since the beginning
+
+private:
+    void update_rotations(double dt);
+    ElementRotations fitting_rotations() const;
+
+    ElasticMesh mesh_;
+    ElasticMaterial material_;
+    ElasticOptions options_;
+    LameConstants lame_;
+    Eigen::VectorXd masses_, inverse_masses_;
+    std::vector<char> fixed_;
+    NodalVectors positions_, velocities_, external_forces_;
+    ElementRotations rotations_;
+    ImplicitSolver solver_;
+};
+
+}  // namespace enduring

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "common/fem/turned_factor.hpp"
+
+namespace enduring {
+
+/// Solves (a M + b K_R) v = rhs by conjugate gradients, with a factorisation from an earlier step as preconditioner.
+///
+/// The matrix itself is never built for this: the product runs over the elements. A new factor is made when a or b changes,
+/// and when the iterations that a fresh one would have saved add up to the cost of making it. All of it depends on counts,
+/// never on a clock: the same input gives the same bits.
+class ImplicitSolver {
+public:
+    /// @param tolerance  stop when the error, in the norm of the matrix, is this small relative to the solution
+    ImplicitSolver(const ElasticMesh& mesh, Eigen::VectorXd masses, double tolerance);
+
+    /// @param elasticity      with the rotations of this step
+    /// @param fixed           one flag a node: its velocity is zero whatever rhs says
+    /// @param mass_scale      a > 0
+    /// @param stiffness_scale b >= 0
+    /// @param rhs             [N s]
+    /// @param v               a first guess, and the solution on return [m/s]; without fixed nodes its linear
+    ///                        momentum is exact to rounding, whatever the tolerance
+    /// @throws std::runtime_error  no convergence even with a fresh factor
+    void solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
+               double stiffness_scale, const NodalVectors& rhs, NodalVectors& v);
+
+    int iterations() const { return iterations_; }          ///< of the last solve
+    int factorisations() const { return factorisations_; }  ///< of all so far
+
+private:
+    struct System;
+    bool conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v, int iteration_limit);
+    void renew_factor(const System& system);
+
+    Eigen::VectorXd masses_;
+    double tolerance_;
+    TurnedFactor factor_;
+    int iterations_ = 0, factorisations_ = 0;
+    int fresh_iterations_ = -1;   ///< what the present factor took when it was new
+    int wasted_iterations_ = 0;   ///< beyond that, since
+};
+
+}  // namespace enduring

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "common/fem/corotated_elasticity.hpp"
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace enduring {
+
+/// Builds a M + b K_R as a sparse matrix, its lower triangle only. Where the entries lie is settled once, by the mesh;
+/// assembling again writes numbers into known places. Unknown 3 n + i is component i of node n.
+class StiffnessAssembly {
+public:
+    explicit StiffnessAssembly(const ElasticMesh& mesh);
+
+    /// @param fixed  one flag a node: rows and columns of a fixed node become those of the identity
+    const Eigen::SparseMatrix<double>& assemble(const CorotatedElasticity& elasticity, const Eigen::VectorXd& masses,
+                                                const std::vector<char>& fixed, double mass_scale, double stiffness_scale);
+
+    /// The zero matrix with every entry in place.
+    const Eigen::SparseMatrix<double>& pattern() const { return matrix_; }
+
+private:
+    double* block_column(int row_node, int column_node, int column, int rank);
+    int rank_of(int row_node, int column_node) const;
+
+    /// Below the diagonal block of a node's column stand the blocks of these nodes, ascending.
+    std::vector<int> offsets_, lower_neighbours_;
+    std::vector<int> ranks_;  ///< of each element's pairs of nodes, element by element
+    Eigen::SparseMatrix<double> matrix_;
+};
+
+}  // namespace enduring

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "common/fem/corotated_elasticity.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace enduring {
+
+/// A factorisation of A = a M + b K_R that stays useful while the body turns and bends.
+///
+/// If every element turned by the same W since the matrix was factored, the new matrix is W A W^T exactly. Otherwise this
+/// holds nearly, with one W a node: the mean of its elements' turns. So W A^-1 W^T, a turn, a solve with the old
+/// factor and a turn back, approximates the new inverse, is symmetric and positive definite, and serves conjugate gradients
+/// as preconditioner over many steps (the idea of stiffness warping, Mueller et al. 2002, where it cannot harm).
+class TurnedFactor {
+public:
+    explicit TurnedFactor(const ElasticMesh& mesh);
+    ~TurnedFactor();
+
+    /// Factors the matrix with the present rotations.
+    /// @throws std::runtime_error  the factorisation broke down (out of memory, or masses and stiffness without a common scale)
+    void factor(const CorotatedElasticity& elasticity, const Eigen::VectorXd& masses, const std::vector<char>& fixed,
+                double mass_scale, double stiffness_scale);
+    /// Is there a factor, of these scales?
+    bool matches(double mass_scale, double stiffness_scale) const;
+    /// Finds every node's turn since then.
+    void turn(const ElementRotations& rotations);
+    /// z = W A^-1 W^T r.
+    void apply(const NodalVectors& r, NodalVectors& z) const;
+
+private:
+    struct Cholesky;
+    const ElasticMesh& mesh_;
+    std::unique_ptr<Cholesky> cholesky_;
+    ElementRotations rotations_when_factored_;
+    std::vector<Mat3> turns_;
+    double mass_scale_ = 0, stiffness_scale_ = 0;
+};
+
+}  // namespace enduring
