@@ -9,11 +9,11 @@
 
 namespace enduring::certified {
 
-/// What one rounding costs in each number type, how deep the search may halve the step with it, and how often in all.
+/// What one rounding costs in each number type, how deep the search may halve the step with it, and its steps in all.
 template <class Real> struct Precision;
 template <> struct Precision<double> {
     static constexpr double unit = 0x1p-53;
-    static constexpr int deepest = 12, budget = 16;
+    static constexpr int deepest = 12, budget = 32;
 };
 template <> struct Precision<DoubleDouble> {
     static constexpr double unit = 0x1p-103;
@@ -75,15 +75,47 @@ void halve(const std::array<Value, Count>& whole, std::array<Value, Count>& earl
     }
 }
 
-/// de Casteljau at any s in [0, 1]: the coefficients over [s, 1]; the first of them is the value at s.
-template <class Real, class Value, std::size_t Count>
-std::array<Value, Count> from(std::array<Value, Count> c, double s)
+template <class Real, std::size_t Degree>
+void halve(const BoundedPolynomial<Real, Degree>& whole, BoundedPolynomial<Real, Degree>& early,
+           BoundedPolynomial<Real, Degree>& late)
 {
-    const Real towards_end(s), towards_start = Real(1.0) - Real(s);
-    for (std::size_t round = 1; round < Count; ++round)
+    halve(whole.c, early.c, late.c);
+    early.error = late.error = whole.error;
+}
+
+/// de Casteljau with a parameter of its own in each round. With all of them equal, the value there.
+template <class Real, class Value, std::size_t Count>
+Value blossom(std::array<Value, Count> c, const std::array<double, Count - 1>& parameters)
+{
+    for (std::size_t round = 1; round < Count; ++round) {
+        const Real towards_end(parameters[round - 1]), towards_start = Real(1.0) - towards_end;
         for (std::size_t i = 0; i + round < Count; ++i)
             c[i] = towards_start * c[i] + towards_end * c[i + 1];
-    return c;
+    }
+    return c[0];
+}
+
+template <class Real, class Value, std::size_t Count>
+Value value_at(const std::array<Value, Count>& c, double s)
+{
+    std::array<double, Count - 1> parameters;
+    parameters.fill(s);
+    return blossom<Real>(c, parameters);
+}
+
+/// The coefficients over [from, to], a part of [0, 1]: coefficient i is the blossom of i times `to` and else `from`.
+template <class Real, class Value, std::size_t Count>
+std::array<Value, Count> part(const std::array<Value, Count>& c, double from, double to)
+{
+    std::array<double, Count - 1> parameters;
+    parameters.fill(from);
+    std::array<Value, Count> result;
+    for (std::size_t i = 0; i < Count; ++i) {
+        result[i] = blossom<Real>(c, parameters);
+        if (i + 1 < Count)
+            parameters[i] = to;
+    }
+    return result;
 }
 
 }  // namespace enduring::certified

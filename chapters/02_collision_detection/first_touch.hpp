@@ -31,7 +31,7 @@ struct Bracket {
     {
         if (s <= low || s >= high)
             return true;
-        const double value = rounded(from<Real>(height.c, s)[0]);
+        const double value = rounded(value_at<Real>(height.c, s));
         if (std::abs(value) <= height.error)
             return false;
         const bool as_low = (value > 0) == (value_low > 0);
@@ -41,12 +41,15 @@ struct Bracket {
     }
 };
 
-/// A time at most `slack` before the only root of `height`, or nothing if rounding hides on which side of it a time lies.
+/// Times at most `slack` apart on both sides of the only root of `height`, or nothing if rounding hides on which side
+/// of it a time lies, or `steps_left` runs out.
 template <class Real>
-std::optional<double> just_before_root(const BoundedPolynomial<Real, 3>& height, double slack)
+std::optional<Bracket<Real>> bracket_root(const BoundedPolynomial<Real, 3>& height, double slack, int& steps_left)
 {
     Bracket<Real> bracket{height};
     while (bracket.width() > slack) {
+        if (steps_left-- <= 0)
+            return std::nullopt;
         const double width = bracket.width(), guess = bracket.secant();
         // Step to both sides of the guessed root; where the height is too curved for the secant, halve.
         if (!bracket.narrow(guess - 0.4 * slack) || !bracket.narrow(guess + 0.4 * slack))
@@ -54,29 +57,44 @@ std::optional<double> just_before_root(const BoundedPolynomial<Real, 3>& height,
         if (bracket.width() > 0.5 * width && !bracket.narrow(bracket.middle()))
             return std::nullopt;
     }
-    return bracket.low;
+    return bracket;
 }
 
+/// A part of the step, and how many halvings' worth of rounding its polynomials have seen.
+struct Span {
+    double start = 0, width = 1;
+    int halvings = 0;
+};
+
 //! [search]
-/// First contact on an interval of length 2^-depth that begins at `start`, found by halving it, earlier half first.
-/// @param halvings_left  what the whole query may still spend; it bounds its time
+/// First contact within a span: most spans are settled at once; the others are narrowed to the only root of the
+/// height, or halved, earlier half first.
+/// @param steps_left  what the whole query may still spend; it bounds its time
 template <class Real, std::size_t Corners>
-Touch first_touch(const SeparatingDirections<Real, Corners>& directions, double start, int depth, int& halvings_left)
+Touch first_touch(const SeparatingDirections<Real, Corners>& directions, const Span& span, int& steps_left)
 {
     if (directions.apart(Throughout{}))
-        return {Verdict::apart, start};
-    if (directions.crosses_once())
-        if (const auto before = just_before_root(directions.height, std::ldexp(time_of_impact_slack, depth)))
-            return {Verdict::touch, start + std::ldexp(*before, -depth)};
-    if (!directions.apart(AtStart{}) || depth == Precision<Real>::deepest || halvings_left-- == 0)
-        return {Verdict::open, start};
+        return {Verdict::apart, span.start};
+    if (directions.height_changes_once()) {
+        const double slack = std::min(time_of_impact_slack / span.width, 0x1p-20);
+        if (const auto root = bracket_root(directions.height, slack, steps_left)) {
+            const Span narrow{span.start + span.width * root->low, span.width * root->width(), span.halvings + part_in_halvings};
+            if (const int within = directions.within_polygon(root->low, root->width()))
+                return {within > 0 ? Verdict::touch : Verdict::apart, narrow.start};
+            if (narrow.halvings <= Precision<Real>::deepest)
+                return first_touch(part(directions, root->low, root->high), narrow, steps_left);
+        }
+    }
+    if (!directions.apart(AtStart{}) || span.halvings >= Precision<Real>::deepest || steps_left-- <= 0)
+        return {Verdict::open, span.start};
 
     SeparatingDirections<Real, Corners> early, late;
     halve(directions, early, late);
-    const Touch touch = first_touch(early, start, depth + 1, halvings_left);
+    const double half = 0.5 * span.width;
+    const Touch touch = first_touch(early, Span{span.start, half, span.halvings + 1}, steps_left);
     if (touch.verdict != Verdict::apart)
         return touch;
-    return first_touch(late, start + std::ldexp(0.5, -depth), depth + 1, halvings_left);
+    return first_touch(late, Span{span.start + half, half, span.halvings + 1}, steps_left);
 }
 //! [search]
 
@@ -84,13 +102,13 @@ Touch first_touch(const SeparatingDirections<Real, Corners>& directions, double 
 template <template <class> class Differences, class Real>
 Touch search(const Differences<Real>& differences, double start)
 {
-    // Roundings to plan for: the deepest halving, a cut at `start`, and one more to look for the root.
-    constexpr int planned_halvings = Precision<Real>::deepest + 10;
-    int halvings_left = Precision<Real>::budget;
-    auto directions = with_halvings(separating_directions(differences), planned_halvings);
+    auto directions = separating_directions(differences);
+    // Besides the deepest halving: a cut at `start`, and one more to look for a root.
+    plan_halvings(directions, Precision<Real>::deepest + 2 * part_in_halvings);
     if (start > 0)
-        directions = from(directions, start);
-    return first_touch(directions, 0.0, 0, halvings_left);
+        directions = part(directions, start, 1.0);
+    int steps_left = Precision<Real>::budget;
+    return first_touch(directions, Span{}, steps_left);
 }
 
 }  // namespace enduring::certified

@@ -106,14 +106,28 @@ struct SeparatingDirections {
                apart_along(&Triple<Real>::z, when);
     }
 
-    /// Certainly exactly one contact: the height changes sign once, within the polygon.
-    bool crosses_once() const
+    /// Certainly the height vanishes exactly once in the interval, changing sign.
+    bool height_changes_once() const
     {
         const std::array<int, 4> s{height.sign(0), height.sign(1), height.sign(2), height.sign(3)};
-        const bool one_change = s[0] * s[3] < 0 && s[1] * s[2] != 0 && (s[1] == s[0] || s[2] == s[3]);
-        return one_change && (signs(sides, &Triple<Real>::x, Throughout{}).all_agree() ||
-                              signs(sides, &Triple<Real>::y, Throughout{}).all_agree() ||
-                              signs(sides, &Triple<Real>::z, Throughout{}).all_agree());
+        return s[0] * s[3] < 0 && s[1] * s[2] != 0 && (s[1] == s[0] || s[2] == s[3]);
+    }
+
+    /// Where the height vanishes only between `time` and `time + width`, does it happen within the polygon?
+    /// @return +1 certainly, -1 certainly not, 0 too close to call
+    int within_polygon(double time, double width) const
+    {
+        std::array<MovingVector<Real, 0>, Corners> there;
+        for (std::size_t i = 0; i < Corners; ++i) {
+            const auto& side = sides[i];
+            // A quadratic changes at most by 4 sizes over the whole interval.
+            there[i] = {{value_at<Real>(side.c, time)}, side.size, side.error + 4 * width * side.size};
+        }
+        const std::array<Signs, 3> axes{signs(there, &Triple<Real>::x, Throughout{}), signs(there, &Triple<Real>::y, Throughout{}),
+                                        signs(there, &Triple<Real>::z, Throughout{})};
+        if (axes[0].some_disagree() || axes[1].some_disagree() || axes[2].some_disagree())
+            return -1;
+        return axes[0].all_agree() || axes[1].all_agree() || axes[2].all_agree() ? 1 : 0;
     }
 
 private:
@@ -145,9 +159,9 @@ SeparatingDirections<Real, 4> separating_directions(const EdgeEdgeDifferences<Re
             {d.d00, d.d01, d.d10, d.d11}};
 }
 
-/// The same tests, with room in their error bounds for halving the interval.
+/// Makes room in the error bounds for halving the interval.
 template <class Real, std::size_t Corners>
-SeparatingDirections<Real, Corners> with_halvings(SeparatingDirections<Real, Corners> directions, int halvings)
+void plan_halvings(SeparatingDirections<Real, Corners>& directions, int halvings)
 {
     auto& height = directions.height;
     height.error = with_halvings<Real>(height.error, halvings, 3, height.size());
@@ -155,7 +169,6 @@ SeparatingDirections<Real, Corners> with_halvings(SeparatingDirections<Real, Cor
         side.error = with_halvings<Real>(side.error, halvings, 2, side.size);
     for (auto& corner : directions.corners)
         corner.error = with_halvings<Real>(corner.error, halvings, 1, corner.size);
-    return directions;
 }
 
 /// The same tests over the earlier and the later half of the interval.
@@ -163,26 +176,22 @@ template <class Real, std::size_t Corners>
 void halve(const SeparatingDirections<Real, Corners>& whole, SeparatingDirections<Real, Corners>& early,
            SeparatingDirections<Real, Corners>& late)
 {
-    const auto split = [](const auto& all, auto& first, auto& second) {
-        halve(all.c, first.c, second.c);
-        first.error = second.error = all.error;
-    };
-    split(whole.height, early.height, late.height);
+    halve(whole.height, early.height, late.height);
     for (std::size_t i = 0; i < Corners; ++i) {
-        split(whole.sides[i], early.sides[i], late.sides[i]);
-        split(whole.corners[i], early.corners[i], late.corners[i]);
+        halve(whole.sides[i], early.sides[i], late.sides[i]);
+        halve(whole.corners[i], early.corners[i], late.corners[i]);
     }
 }
 
-/// The same tests over the rest of the interval after s.
+/// The same tests over a part of the interval.
 template <class Real, std::size_t Corners>
-SeparatingDirections<Real, Corners> from(SeparatingDirections<Real, Corners> directions, double s)
+SeparatingDirections<Real, Corners> part(SeparatingDirections<Real, Corners> directions, double from, double to)
 {
-    directions.height.c = from<Real>(directions.height.c, s);
+    directions.height.c = part<Real>(directions.height.c, from, to);
     for (auto& side : directions.sides)
-        side.c = from<Real>(side.c, s);
+        side.c = part<Real>(side.c, from, to);
     for (auto& corner : directions.corners)
-        corner.c = from<Real>(corner.c, s);
+        corner.c = part<Real>(corner.c, from, to);
     return directions;
 }
 

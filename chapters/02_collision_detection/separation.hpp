@@ -53,6 +53,14 @@ struct MovingVector {
     }
 };
 
+template <class Real, std::size_t Degree>
+void halve(const MovingVector<Real, Degree>& whole, MovingVector<Real, Degree>& early, MovingVector<Real, Degree>& late)
+{
+    halve(whole.c, early.c, late.c);
+    early.size = late.size = whole.size;
+    early.error = late.error = whole.error;
+}
+
 /// The difference of two points that move on straight lines.
 template <class Real> using MovingDifference = MovingVector<Real, 1>;
 
@@ -62,6 +70,7 @@ template <class Real> using MovingDifference = MovingVector<Real, 1>;
 //   a . (b x c)  76 u ABC: 3 products, each 10u from the cross product and 4u more, and the sums; at most 6ABC
 // Halving a polynomial of degree m adds m roundings of the largest coefficient; cutting it elsewhere, 5 times that.
 constexpr double cross_error = 12, triple_error = 80;
+constexpr int part_in_halvings = 5;
 
 /// Makes room in an error bound for halvings of a polynomial of this degree and size.
 template <class Real> double with_halvings(double error, int halvings, int degree, double size)
