@@ -1,0 +1,86 @@
+#include "crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enduring {
+namespace {
+
+PairVertices start_of(const VertexFaceStep& s) { return {s.v_t0, s.f0_t0, s.f1_t0, s.f2_t0}; }
+PairVertices end_of(const VertexFaceStep& s) { return {s.v_t1, s.f0_t1, s.f1_t1, s.f2_t1}; }
+PairVertices start_of(const EdgeEdgeStep& s) { return {s.ea0_t0, s.ea1_t0, s.eb0_t0, s.eb1_t0}; }
+PairVertices end_of(const EdgeEdgeStep& s) { return {s.ea0_t1, s.ea1_t1, s.eb0_t1, s.eb1_t1}; }
+
+PairVertices vertices_at(const PairVertices& t0, const PairVertices& t1, double time)
+{
+    PairVertices x;
+    for (std::size_t i = 0; i < 4; ++i)
+        x[i] = at_time(t0[i], t1[i], time);
+    return x;
+}
+
+/// Sides closer to parallel than this have no normal that rounding leaves alone.
+bool has_normal(const PairInstant& pair)
+{
+    constexpr double smallest_sine = 1e-8;
+    const double lengths = pair.side_1.norm() * pair.side_2.norm();
+    return pair.side_1.cross(pair.side_2).norm() > smallest_sine * lengths && lengths > 0;
+}
+
+/// The sign with which the depth leaves zero: 1 falling, -1 rising. The first Bernstein coefficient of the rest of the
+/// step that differs from the first decides, so a touch at rest is judged by what follows.
+double falling(const PairStep& step, double time)
+{
+    const Bernstein<double, 3> rest = penetration_depth(contact_normal(step), step).from(time);
+    const auto& c = rest.coefficients;
+    for (const double later : {c[1], c[2], c[3]})
+        if (later != c[0])
+            return later < c[0] ? 1 : -1;
+    return 0;
+}
+
+/// Weights of the foot of v on the face; rounding and the query's slack may leave it a little outside.
+PairWeights foot_on_face(const PairVertices& x)
+{
+    const Vec3 side_1 = x[2] - x[1], side_2 = x[3] - x[1], offset = x[0] - x[1], normal = side_1.cross(side_2);
+    const double w1 = std::max(0.0, offset.cross(side_2).dot(normal) / normal.squaredNorm());
+    const double w2 = std::max(0.0, side_1.cross(offset).dot(normal) / normal.squaredNorm());
+    const double sum = std::max(1.0, w1 + w2);
+    return {1, w1 / sum + w2 / sum - 1, -w1 / sum, -w2 / sum};
+}
+
+/// Weights of the points of both edges where they come closest.
+PairWeights closest_on_edges(const PairVertices& x)
+{
+    const Vec3 side_a = x[1] - x[0], side_b = x[3] - x[2], offset = x[2] - x[0], normal = side_a.cross(side_b);
+    const double s = std::clamp(offset.cross(side_b).dot(normal) / normal.squaredNorm(), 0.0, 1.0);
+    const double t = std::clamp(offset.cross(side_a).dot(normal) / normal.squaredNorm(), 0.0, 1.0);
+    return {1 - s, s, t - 1, -t};
+}
+
+}  // namespace
+
+Crossing crossing_at(const VertexFaceStep& step, double time)
+{
+    const PairVertices t0 = start_of(step), t1 = end_of(step), x = vertices_at(t0, t1, time);
+    if (!has_normal(vertex_face_instant(x)))
+        return {time, 0, {}};
+    return {time, falling({vertex_face_instant(t0), vertex_face_instant(t1)}, time), foot_on_face(x)};
+}
+
+Crossing crossing_at(const EdgeEdgeStep& step, double time)
+{
+    const PairVertices t0 = start_of(step), t1 = end_of(step), x = vertices_at(t0, t1, time);
+    if (!has_normal(edge_edge_instant(x, 1)))
+        return {time, 0, {}};
+    return {time, falling({edge_edge_instant(t0, 1), edge_edge_instant(t1, 1)}, time), closest_on_edges(x)};
+}
+
+bool enters_edge(const EdgeEdgeStep& step, const Crossing& crossing, const Vec3& outward)
+{
+    const PairVertices x = vertices_at(start_of(step), end_of(step), crossing.time);
+    const PairInstant pair = edge_edge_instant(x, crossing.orientation);
+    return crossing.orientation != 0 && pair.side_1.cross(pair.side_2).dot(outward) >= 0;
+}
+
+}  // namespace enduring

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "chapters/02_collision_detection/broad_phase.hpp"
+#include "common/simulation/contact.hpp"
+#include "common/simulation/step.hpp"
+
+namespace enduring {
+
+/// Chapter 2 as passes: which pairs of features come close in this step, and which of them cross.
+///
+/// The trees are shaped once, from where the bodies first lie, so a detection belongs to one world. Bodies are
+/// tested against each other, never against themselves.
+class CrossingDetection {
+public:
+    /// Boxes of this step, and from them the pairs of features to look at.
+    void find_candidates(const World& world);
+
+    /// Appends a contact for every candidate that goes from outside to inside in this step and is not in the list yet.
+    /// Call find_candidates for the same prediction before.
+    void append_entries(const World& world, Contacts& contacts) const;
+
+    /// Pairs of features that the last find_candidates left for the query.
+    std::size_t candidate_count() const;
+
+private:
+    struct BodyPair {
+        int a, b;
+        CandidatePairs pairs;
+    };
+
+    void build(const World& world);
+
+    std::vector<const Body*> bodies_;  ///< whose trees these are
+    std::vector<FaceTree> trees_;
+    std::vector<BodyPair> body_pairs_;
+};
+
+}  // namespace enduring

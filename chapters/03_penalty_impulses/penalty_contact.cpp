@@ -1,0 +1,96 @@
+#include "penalty_contact.hpp"
+
+#include "chapters/01_particle_plane/plane_contact.hpp"
+#include "crossing_detection.hpp"
+#include "penalty_impulse.hpp"
+
+#include <algorithm>
+
+namespace enduring {
+namespace {
+
+Body& side(const World& world, const Contact& contact, int vertex)
+{
+    const int body = vertex < contact.vertices_of_a() ? contact.body_a : contact.body_b;
+    return *world.bodies[static_cast<std::size_t>(body)];
+}
+
+PairInstant instant(const Contact& contact, const PairVertices& x)
+{
+    return contact.kind == ContactKind::vertex_face ? vertex_face_instant(x) : edge_edge_instant(x, contact.orientation);
+}
+
+double depth_at_start(const World& world, const Contact& contact)
+{
+    const PairInstant start = pair_step(world, contact).t0;
+    return start.side_1.cross(start.side_2).dot(start.offset);
+}
+
+void distribute(const World& world, const Contact& contact)
+{
+    for (std::size_t i = 0; i < 4; ++i)
+        side(world, contact, static_cast<int>(i)).apply_impulse(contact.vertices[i], contact.weights[i] * contact.impulse);
+}
+
+}  // namespace
+
+PairStep pair_step(const World& world, const Contact& contact)
+{
+    PairVertices t0, t1;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Body& body = side(world, contact, static_cast<int>(i));
+        const auto vertex = static_cast<std::size_t>(contact.vertices[i]);
+        t0[i] = body.positions_t0()[vertex];
+        t1[i] = body.positions_t1()[vertex];
+    }
+    return {instant(contact, t0), instant(contact, t1)};
+}
+
+//! [resolve]
+void resolve_separated_pairs(const World& world, Contacts& contacts)
+{
+    const auto separated = [&](const Contact& contact) {
+        return contact.kind != ContactKind::vertex_plane && depth_at_start(world, contact) > 0;
+    };
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), separated), contacts.end());
+}
+//! [resolve]
+
+//! [respond]
+void apply_penalty_impulses(World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt)
+{
+    for (Contact& contact : contacts) {
+        if (contact.kind == ContactKind::vertex_plane || contact.handled)
+            continue;
+        const PairStep step = pair_step(world, contact);
+        contact.impulse = method == PenaltyMethod::discrete ? discrete_impulse(step.t1, stiffness, dt)
+                                                            : continuous_impulse(step, contact.start, stiffness, dt);
+        distribute(world, contact);
+        contact.handled = true;
+    }
+}
+//! [respond]
+
+//! [solver]
+Solver chapter03_solver(const ContactParameters& parameters)
+{
+    const auto detection = std::make_shared<CrossingDetection>();
+    Solver solver = chapter01_solver(parameters);
+    solver.name = "chapter 3";
+    solver.enduring.push_back({"resolve pairs", [](World& world, Contacts& contacts, double) {
+        resolve_separated_pairs(world, contacts);
+    }});
+    solver.detect.push_back({"broad phase", [detection](World& world, Contacts&, double) {
+        detection->find_candidates(world);
+    }});
+    solver.detect.push_back({"queries", [detection](World& world, Contacts& contacts, double) {
+        detection->append_entries(world, contacts);
+    }});
+    solver.respond.push_back({"impulses", [parameters](World& world, Contacts& contacts, double dt) {
+        apply_penalty_impulses(world, contacts, parameters.method, parameters.stiffness, dt);
+    }});
+    return solver;
+}
+//! [solver]
+
+}  // namespace enduring
