@@ -1,4 +1,5 @@
 #include "common/report/input_error.hpp"
+#include "common/simulation/deformable_body.hpp"
 #include "common/simulation/scene.hpp"
 #include "common/simulation/scene_reader.hpp"
 #include "common/simulation/step.hpp"
@@ -214,16 +215,105 @@ TEST_CASE("scene: a mesh is found beside the scene first")
     std::filesystem::remove_all(folder);
 }
 
+namespace {
+
+const std::string jelly_text = R"({
+  "name": "jelly", "dt": 0.01, "duration": 1,
+  "bodies": [{"name": "bar", "type": "deformable", "shape": {"bar": {"size": [1, 0.5, 0.5], "cells": [2, 1, 1]}},
+              "density": 400, "young": 1e5, "poisson": 0.3}]
+})";
+
+Scene jelly(const std::string& patch) { return read_scene(jelly_text, patch, "jelly.json", {{"/nowhere"}}); }
+
+std::string jelly_complaint(const std::string& patch)
+{
+    try {
+        jelly(patch);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+}  // namespace
+
+TEST_CASE("scene: a deformable body has the material, basis, motion and supports of the file")
+{
+    const Scene scene = jelly(R"({"/bodies/bar": {"density": null, "mass": 30, "young": 2e5, "poisson": 0.4, "basis": "quadratic",
+        "rayleigh": {"mass": 0.5, "stiffness": 0.01}, "fixed": {"max": [-0.5, 9, 9]}, "velocity": [0, 1, 0]}})");
+    const auto& body = dynamic_cast<const DeformableBody&>(*scene.world.bodies[0]);
+    CHECK(body.mass() == doctest::Approx(30));
+    CHECK(body.elastic().material().density == doctest::Approx(120));
+    CHECK(body.elastic().material().young == 2e5);
+    CHECK(body.elastic().material().poisson == 0.4);
+    CHECK(body.elastic().material().mass_damping == 0.5);
+    CHECK(body.elastic().material().stiffness_damping == 0.01);
+    CHECK(body.elastic().mesh().basis() == Basis::quadratic);
+    int fixed = 0;
+    for (Eigen::Index node = 0; node < body.elastic().positions().cols(); ++node) {
+        const bool at_end = body.elastic().mesh().rest()(0, node) < -0.4999;
+        CHECK((body.elastic().inverse_masses()[node] == 0) == at_end);
+        fixed += at_end;
+    }
+    CHECK(fixed == 9);  // four corners, four edges, one diagonal of the end
+    CHECK(jelly("").world.bodies[0]->mass() == doctest::Approx(100));
+}
+
+TEST_CASE("scene: elastic constants out of range are named with path, range and value")
+{
+    CHECK(jelly_complaint(R"({"/bodies/0/young": 0})") == "jelly.json: /bodies/0/young: expected a number from 0.001 to 1e+13 [Pa], found 0");
+    CHECK(jelly_complaint(R"({"/bodies/0/poisson": 0.5})") == "jelly.json: /bodies/0/poisson: expected a number from -0.99 to 0.4999, found 0.5");
+    CHECK(jelly_complaint(R"({"/bodies/0/poisson": -1})") == "jelly.json: /bodies/0/poisson: expected a number from -0.99 to 0.4999, found -1");
+    CHECK(jelly_complaint(R"({"/bodies/0/density": 0})") ==
+          "jelly.json: /bodies/0/density: expected a number from 0.001 to 1e+06 [kg/m^3], found 0");
+    CHECK(jelly_complaint(R"({"/bodies/0/rayleigh": {"mass": -1}})") ==
+          "jelly.json: /bodies/0/rayleigh/mass: expected a number from 0 to 1e+06 [1/s], found -1");
+    CHECK(jelly_complaint(R"({"/bodies/0": {"young": null}})") == "jelly.json: /bodies/0: the key \"young\" is missing");
+    CHECK(jelly_complaint(R"({"/bodies/0/basis": "cubic"})") ==
+          "jelly.json: /bodies/0/basis: expected one of \"linear\", \"quadratic\", found \"cubic\"");
+    CHECK(jelly_complaint(R"({"/bodies/0/fixed": {"min": [7, 0, 0]}})") ==
+          "jelly.json: /bodies/0/fixed: no node of the shape lies in this region");
+    CHECK(jelly_complaint(R"({"/bodies/0/shape": {"bar": null, "sphere": {"radius": 1}}})").find(
+              "jelly.json: /bodies/0/shape: expected a shape made of tetrahedra") == 0);
+    CHECK(jelly_complaint(R"({"/bodies/0/shape/bar/cells": [100, 100, 100]})") ==
+          "jelly.json: /bodies/0/shape/bar: asks for 6000000 elements; at most 300000 are allowed");
+}
+
+TEST_CASE("scene: an open surface may be a static body, but no rigid one")
+{
+    CHECK(ball(R"({"/bodies/floor/shape/plane_grid/diagonals": "crossed"})").world.bodies[1]->surface().faces().size() == 24);
+    CHECK(complaint(R"({"/bodies/floor": {"type": "rigid", "mass": 1}})").find("ball.json: /bodies/1/shape: the surface: ") == 0);
+}
+
+TEST_CASE("scene: every scene of the course loads under its own name and stands a step without contact")
+{
+    int scenes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(scene_file("any").parent_path())) {
+        if (entry.path().extension() != ".json")
+            continue;
+        CAPTURE(entry.path());
+        Scene scene = load_scene(entry.path());
+        CHECK(scene.name == entry.path().stem());
+        CHECK_FALSE(scene.description.empty());
+        Contacts contacts;
+        advance(scene.world, contacts, {}, scene.dt);
+        ++scenes;
+    }
+    CHECK(scenes > 0);
+}
+
 TEST_CASE("scene: read twice and run, it gives the same bytes")
 {
     std::vector<std::vector<Vec3>> ends;
     for (int run = 0; run < 2; ++run) {
         Scene scene = ball(R"({"/bodies/ball": {"angular_velocity": [1, 2, 3]}})");
+        scene.world.bodies.push_back(std::move(jelly(R"({"/bodies/0/angular_velocity": [2, 0, 1]})").world.bodies[0]));
         Contacts contacts;
         for (int step = 0; step < 20; ++step)
             advance(scene.world, contacts, {}, scene.dt);
-        const auto positions = scene.world.bodies[0]->positions_t0();
-        ends.emplace_back(positions.begin(), positions.end());
+        ends.emplace_back();
+        for (const std::unique_ptr<Body>& body : scene.world.bodies)
+            ends.back().insert(ends.back().end(), body->positions_t0().begin(), body->positions_t0().end());
     }
     CHECK(ends[0] == ends[1]);
 }
