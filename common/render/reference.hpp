@@ -2,9 +2,16 @@
 
 #include "common/render/picture.hpp"
 
+#include <filesystem>
 #include <string>
 
 namespace enduring {
+
+/// Where references lie, and where a picture that differs is left to be looked at.
+struct ReferencePlaces {
+    std::filesystem::path renders = std::filesystem::path(ENDURING_SOURCE_DIR) / "renders";
+    std::filesystem::path differences = std::filesystem::path(ENDURING_SOURCE_DIR) / "build/results/differences";
+};
 
 struct ReferenceCheck {
     bool passed = false;
@@ -20,6 +27,6 @@ struct ReferenceCheck {
 /// On failure the picture and its difference go to build/results/differences. With the environment variable
 /// ENDURING_RENEW_RENDERS=1 (`./course renders`) the reference is written instead. Passes where pictures are off.
 /// @throws InputError  a file cannot be written
-ReferenceCheck check_reference_picture(const Picture& picture, const std::string& name);
+ReferenceCheck check_reference_picture(const Picture& picture, const std::string& name, const ReferencePlaces& places = {});
 
 }  // namespace enduring

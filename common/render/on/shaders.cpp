@@ -111,6 +111,15 @@ vec3 bounce(vec3 normal)
     return vec3(0.36, 0.34, 0.31) * below * (0.25 + 0.75 * smoothstep(0.0, 0.7, height));
 }
 
+// A thin line along the triangle's edges; where triangles are hardly larger than the line it fades instead of filling them.
+float edge_line()
+{
+    vec3 slope = fwidth(corner), away = corner / slope;
+    float nearest = min(away.x, min(away.y, away.z)), height = 1 / max(slope.x, max(slope.y, slope.z));
+    float line = 1 - smoothstep(0.5 * line_width - 0.6, 0.5 * line_width + 0.6, nearest);
+    return line * smoothstep(1.0, 10.0, height / line_width);
+}
+
 vec3 body_color()
 {
     vec3 view = normalize(eye - p);
@@ -120,9 +129,7 @@ vec3 body_color()
     Light arriving = light_at(p, normal, view);
     float rim = pow(1 - max(0, dot(normal, view)), 4.0);
     vec3 color = albedo * (arriving.diffuse + bounce(normal)) + 0.10 * arriving.gloss + 0.06 * rim * arriving.diffuse;
-    vec3 near_edge = corner / fwidth(corner);
-    float line = 1 - smoothstep(0.5 * line_width - 0.6, 0.5 * line_width + 0.6, min(near_edge.x, min(near_edge.y, near_edge.z)));
-    return line_width > 0 ? mix(color, 0.22 * color, 0.75 * line) : color;
+    return line_width > 0 ? mix(color, 0.22 * color, 0.75 * edge_line()) : color;
 }
 
 float grid_line(vec3 along)
