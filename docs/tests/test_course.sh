@@ -21,7 +21,7 @@ expect 0 './course run --list' help
 expect 0 './course run --list'
 expect 2 'unknown command: frobnicate' frobnicate
 expect 2 'there is no chapter 99' run 99
-expect 2 'there is no chapter 0' test 0
+expect 2 'there is no chapter 98' test 98
 expect 2 "name one chapter before drop" run drop
 expect 2 'unknown option: --frob' run --frob
 expect 2 "unknown word: 'word'" test word

@@ -1,0 +1,50 @@
+#include "common/fem/verification.hpp"
+#include "common/report/chapter_program.hpp"
+#include "common/rigid/verification.hpp"
+
+// Not a chapter of its own: what the pages on the base say about elastic and rigid bodies is measured here.
+
+namespace enduring {
+namespace {
+
+void leave(Report& report, const std::string& name, const Table& table)
+{
+    report.table(name, table);
+    report.page_table(name, table);
+}
+
+void free_top(const RunOptions&, Report& report) { report_top_drift(report); }
+
+void lumping(const RunOptions&, Report& report) { leave(report, "lumping", verification::ways_of_lumping()); }
+
+void cantilever(const RunOptions&, Report& report) { leave(report, "cantilever", verification::cantilever()); }
+
+void frequency(const RunOptions&, Report& report) { leave(report, "frequency", verification::bending_frequency()); }
+
+void convergence(const RunOptions&, Report& report)
+{
+    leave(report, "convergence_in_space", verification::convergence_in_space());
+    leave(report, "convergence_in_time", verification::convergence_in_time());
+}
+
+void spinning_bar(const RunOptions&, Report& report) { leave(report, "spinning_bar", verification::spinning_bar_growth()); }
+
+}  // namespace
+}  // namespace enduring
+
+int main(int argc, char** argv)
+{
+    using namespace enduring;
+    return run_chapter(argc, argv, {
+        "00_base",
+        "The base: elastic and rigid bodies, measured",
+        {
+            {"lumping", "masses of the ten-node element: row sums, and two ways that stay positive", lumping},
+            {"cantilever", "deflection of a clamped bar against beam theory with shear", cantilever},
+            {"frequency", "first bending frequency of a clamped bar against beam theory", frequency},
+            {"convergence", "orders in space and time", convergence},
+            {"spinning_bar", "how much energy the once-a-step rotations add", spinning_bar},
+            {"free_top", "drift of a rigid body that tumbles freely, by Bullet's steps and by ours", free_top},
+        },
+    });
+}
