@@ -8,13 +8,15 @@
 namespace enduring {
 
 //! [amplification]
+double look_ahead(PenaltyMethod method) { return method == PenaltyMethod::discrete ? 1.0 : 0.5; }
+
 Eigen::Matrix2d amplification(PenaltyMethod method, double mass, double stiffness, double dt)
 {
     const double h = stiffness * dt * dt / mass;
-    const double look_ahead = method == PenaltyMethod::discrete ? 1.0 : 0.5;  // in steps: where the depth is taken
+    const double ah = look_ahead(method) * h;
     Eigen::Matrix2d a;
-    a << 1 - h,  dt * (1 - look_ahead * h),
-        -h / dt, 1 - look_ahead * h;
+    a << 1 - h,  dt * (1 - ah),
+        -h / dt, 1 - ah;
     return a;
 }
 //! [amplification]
@@ -30,11 +32,13 @@ double spectral_radius(const Eigen::Matrix2d& a)
 }
 //! [spectral_radius]
 
+//! [critical_step]
 double critical_step(PenaltyMethod method, double mass, double stiffness)
 {
-    const double limit = method == PenaltyMethod::discrete ? 4.0 / 3.0 : 2.0;  // of h = k dt^2 / m
-    return std::sqrt(limit * mass / stiffness);
+    const double largest_h = 4 / (1 + 2 * look_ahead(method));
+    return std::sqrt(largest_h * mass / stiffness);
 }
+//! [critical_step]
 
 Decay decay(const Eigen::Matrix2d& a)
 {
