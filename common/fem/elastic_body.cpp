@@ -57,20 +57,13 @@ void ElasticBody::fix(int node)
     velocities_.col(node).setZero();
 }
 
-void ElasticBody::update_rotations(double dt)
-{
-    if (options_.rotations == RotationUpdate::at_start)
-        find_rotations(mesh_, positions_, rotations_);
-    if (options_.rotations == RotationUpdate::predicted)
-        find_rotations(mesh_, positions_ + dt * velocities_, rotations_);
-}
-
 //! [predict]
 void ElasticBody::predict(const Vec3& gravity, double dt)
 {
     if (!(dt > 0 && std::isfinite(dt)))
         throw InputError("dt (length of the step, s) must be positive and finite, not " + std::to_string(dt));
-    update_rotations(dt);
+    if (!options_.freeze_rotations)
+        find_rotations(mesh_, positions_, rotations_);
     const CorotatedElasticity elasticity(mesh_, lame_, rotations_);
 
     NodalVectors outer = external_forces_ + gravity * masses_.transpose();
@@ -83,6 +76,16 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
 }
 //! [predict]
 
+//! [respond]
+void ElasticBody::respond(const NodalVectors& impulses, double dt)
+{
+    const CorotatedElasticity elasticity(mesh_, lame_, rotations_);
+    NodalVectors change = NodalVectors::Zero(3, node_count());
+    solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping, dt * (dt + material_.stiffness_damping), impulses, change);
+    velocities_ += change;
+}
+//! [respond]
+
 void ElasticBody::commit(double dt)
 {
     positions_ += dt * velocities_;
@@ -91,7 +94,7 @@ void ElasticBody::commit(double dt)
 ElementRotations ElasticBody::fitting_rotations() const
 {
     ElementRotations rotations = rotations_;
-    if (options_.rotations != RotationUpdate::frozen)
+    if (!options_.freeze_rotations)
         find_rotations(mesh_, positions_, rotations);
     return rotations;
 }

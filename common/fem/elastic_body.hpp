@@ -7,15 +7,10 @@
 
 namespace enduring {
 
-/// When the elements' rotations are found.
-enum class RotationUpdate {
-    at_start,   ///< once a step, from the positions at its start: the usual way
-    predicted,  ///< once a step, from where the present velocities would lead: hardly any energy is made by spinning
-    frozen      ///< never: linear elasticity, for small rotations and for proofs
-};
-
 struct ElasticOptions {
-    RotationUpdate rotations = RotationUpdate::at_start;
+    /// Linear elasticity about the placed shape, for small rotations and for proofs; otherwise every element's rotation is
+    /// found once a step, at its start.
+    bool freeze_rotations = false;
     double solver_tolerance = 1e-10;  ///< relative error of the velocities in the norm of the system's matrix
 };
 
@@ -55,6 +50,9 @@ public:
     /// @param dt       [s]
     /// @throws InputError  dt is not positive and finite
     void predict(const Vec3& gravity, double dt);
+    /// Impulses [N s] on the nodes that act during the step: the velocities change by what the system of the last predict
+    /// gives for them, so that the elements pass them on to their neighbours within the step. Call after predict(.., dt).
+    void respond(const NodalVectors& impulses, double dt);
     /// positions += dt velocities.
     void commit(double dt);
 
@@ -73,7 +71,6 @@ public:
     int factorisations() const { return solver_.factorisations(); } ///< since the beginning
 
 private:
-    void update_rotations(double dt);
     ElementRotations fitting_rotations() const;
 
     ElasticMesh mesh_;

@@ -37,7 +37,8 @@ DeformableBody::DeformableBody(std::string name, const QuadraticTetrahedralMesh&
 DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh, SurfaceEmbedding embedding,
                                const DeformableSettings& settings)
     : Body(std::move(name), std::move(surface)), elastic_(std::move(mesh), settings.material, settings.options),
-      embedding_(std::move(embedding))
+      embedding_(std::move(embedding)), impulse_response_(settings.impulse_response),
+      waiting_impulses_(NodalVectors::Zero(3, elastic_.node_count()))
 {
     elastic_.place(settings.rotation, settings.position);
     set_motion(elastic_, settings.velocity, settings.angular_velocity);
@@ -56,12 +57,18 @@ void DeformableBody::predict(const Vec3& gravity, double dt)
 
 void DeformableBody::update_prediction(double dt)
 {
+    if (!waiting_impulses_.isZero(0)) {
+        elastic_.respond(waiting_impulses_, dt);
+        waiting_impulses_.setZero();
+    }
     for (std::size_t vertex = 0; vertex < positions_t1_.size(); ++vertex)
         positions_t1_[vertex] = positions_t0_[vertex] + dt * velocity(static_cast<int>(vertex));
 }
 
 void DeformableBody::commit(double dt)
 {
+    if (!waiting_impulses_.isZero(0))
+        update_prediction(dt);
     elastic_.commit(dt);
     embedding_.evaluate(elastic_.positions(), positions_t1_);
     positions_t0_ = positions_t1_;
@@ -69,7 +76,10 @@ void DeformableBody::commit(double dt)
 
 void DeformableBody::apply_impulse(int vertex, const Vec3& impulse)
 {
-    embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), elastic_.velocities());
+    if (impulse_response_ == ImpulseResponse::implicit)
+        embedding_.apply_impulse(vertex, impulse, Eigen::VectorXd::Ones(elastic_.node_count()), waiting_impulses_);
+    else
+        embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), elastic_.velocities());
 }
 
 Mat3 DeformableBody::inverse_mass(int vertex) const

@@ -7,6 +7,12 @@
 
 namespace enduring {
 
+/// How contact impulses change a deformable body's velocities.
+enum class ImpulseResponse {
+    lumped,   ///< at once, each node by its own mass alone, as the thesis does
+    implicit  ///< at the next update_prediction, through the elasticity's system: light nodes move with their neighbours
+};
+
 /// What a deformable body is made of, and where it starts.
 struct DeformableSettings {
     ElasticMaterial material;
@@ -15,6 +21,7 @@ struct DeformableSettings {
     Vec3 velocity = Vec3::Zero();          ///< of the centre of mass [m/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< about it, in world axes [rad/s]
     std::vector<int> fixed_nodes;          ///< nodes of the mesh that never move
+    ImpulseResponse impulse_response = ImpulseResponse::lumped;
     ElasticOptions options;
 };
 
@@ -49,6 +56,8 @@ private:
 
     ElasticBody elastic_;
     SurfaceEmbedding embedding_;
+    ImpulseResponse impulse_response_;
+    NodalVectors waiting_impulses_;  ///< on the nodes, until the next update_prediction; only for the implicit response
 };
 
 }  // namespace enduring

@@ -75,6 +75,8 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
     settings.position = placement.position;
     settings.velocity = motion.velocity;
     settings.angular_velocity = motion.angular_velocity;
+    if (const std::optional<JsonValue> response = value.find("impulse_response"))
+        settings.impulse_response = response->choice({"lumped", "implicit"}) == 1 ? ImpulseResponse::implicit : ImpulseResponse::lumped;
 
     const std::optional<JsonValue> basis = value.find("basis");
     if (basis && basis->choice({"linear", "quadratic"}) == 1) {
@@ -90,8 +92,8 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
 
 std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis", "fixed", "position",
-                        "rotation", "velocity", "angular_velocity", "look"});
+    value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis", "fixed", "impulse_response",
+                        "position", "rotation", "velocity", "angular_velocity", "look"});
     try {
         return build(value, surroundings);
     } catch (const InputError& error) {
