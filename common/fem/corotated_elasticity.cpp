@@ -95,9 +95,13 @@ Eigen::MatrixXd stiffness_of(const ElasticElement& element, const Eigen::Matrix<
                 B::gradient_scale * strain_of_node(element.gradients.col(j));
     }
     Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(3 * B::nodes, 3 * B::nodes);
-    for (int k = 0; k < B::points; ++k)
+    for (int k = 0; k < B::points; ++k) {
+        StrainMatrix coupled = StrainMatrix::Zero();
         for (int l = 0; l < B::points; ++l)
-            stiffness += element.volume * B::coupling(k, l) * b[k].transpose() * hooke * b[l];
+            coupled += B::coupling(k, l) * b[l];
+        const StrainMatrix stress = element.volume * hooke * coupled;
+        stiffness.noalias() += b[k].transpose() * stress;
+    }
     return stiffness;
 }
 //! [stiffness]

@@ -26,7 +26,7 @@ Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element, const Ei
 
 /// The body's elasticity with the elements turned by given rotations: forces f = -K_R (x - R X), where
 /// K_R = sum_e R_e K_e R_e^T and "R X" stands for the rest shape of each element turned with it.
-/// Keeps references; all three must live on.
+/// Keeps references to the mesh and the rotations.
 class CorotatedElasticity {
 public:
     CorotatedElasticity(const ElasticMesh& mesh, const LameConstants& lame, const ElementRotations& rotations)
@@ -47,7 +47,7 @@ public:
 
 private:
     const ElasticMesh& mesh_;
-    const LameConstants& lame_;
+    LameConstants lame_;
     const ElementRotations& rotations_;
 };
 

@@ -8,7 +8,8 @@ namespace enduring {
 ///
 /// The matrix itself is never built for this: the product runs over the elements. A new factor is made when a or b changes,
 /// and when the iterations that a fresh one would have saved add up to the cost of making it. All of it depends on counts,
-/// never on a clock: the same input gives the same bits.
+/// never on a clock: the same input gives the same bits. What a fresh factor would have taken is what the present one took
+/// in its first few solves (its very first is always quick, since there nothing has turned yet).
 class ImplicitSolver {
 public:
     /// @param tolerance  stop when the error, in the norm of the matrix, is this small relative to the solution
@@ -32,12 +33,14 @@ private:
     struct System;
     bool conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v, int iteration_limit);
     void renew_factor(const System& system);
+    void account_for_iterations();
 
     Eigen::VectorXd masses_;
     double tolerance_;
     TurnedFactor factor_;
     int iterations_ = 0, factorisations_ = 0;
-    int fresh_iterations_ = -1;   ///< what the present factor took when it was new
+    int solves_with_factor_ = 0;
+    int early_iterations_ = 0;    ///< the most that one of the first solves with the present factor took
     int wasted_iterations_ = 0;   ///< beyond that, since
 };
 

@@ -1,5 +1,6 @@
 #include "bodies.hpp"
 
+#include "common/fem/tetrahedron_quadrature.hpp"
 #include "common/report/input_error.hpp"
 
 #include <doctest/doctest.h>
@@ -20,30 +21,6 @@ namespace {
 TetrahedralMesh one_element()
 {
     return {{Vec3(0.1, 0, 0.2), Vec3(1.3, 0.2, 0), Vec3(0.3, 0.9, -0.1), Vec3(0.2, 0.3, 1.1)}, {{0, 1, 2, 3}}};
-}
-
-/// 14 points, exact for polynomials of degree 5 (Walkington 2000); barycentric coordinates and weights that sum to 1.
-struct QuadraturePoint {
-    Eigen::Vector4d lambda;
-    double weight;
-};
-
-std::vector<QuadraturePoint> degree_five()
-{
-    std::vector<QuadraturePoint> points;
-    for (const auto& [a, w] : {std::array{0.31088591926330060980, 0.11268792571801585080}, std::array{0.092735250310891226402, 0.073493043116361949544}})
-        for (int i = 0; i < 4; ++i) {
-            Eigen::Vector4d lambda = Eigen::Vector4d::Constant(a);
-            lambda[i] = 1 - 3 * a;
-            points.push_back({lambda, w});
-        }
-    const double b = 0.045503704125649649492, w = 0.042546020777081466438;
-    for (const auto& [i, j] : tetrahedron_edges) {
-        Eigen::Vector4d lambda = Eigen::Vector4d::Constant(b);
-        lambda[i] = lambda[j] = 0.5 - b;
-        points.push_back({lambda, w});
-    }
-    return points;
 }
 
 /// The ten basis functions written out: squares of the barycentric coordinates, and twice their products.
@@ -87,7 +64,7 @@ Eigen::MatrixXd stiffness_by_quadrature(Basis basis, const ElasticElement& eleme
 {
     const int n = nodes_of(basis);
     Eigen::MatrixXd k = Eigen::MatrixXd::Zero(3 * n, 3 * n);
-    for (const auto& [lambda, weight] : degree_five())
+    for (const auto& [lambda, weight] : degree_five_quadrature())
         for (int a = 0; a < n; ++a)
             for (int b = 0; b < n; ++b) {
                 const Vec3 ga = shape_gradient(basis, a, lambda, element.gradients), gb = shape_gradient(basis, b, lambda, element.gradients);
@@ -181,7 +158,7 @@ TEST_CASE("elements: lumped masses are the integrals of the basis, positive, and
         const Eigen::VectorXd masses = lumped_masses(mesh, 700);
         for (int node = 0; node < mesh.node_count(); ++node) {
             double integral = 0;
-            for (const auto& [lambda, weight] : degree_five())
+            for (const auto& [lambda, weight] : degree_five_quadrature())
                 integral += 700 * mesh.volume() * weight * shape(basis, node, lambda);
             CHECK(masses[node] > 0);
             CHECK(std::abs(masses[node] - integral) <= 1e-13 * masses.sum());

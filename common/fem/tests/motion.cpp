@@ -1,0 +1,297 @@
+#include "bodies.hpp"
+
+#include "common/fem/stiffness_assembly.hpp"
+#include "common/fem/surface_embedding.hpp"
+#include "common/fem/verification.hpp"
+#include "common/geometry/surface_extraction.hpp"
+#include "common/report/input_error.hpp"
+
+#include <Eigen/Dense>
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace enduring;
+using namespace enduring::test;
+
+namespace {
+
+const Vec3 gravity(0, -9.81, 0);
+
+void run(ElasticBody& body, const Vec3& pull, double dt, int steps)
+{
+    for (int step = 0; step < steps; ++step) {
+        body.predict(pull, dt);
+        body.commit(dt);
+    }
+}
+
+double energy(const ElasticBody& body)
+{
+    return body.kinetic_energy() + body.elastic_energy();
+}
+
+}  // namespace
+
+TEST_CASE("elastic body: rigid motion gives no force and no energy")
+{
+    for (Basis basis : both_bases) {
+        CAPTURE(name_of(basis));
+        ElasticBody body(elastic(small_bar(), basis), {.young = 1e6, .poisson = 0.45});
+        body.positions() = (random_rotation(9) * body.positions()).colwise() + Vec3(10, -4, 7);
+        // Rounding of coordinates of size 10 against edges of size 0.1, times young times area.
+        CHECK(body.elastic_forces().cwiseAbs().maxCoeff() <= 1e-13 * 1e6);
+        CHECK(body.elastic_energy() <= 1e-20 * 1e6);
+    }
+}
+
+TEST_CASE("elastic body: patch test, a uniform stretch leaves inner nodes free of force and loads the faces with its stress")
+{
+    const ElasticMaterial material{.young = 1e5, .poisson = 0.3};
+    const LameConstants lame = lame_constants(material);
+    TetrahedralMesh mesh = bar({1, 1, 1}, {3, 3, 3});
+    const NodalVectors jitter = random_field(static_cast<int>(mesh.nodes.size()), 0.05, 8);
+    for (std::size_t n = 0; n < mesh.nodes.size(); ++n)
+        if (mesh.nodes[n].cwiseAbs().maxCoeff() < 0.49)
+            mesh.nodes[n] += jitter.col(static_cast<Eigen::Index>(n));  // irregular inside
+
+    Mat3 stretch;  // symmetric, so that every rotation is the identity
+    stretch << 1.02, 0.01, 0.00,
+               0.01, 0.97, 0.02,
+               0.00, 0.02, 1.01;
+    const Mat3 strain = stretch - Mat3::Identity();
+    const Mat3 stress = 2 * lame.mu * strain + lame.lambda * strain.trace() * Mat3::Identity();
+    for (Basis basis : both_bases) {
+        CAPTURE(name_of(basis));
+        const Mat3 turn = random_rotation(21);
+        ElasticBody body(elastic(mesh, basis), material);
+        body.positions() = turn * stretch * body.mesh().rest();
+
+        NodalVectors expected = NodalVectors::Zero(3, body.node_count());  // minus the traction, on all six faces
+        for (int axis = 0; axis < 3; ++axis)
+            for (double side : {-1.0, 1.0}) {
+                const auto weights = verification::face_weights(body.mesh(), [&](const Vec3& p) { return side * p[axis] > 0.5 - 1e-9; });
+                expected -= turn * stress * (side * Vec3::Unit(axis)) * weights.transpose();
+            }
+        CHECK((body.elastic_forces() - expected).cwiseAbs().maxCoeff() <= 1e-12 * stress.norm());
+    }
+}
+
+TEST_CASE("elastic body: free fall is symplectic Euler's, to rounding")
+{
+    ElasticBody body(elastic(small_bar(), Basis::quadratic), {});
+    const double dt = 0.01;
+    run(body, gravity, dt, 50);
+    const Vec3 v = 50 * dt * gravity, x = dt * dt * gravity * (50 * 51 / 2);
+    CHECK((body.velocities().colwise() - v).cwiseAbs().maxCoeff() <= 1e-12);
+    CHECK((body.positions() - (body.mesh().rest().colwise() + x)).cwiseAbs().maxCoeff() <= 1e-12);
+}
+
+TEST_CASE("elastic body: mass damping slows a fall, stiffness damping does not")
+{
+    ElasticBody dragged(elastic(small_bar(), Basis::quadratic), {.mass_damping = 2});
+    ElasticBody stiff(elastic(small_bar(), Basis::quadratic), {.stiffness_damping = 0.1});
+    run(dragged, gravity, 0.01, 100);
+    run(stiff, gravity, 0.01, 100);
+    const double terminal = 9.81 / 2 * (1 - std::pow(1 + 0.02, -100));  // of v' = g - 2 v by implicit Euler
+    CHECK(dragged.velocities()(1, 0) == doctest::Approx(-terminal).epsilon(1e-10));
+    CHECK(stiff.velocities()(1, 0) == doctest::Approx(-9.81).epsilon(1e-10));
+}
+
+TEST_CASE("elastic body: linear momentum is conserved without supports while it tumbles and shakes")
+{
+    for (Basis basis : both_bases)
+        for (double tolerance : {1e-10, 1e-3}) {
+            CAPTURE(name_of(basis));
+            CAPTURE(tolerance);
+            ElasticBody body(elastic(small_bar(), basis), {.stiffness_damping = 0.001}, {.solver_tolerance = tolerance});
+            body.velocities() = random_field(body.node_count(), 2, 5);
+            body.velocities().row(0) += 10 * body.positions().row(1);
+            const Vec3 start = body.linear_momentum();
+            run(body, Vec3::Zero(), 0.01, 100);
+            CHECK((body.linear_momentum() - start).norm() <= 1e-12 * body.mass());
+        }
+}
+
+TEST_CASE("elastic body: with frozen rotations the energy never grows in a step")
+{
+    for (Basis basis : both_bases)
+        for (double dt : {1e-4, 1e-2, 1.0}) {
+            CAPTURE(name_of(basis));
+            CAPTURE(dt);
+            ElasticBody body(elastic(small_bar(), basis), {}, {.freeze_rotations = true});
+            body.positions() += random_field(body.node_count(), 0.02, 6);
+            body.velocities() = random_field(body.node_count(), 1, 7);
+            for (int step = 0; step < 50; ++step) {
+                const double before = energy(body);
+                run(body, Vec3::Zero(), dt, 1);
+                CHECK(energy(body) <= before * (1 + 1e-10));
+            }
+        }
+}
+
+TEST_CASE("elastic body: inverted elements are counted, do not break the solve, and come back")
+{
+    for (Basis basis : both_bases) {
+        CAPTURE(name_of(basis));
+        ElasticBody body(elastic(small_bar(), basis), {.young = 1e5, .stiffness_damping = 0.01});
+        CHECK(body.inverted_elements() == 0);
+        // Push one end through the other, and crush the whole flat.
+        body.positions().row(0) *= -0.5;
+        CHECK(body.inverted_elements() == 12);
+        run(body, Vec3::Zero(), 0.01, 300);
+        CHECK(body.positions().allFinite());
+        CHECK(body.inverted_elements() == 0);
+
+        body.positions().setZero();
+        CHECK(body.inverted_elements() == 12);
+        run(body, Vec3::Zero(), 0.01, 20);
+        CHECK(body.positions().allFinite());
+    }
+}
+
+TEST_CASE("elastic body: fixed nodes stay, the others hang from them with the body's weight")
+{
+    ElasticBody body(elastic(small_bar(), Basis::quadratic), {.young = 1e5, .stiffness_damping = 0.05});
+    run(body, Vec3::Zero(), 0.01, 2);  // a factor from before the nodes are fixed
+    std::vector<int> held;
+    for (int n = 0; n < body.node_count(); ++n)
+        if (body.mesh().rest()(0, n) < -0.199)
+            held.push_back(n);
+    for (int n : held)
+        body.fix(n);
+    const NodalVectors rest = body.positions();
+    run(body, gravity, 0.02, 400);
+    Vec3 carried = Vec3::Zero();
+    for (int n : held) {
+        CHECK((body.positions().col(n) - rest.col(n)).norm() == 0);
+        carried += body.elastic_forces().col(n) + body.masses()[n] * gravity;
+    }
+    CHECK((carried - body.mass() * gravity).norm() <= 1e-6 * body.mass() * 9.81);
+    CHECK(body.velocities().cwiseAbs().maxCoeff() <= 1e-6);
+}
+
+TEST_CASE("elastic body: the assembled matrix and the product without one agree, fixed rows are the identity's")
+{
+    for (Basis basis : both_bases) {
+        CAPTURE(name_of(basis));
+        const ElasticMesh mesh = elastic(small_bar(), basis);
+        ElementRotations rotations;
+        find_rotations(mesh, random_rotation(2) * (mesh.rest() + random_field(mesh.node_count(), 0.03, 1)), rotations);
+        const CorotatedElasticity elasticity(mesh, lame_constants({}), rotations);
+        const Eigen::VectorXd masses = lumped_masses(mesh, 1000);
+        std::vector<char> fixed(mesh.node_count(), 0);
+        fixed[3] = 1;
+        StiffnessAssembly assembly(mesh);
+        assembly.assemble(elasticity, masses, fixed, 9, 9);  // twice: nothing of the first may remain
+        const Eigen::MatrixXd lower = assembly.assemble(elasticity, masses, fixed, 2, 0.5);
+        const Eigen::MatrixXd full = lower.selfadjointView<Eigen::Lower>();
+
+        NodalVectors v = random_field(mesh.node_count(), 1, 3);
+        NodalVectors unfixed = v;
+        unfixed.col(3).setZero();
+        NodalVectors product = unfixed * (2 * masses).asDiagonal();
+        elasticity.add_stiffness_times(unfixed, 0.5, product);
+        product.col(3) = v.col(3);
+        CHECK((full * v.reshaped() - product.reshaped()).norm() <= 1e-12 * product.norm());
+    }
+}
+
+TEST_CASE("elastic body: conjugate gradients with an old, turned factor give the direct solution")
+{
+    ElasticBody body(elastic(small_bar(), Basis::quadratic), {.young = 1e6, .poisson = 0.45});
+    body.velocities() = 3 * random_field(body.node_count(), 1, 5);
+    body.velocities().row(2) += 20 * body.positions().row(0);
+    const double dt = 0.01;
+    for (int step = 0; step < 30; ++step) {
+        CAPTURE(step);
+        ElementRotations rotations;
+        find_rotations(body.mesh(), body.positions(), rotations);
+        const CorotatedElasticity elasticity(body.mesh(), lame_constants(body.material()), rotations);
+        NodalVectors forces = NodalVectors::Zero(3, body.node_count());
+        elasticity.add_forces(body.positions(), forces);
+        const NodalVectors rhs = body.velocities() * body.masses().asDiagonal() + dt * forces;
+        const Eigen::MatrixXd lower = StiffnessAssembly(body.mesh())
+                                          .assemble(elasticity, body.masses(), std::vector<char>(body.node_count(), 0), 1, dt * dt);
+        const Eigen::VectorXd direct = Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>()).ldlt().solve(rhs.reshaped());
+        run(body, Vec3::Zero(), dt, 1);
+        CHECK((body.velocities().reshaped() - direct).norm() <= 1e-8 * direct.norm());
+    }
+    CHECK(body.factorisations() < 10);
+}
+
+TEST_CASE("elastic body: a body that only turns keeps its factor and needs no second iteration")
+{
+    ElasticBody body(elastic(small_bar(), Basis::quadratic), {});
+    for (int turn = 0; turn < 20; ++turn) {
+        body.place(random_rotation(100 + turn), Vec3(0, 0, 0.1));
+        body.velocities() = random_field(body.node_count(), 1, turn);
+        body.predict(Vec3::Zero(), 0.01);  // not committed: the shape stays
+        CHECK(body.solver_iterations() <= 2);
+    }
+    CHECK(body.factorisations() == 1);
+}
+
+TEST_CASE("elastic body: the same run twice gives the same bits")
+{
+    const auto result = [] {
+        ElasticBody body(elastic(small_bar(), Basis::quadratic), {});
+        body.velocities() = random_field(body.node_count(), 3, 5);
+        run(body, gravity, 0.01, 60);
+        return body.positions();
+    };
+    CHECK(result() == result());
+}
+
+TEST_CASE("elastic body: a NaN passes through a step without a crash or an endless loop")
+{
+    ElasticBody body(elastic(small_bar(), Basis::quadratic), {});
+    run(body, gravity, 0.01, 1);
+    body.positions()(1, 4) = std::nan("");
+    run(body, gravity, 0.01, 2);
+    CHECK(std::isnan(body.positions()(1, 4)));
+}
+
+TEST_CASE("surface embedding: rest positions are the surface's, and follow the curved edge of the Bernstein form")
+{
+    const QuadraticTetrahedralMesh mesh = with_edge_midpoints(small_bar());
+    const ExtractedSurface surface = surface_of(mesh);
+    const SurfaceEmbedding embedding(mesh, surface.nodes);
+    const ElasticMesh elements(mesh);
+    std::vector<Vec3> positions(surface.nodes.size());
+    embedding.evaluate(elements.rest(), positions);
+    for (std::size_t v = 0; v < positions.size(); ++v)
+        CHECK((positions[v] - surface.mesh.vertices[v]).norm() <= 1e-15);
+
+    // A quadratic motion is a member of the space: y += x^2 with control points from polarisation, y_ab += x_a x_b.
+    NodalVectors curved = elements.rest();
+    for (const auto& element : mesh.elements)
+        for (std::size_t i = 0; i < 10; ++i) {
+            const auto [a, b] = i < 4 ? std::array{int(i), int(i)} : tetrahedron_edges[i - 4];
+            const int node = element[i];
+            curved(1, node) = elements.rest()(1, node) + mesh.nodes[element[a]].x() * mesh.nodes[element[b]].x();
+        }
+    embedding.evaluate(curved, positions);
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+        const Vec3& p = surface.mesh.vertices[v];
+        CHECK((positions[v] - (p + p.x() * p.x() * Vec3::UnitY())).norm() <= 1e-15);
+    }
+}
+
+TEST_CASE("surface embedding: an impulse keeps its momentum, and moves its vertex by the inverse mass there")
+{
+    const QuadraticTetrahedralMesh mesh = with_edge_midpoints(small_bar());
+    const SurfaceEmbedding embedding(mesh, surface_of(mesh).nodes);
+    const Vec3 impulse(0.3, -1, 2);
+    for (int vertex = 0; vertex < embedding.vertex_count(); ++vertex) {
+        CAPTURE(vertex);
+        ElasticBody body(ElasticMesh(mesh), {});
+        embedding.apply_impulse(vertex, impulse, body.inverse_masses(), body.velocities());
+        const Vec3 change = embedding.at(vertex, body.velocities());
+        CHECK((body.linear_momentum() - impulse).norm() <= 1e-13);
+        CHECK((change - embedding.inverse_mass(vertex, body.inverse_masses()) * impulse).norm() <= 1e-13 * change.norm());
+        CHECK(body.kinetic_energy() == doctest::Approx(0.5 * impulse.dot(change)));  // the work the impulse did
+    }
+    const std::vector<int> wrong{0, 9999};
+    CHECK_THROWS_AS(SurfaceEmbedding(mesh, wrong), InputError);
+}
