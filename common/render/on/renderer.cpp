@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 
 namespace enduring {
@@ -147,7 +148,7 @@ void Renderer::Machine::draw_bodies(const Stage& stage, const Geometry& geometry
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_FALSE);
-    for (const GLenum hidden : {GL_FRONT, GL_BACK}) {
+    for (const GLenum hidden : std::initializer_list<GLenum>{GL_FRONT, GL_BACK}) {
         glCullFace(hidden);
         for (const std::size_t i : glassy)
             draw_body(i);

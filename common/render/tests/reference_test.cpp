@@ -4,6 +4,7 @@
 #include "common/render/tests/sample_stages.hpp"
 #include "common/report/input_error.hpp"
 #include "common/report/report.hpp"
+#include "common/report/subprocess.hpp"
 #include "common/report/tests/temporary_folder.hpp"
 
 #include <doctest/doctest.h>
@@ -118,6 +119,16 @@ TEST_CASE("reference: it is written when asked for, then compared, and a differe
     CHECK(std::filesystem::exists(folder.path / "differences/99_trial/box.difference.png"));
     CHECK(check("1", other));
     CHECK(check("0", other));
+}
+
+TEST_CASE("reference: a CPU without AVX passes" * doctest::skip(!pictures_are_on))
+{
+    // The graphics library compiles its shaders for the CPU it finds; told that there is only SSE2, it rounds as an old one.
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+    Subprocess old_cpu({"env", "ENDURING_RENEW_RENDERS=0", "GALLIUM_OVERRIDE_CPU_CAPS=sse2", "LP_NATIVE_VECTOR_WIDTH=128", program,
+                        "--test-case=*as in their reference picture*", "--minimal"},
+                       "coreutils");
+    CHECK_NOTHROW(old_cpu.finish());
 }
 
 TEST_CASE("pictures: a PNG reads back pixel by pixel, and a file that is none is named" * doctest::skip(!pictures_are_on))
