@@ -4,6 +4,7 @@
 
 namespace enduring::chapter01 {
 
+void two_looks(const RunOptions& options, Report& report);
 void stability_map(const RunOptions& options, Report& report);
 void critical_step(const RunOptions& options, Report& report);
 void drop(const RunOptions& options, Report& report);
