@@ -81,6 +81,7 @@ Touch first_touch(const SeparatingDirections<Real, Corners>& directions, const S
             const Span narrow{span.start + span.width * root->low, span.width * root->width(), span.halvings + part_in_halvings};
             if (const int within = directions.within_polygon(root->low, root->width()))
                 return {within > 0 ? Verdict::touch : Verdict::apart, narrow.start};
+            steps_left -= part_in_halvings;
             if (narrow.halvings <= Precision<Real>::deepest)
                 return first_touch(part(directions, root->low, root->high), narrow, steps_left);
         }
