@@ -16,6 +16,7 @@ Drawable drawable_of(const Body& body, const Vec3& own_color, const Scene& scene
     drawable.color = own_color;
     // An open static surface is a piece of ground: it would stretch the shadow maps and shade nothing.
     drawable.casts_shadow = !body.is_static() || body.surface().is_closed();
+    drawable.wireframe = !drawable.casts_shadow;
     if (const auto look = scene.looks.find(body.name()); look != scene.looks.end()) {
         drawable.color = look->second.color;
         drawable.smooth = look->second.smooth;

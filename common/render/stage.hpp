@@ -26,7 +26,7 @@ struct Drawable {
 struct Ground {
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();
-    double grid = 0;  ///< spacing of its faint lines [m]; 0 lets the renderer choose, negative means none
+    double grid = 0;  ///< spacing of its faint lines [m]; 0 leaves it to the camera's distance, negative means none
 };
 
 /// Annotations keep their size in pixels, take no part in shadows, and shine faintly through what hides them.

@@ -119,10 +119,13 @@ struct Renderer::Machine {
 
 void Renderer::Machine::draw_grounds(const Stage& stage, const Geometry& geometry, const Ball& ball)
 {
+    // What a ground looks like follows from the camera alone, so that it stays as it is while bodies move.
+    const double distance = (stage.camera.eye - stage.camera.target).norm();
     set(surface, "is_ground", 1);
+    set(surface, "fade_centre", Vec3(stage.camera.target - ball.centre));
     for (std::size_t i = 0; i < stage.grounds.size(); ++i) {
         const Ground& ground = stage.grounds[i];
-        set(surface, "grid", ground.grid == 0 ? pleasant_spacing(ball.radius) : ground.grid);
+        set(surface, "grid", ground.grid == 0 ? pleasant_spacing(0.1 * distance) : ground.grid);
         set(surface, "floor_point", Vec3(ground.point - ball.centre));
         draw_part(geometry.grounds[i]);
     }
@@ -164,7 +167,7 @@ void Renderer::Machine::draw_annotations(const Geometry& geometry)
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(-1, -4);
     const auto draw_both = [&](double opacity) {
-        set(annotation, "opacity", 0.85 * opacity);
+        set(annotation, "opacity", 0.95 * opacity);
         draw_part(geometry.tints);
         set(annotation, "opacity", opacity);
         glEnable(GL_CULL_FACE);

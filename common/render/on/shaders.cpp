@@ -85,7 +85,7 @@ Light light_at(vec3 point, vec3 normal, vec3 view)
         // A few directions stand for the whole sky: looking from places a little apart along the surface hides the gaps.
         reach = fract(reach + 0.618034);
         turn += 2.3999632;
-        float away = radius * (i < sun_lights ? 0.010 : 0.035) * sqrt(reach);
+        float away = radius * (i < sun_lights ? 0.015 : 0.05) * sqrt(reach);
         vec3 seen = 4 * facing * radiance[i] * visibility(i, lifted + away * (cos(turn) * x + sin(turn) * y));
         sum.diffuse += seen;
         if (i < sun_lights)
@@ -97,7 +97,7 @@ Light light_at(vec3 point, vec3 normal, vec3 view)
 
 static const std::string surface_main = R"(
 in vec3 p, n, albedo, corner;
-uniform vec3 eye, floor_point, floor_normal;
+uniform vec3 eye, floor_point, floor_normal, fade_centre;
 uniform vec3 open_floor;   // light on a level floor without shadows
 uniform bool is_ground;
 uniform float opacity, line_width, grid;
@@ -142,7 +142,7 @@ float grid_line(vec3 along)
 // The ground is the backdrop itself, darkened by shadows and lines: it has no border and no horizon.
 vec4 ground_color()
 {
-    float fade = 1 - smoothstep(2.0, 5.0, length(p) / radius);
+    float fade = 1 - smoothstep(0.6, 1.5, length(p - fade_centre) / length(eye - fade_centre));
     if (fade == 0)
         return vec4(backdrop(), 1);
     Light arriving = light_at(p, n, normalize(eye - p));

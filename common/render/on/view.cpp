@@ -49,10 +49,10 @@ Eigen::Matrix4d view_projection(const Camera& camera, const Ball& ball, double a
     return projection * view;
 }
 
-double pleasant_spacing(double radius)
+double pleasant_spacing(double about)
 {
-    const double power = std::pow(10, std::floor(std::log10(radius / 3)));
-    const double leading = radius / 3 / power;
+    const double power = std::pow(10, std::floor(std::log10(about)));
+    const double leading = about / power;
     return power * (leading < 1.5 ? 1 : leading < 3.5 ? 2 : leading < 7.5 ? 5 : 10);
 }
 

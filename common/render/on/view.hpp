@@ -17,8 +17,8 @@ Ball ball_around(const Stage& stage);
 /// @param aspect  width / height of the picture
 Eigen::Matrix4d view_projection(const Camera& camera, const Ball& ball, double aspect);
 
-/// 1, 2 or 5 times a power of ten, about a third of the radius.
-double pleasant_spacing(double radius);
+/// 1, 2 or 5 times a power of ten, not far from `about`.
+double pleasant_spacing(double about);
 
 /// A square far larger than the ball, relative to its centre.
 TriangleSoup ground_soup(const Ground& ground, const Ball& ball);
