@@ -1,6 +1,7 @@
 #include "common/fem/verification.hpp"
 #include "common/report/chapter_program.hpp"
 #include "common/rigid/verification.hpp"
+#include "common/simulation/worked_step.hpp"
 
 // Not a chapter of its own: what the pages on the base say about elastic and rigid bodies is measured here.
 
@@ -29,6 +30,8 @@ void convergence(const RunOptions&, Report& report)
 
 void spinning_bar(const RunOptions&, Report& report) { leave(report, "spinning_bar", verification::spinning_bar_growth()); }
 
+void one_worked_step(const RunOptions&, Report& report) { write_worked_step(worked_step_solver(worked_step().stiffness), report); }
+
 }  // namespace
 }  // namespace enduring
 
@@ -45,6 +48,7 @@ int main(int argc, char** argv)
             {"convergence", "orders in space and time", convergence},
             {"spinning_bar", "how much energy the once-a-step rotations add", spinning_bar},
             {"free_top", "drift of a rigid body that tumbles freely, by Bullet's steps and by ours", free_top},
+            {"worked_step", "every array of one step after every pass, in numbers to check by hand", one_worked_step},
         },
     });
 }

@@ -20,9 +20,13 @@ WorkedStep worked_step()
     step.world.gravity.setZero();
     step.world.bodies.push_back(std::move(above));
     step.world.bodies.push_back(std::move(below));
-    //                        kind                   bodies vertex, face  vertices      weights
+    //                        kind                 bodies vertex, face  vertices     weights
     step.contacts.push_back({ContactKind::vertex_face, 0, 1, 1, 0, {1, 0, 1, 2}, {1, -0.25, -0.5, -0.25}});
     step.contacts.push_back({ContactKind::vertex_face, 0, 1, 2, 0, {2, 0, 1, 2}, {1, 0, -0.5, -0.5}});
+    for (Contact& contact : step.contacts)
+        contact.handled = true;  // in the step before
+    step.contacts[0].impulse = {0, 0.1, 0};
+    step.contacts[1].impulse = {0, 0.2, 0};
     return step;
 }
 //! [start]

@@ -15,7 +15,7 @@ namespace enduring {
 /// All points weigh 1 kg; there is no gravity; k dt = 1 N s/m, so that an impulse is the area above the depth.
 struct WorkedStep {
     World world;
-    Contacts contacts;      ///< the two enduring pairs
+    Contacts contacts;      ///< the two enduring pairs, as the step before left them
     double dt = 0.1;        ///< [s]
     double stiffness = 10;  ///< k of one pair [N/m]
 };

@@ -43,16 +43,26 @@ std::string list(const std::array<int, 4>& numbers)
     return text;
 }
 
-/// The one list of contacts, entry by entry, after each stage.
+bool same(const Contact& a, const Contact& b)
+{
+    return a.vertices == b.vertices && a.weights == b.weights && a.start == b.start && a.handled == b.handled && a.impulse == b.impulse;
+}
+
+/// The one list of contacts; an entry stands again after each stage that changed it.
 Table contacts_table(const Records& records)
 {
     Table table({"after", "entry", "vertices", "weights", "start", "handled", "impulse y [N s]"});
-    for (const StageRecord& record : records)
+    Contacts before;
+    for (const StageRecord& record : records) {
         for (std::size_t i = 0; i < record.contacts.size(); ++i) {
             const Contact& contact = record.contacts[i];
+            if (i < before.size() && same(contact, before[i]))
+                continue;
             table.add({record.stage, static_cast<long>(i), list(contact.vertices), list(contact.weights), contact.start,
                        contact.handled ? "yes" : "no", contact.impulse.y()});
         }
+        before = record.contacts;
+    }
     return table;
 }
 

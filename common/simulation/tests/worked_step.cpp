@@ -82,6 +82,7 @@ TEST_CASE("worked step: every array after every stage is the page's hand computa
 TEST_CASE("worked step: the three pairs are an enduring one, a redefined one and a new one")
 {
     const std::vector<StageRecord> records = recorded();
+    check_contact(records[0].contacts[1], {2, 0, 1, 2}, {1, 0, -0.5, -0.5}, 0, true, 0.2);
     check_contact(records[1].contacts[1], {2, 0, 1, 2}, {1, 0, -0.5, -0.5}, 0, false, 0);
     const Contacts& redefined = records[3].contacts;
     check_contact(redefined[0], {1, 0, 1, 2}, {1, -0.25, -0.5, -0.25}, 0, false, 0);
