@@ -67,7 +67,7 @@ void ImplicitSolver::account_for_iterations()
         wasted_iterations_ += std::max(0, iterations_ - early_iterations_);
 }
 
-//! [conjugate gradients]
+//! [conjugate_gradients]
 /// Stops by r.z, the squared error in the norm of the matrix as the preconditioner sees it, against v.rhs, the squared
 /// norm of the solution. True if it got there; also true for numbers that are no longer finite, which the step reports.
 bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v, int iteration_limit)
@@ -94,7 +94,7 @@ bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVector
     }
     return false;
 }
-//! [conjugate gradients]
+//! [conjugate_gradients]
 
 void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
                            double stiffness_scale, const NodalVectors& rhs_of_all, NodalVectors& v)

@@ -68,12 +68,14 @@ void SurfaceEmbedding::evaluate(const NodalVectors& field, std::span<Vec3> value
         values[v] = at(v, field);
 }
 
+//! [apply_impulse]
 void SurfaceEmbedding::apply_impulse(int vertex, const Vec3& impulse, const Eigen::VectorXd& inverse_masses,
                                      NodalVectors& velocities) const
 {
     for (const auto& [node, weight] : nodes_of(vertex))
         velocities.col(node) += weight * inverse_masses[node] * impulse;
 }
+//! [apply_impulse]
 
 double SurfaceEmbedding::inverse_mass(int vertex, const Eigen::VectorXd& inverse_masses) const
 {

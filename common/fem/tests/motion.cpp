@@ -232,6 +232,24 @@ TEST_CASE("elastic body: a body that only turns keeps its factor and needs no se
     CHECK(body.factorisations() == 1);
 }
 
+TEST_CASE("elastic body: an impulse answered after the prediction equals the force that it is over the step")
+{
+    const double dt = 0.01;
+    const ElasticMaterial material{.mass_damping = 0.5, .stiffness_damping = 0.01};
+    ElasticBody pushed(elastic(small_bar(), Basis::quadratic), material), forced(elastic(small_bar(), Basis::quadratic), material);
+    for (ElasticBody* body : {&pushed, &forced}) {
+        body->velocities() = random_field(body->node_count(), 1, 4);
+        run(*body, gravity, dt, 5);
+    }
+    const NodalVectors impulses = random_field(pushed.node_count(), 0.1, 12);
+    pushed.predict(gravity, dt);
+    pushed.respond(impulses, dt);
+    forced.external_forces() = impulses / dt;
+    forced.predict(gravity, dt);
+    CHECK((pushed.velocities() - forced.velocities()).norm() <= 1e-8 * forced.velocities().norm());
+    CHECK((pushed.linear_momentum() - forced.linear_momentum()).norm() <= 1e-13 * pushed.mass());
+}
+
 TEST_CASE("elastic body: the same run twice gives the same bits")
 {
     const auto result = [] {
