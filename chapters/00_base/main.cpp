@@ -28,7 +28,11 @@ void convergence(const RunOptions&, Report& report)
     leave(report, "convergence_in_time", verification::convergence_in_time());
 }
 
-void spinning_bar(const RunOptions&, Report& report) { leave(report, "spinning_bar", verification::spinning_bar_growth()); }
+void spinning_bar(const RunOptions&, Report& report)
+{
+    leave(report, "spinning_bar", verification::spinning_bar_growth());
+    report.plot(ENDURING_SOURCE_DIR "/common/fem/plots/spinning_bar.gp", "spinning_bar");
+}
 
 void one_worked_step(const RunOptions&, Report& report) { write_worked_step(worked_step_solver(worked_step().stiffness), report); }
 
