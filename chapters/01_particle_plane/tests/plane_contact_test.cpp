@@ -70,6 +70,27 @@ TEST_CASE("plane contact: at rest the four impulses carry the weight, at the dep
     }
 }
 
+TEST_CASE("plane contact: a cube's longest step is set by rocking, not by bouncing")
+{
+    // About a horizontal axis through the middle: four springs k at s/2 against the inertia m s^2 / 6, that is 6 k / m.
+    const double rocking_limit = std::sqrt(2.0 / (6 * k)), bouncing_limit = std::sqrt(2.0 / (4 * k));
+    const auto last_spin = [](double tilt, double dt) {
+        World world = cube_above_plane(Quaternion::Identity(), Quaternion(Eigen::AngleAxisd(tilt, Vec3::UnitZ())));
+        Contacts contacts;
+        double fastest = 0;
+        for (int i = 0; i < 600; ++i) {
+            advance(world, contacts, solver_of(PenaltyMethod::continuous), dt);
+            if (i >= 500)
+                fastest = std::max(fastest, static_cast<const RigidBody&>(*world.bodies[0]).motion().angular_velocity().norm());
+        }
+        return fastest;
+    };
+    const double between = 0.5 * (rocking_limit + bouncing_limit), tilt = 0.02;
+    CHECK(last_spin(tilt, 0.95 * rocking_limit) <= 1e-9);
+    CHECK(last_spin(tilt, between) >= 0.01);
+    CHECK(last_spin(0, between) <= 1e-12);
+}
+
 TEST_CASE("plane contact: a plane in any direction answers alike")
 {
     const Quaternion turn(Eigen::AngleAxisd(2.1, Vec3(1, 2, -2).normalized()));
