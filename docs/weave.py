@@ -211,7 +211,7 @@ class Weaver:
     def test(self, name):
         if name not in self.tests:
             raise Mistake(f"no test is called '{name}'")
-        return f"<code>{html.escape(name, quote=False).replace('|', '&#124;')}</code>"
+        return "<code>" + html.escape(name, quote=False).replace("|", "\\|") + "</code>"
 
     def inline(self, page, text):
         """Facts and references, everywhere but in `code`."""
