@@ -264,12 +264,21 @@ class Weaver:
         return f'\n<div class="neighbours"><span>{before}</span> <span>{after}</span></div>\n'
 
 
+def unlisted_errata(root, tests):
+    """Tests named errata: that the page of errata does not show."""
+    page = root / "docs/errata.md"
+    shown = page.read_text(encoding="utf-8") if page.is_file() else ""
+    return [f"{page}:1: the test '{name}' is not listed" for name in sorted(tests)
+            if name.startswith("errata:") and f"@test{{{name}}}" not in shown]
+
+
 def weave(root, results_root, out, quick):
     """Writes out/pages/*.md and out/figures/NN_name/*; returns the mistakes, and writes nothing if there are any."""
     results = Results(results_root)
     pages = all_pages(root)
     mistakes = [mistake for page in pages for mistake in number_figures(page, results)]
     weaver, texts = Weaver(root, pages, results), {}
+    mistakes += unlisted_errata(root, weaver.tests)
     for page in pages:
         texts[page.label], found = weaver.page(page, quick)
         mistakes += found

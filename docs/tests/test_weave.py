@@ -151,6 +151,13 @@ class WhatStopsTheBook(unittest.TestCase):
     def test_a_page_without_a_title(self):
         self.refused("The drop\n", "chapter.md:1: a page begins with its title")
 
+    def test_an_erratum_that_is_tested_but_not_listed(self):
+        book = Book("# A\n")
+        book.write("chapters/01_drop/tests/errata.cpp", 'TEST_CASE("errata: (1.1) has the wrong sign")')
+        done = book.weave()
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("the test 'errata: (1.1) has the wrong sign' is not listed", done.stderr)
+
     def test_two_pages_with_one_label(self):
         book = Book("# A\n")
         book.write("common/fem/start.md", "# Start {#mainpage}\n")
