@@ -80,7 +80,8 @@ void commit(World& world, double dt)
 }  // namespace
 
 //! [advance]
-void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassTimer& timer)
+void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
+             const PassTimer& timer)
 {
     timed(timer, "predict", [&] {
         predict(world, dt);
@@ -89,7 +90,7 @@ void advance(World& world, Contacts& contacts, const Solver& solver, double dt, 
     run_passes(solver.enduring, world, contacts, dt, timer);
 
     run_passes(solver.detect, world, contacts, dt, timer);
-    for (int response = 0; response < max_responses && any_unhandled(contacts); ++response) {
+    for (int n = 0; n < max_responses && any_unhandled(contacts); ++n) {
         run_passes(solver.respond, world, contacts, dt, timer);
         timed(timer, "update prediction", [&] { update_predictions(world, dt); });
         run_passes(solver.detect, world, contacts, dt, timer);

@@ -9,24 +9,28 @@
 namespace enduring {
 
 //! [start]
+static Contact on_face_0(int vertex, const std::array<double, 4>& weights, double last_impulse)
+{
+    Contact contact{ContactKind::vertex_face, 0, 1, vertex, 0, {vertex, 0, 1, 2}, weights};
+    contact.handled = true;  // in the step before
+    contact.impulse = {0, last_impulse, 0};
+    return contact;
+}
+
 WorkedStep worked_step()
 {
-    auto above = std::make_unique<PointMasses>("above", std::vector<Vec3>{{0.5, 0.1, 0.5}, {0.5, -0.1, 1.0}, {1.5, -0.2, 1.5}},
-                                               std::vector<Face>{{0, 1, 2}}, 1.0);
+    const std::vector<Vec3> triangle{{0.5, 0.1, 0.5}, {0.5, -0.1, 1.0}, {1.5, -0.2, 1.5}};
+    const std::vector<Vec3> sheet{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}, {2, 0, 2}};
+    const double mass = 1;  // of each point
+    auto above = std::make_unique<PointMasses>("above", triangle, std::vector<Face>{{0, 1, 2}}, mass);
+    auto below = std::make_unique<PointMasses>("below", sheet, std::vector<Face>{{0, 1, 2}, {3, 2, 1}}, mass);
     above->set_velocity(0, {0, -2, 0});
-    auto below = std::make_unique<PointMasses>("below", std::vector<Vec3>{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}, {2, 0, 2}},
-                                               std::vector<Face>{{0, 1, 2}, {3, 2, 1}}, 1.0);
+
     WorkedStep step;
     step.world.gravity.setZero();
     step.world.bodies.push_back(std::move(above));
     step.world.bodies.push_back(std::move(below));
-    //                        kind                 bodies vertex, face  vertices     weights
-    step.contacts.push_back({ContactKind::vertex_face, 0, 1, 1, 0, {1, 0, 1, 2}, {1, -0.25, -0.5, -0.25}});
-    step.contacts.push_back({ContactKind::vertex_face, 0, 1, 2, 0, {2, 0, 1, 2}, {1, 0, -0.5, -0.5}});
-    for (Contact& contact : step.contacts)
-        contact.handled = true;  // in the step before
-    step.contacts[0].impulse = {0, 0.1, 0};
-    step.contacts[1].impulse = {0, 0.2, 0};
+    step.contacts = {on_face_0(1, {1, -0.25, -0.5, -0.25}, 0.1), on_face_0(2, {1, 0, -0.5, -0.5}, 0.2)};
     return step;
 }
 //! [start]

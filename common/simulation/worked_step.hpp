@@ -30,9 +30,9 @@ Pass stand_in_detect();                  ///< finds vertices that pass through a
 Pass stand_in_respond(double stiffness); ///< normal impulses from the mean depth (chapter 3)
 Solver worked_step_solver(double stiffness);
 
-/// Runs the worked step under a solver and writes a page table for each array, one column or row for each stage:
-/// worked_step_velocities, worked_step_predictions, worked_step_positions (y only; x and z never change) and
-/// worked_step_contacts.
+/// Runs the worked step under a solver and writes a page table for each array, with a column (of contacts: a row) for each
+/// stage that changed it: worked_step_velocities, worked_step_predictions, worked_step_positions (y only; x and z never
+/// change) and worked_step_contacts.
 void write_worked_step(const Solver& solver, Report& report);
 
 }  // namespace enduring

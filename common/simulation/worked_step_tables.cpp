@@ -2,6 +2,8 @@
 #include "common/simulation/step_record.hpp"
 #include "common/simulation/worked_step.hpp"
 
+#include <algorithm>
+
 namespace enduring {
 namespace {
 
@@ -10,18 +12,57 @@ using Array = std::vector<Vec3> BodyRecord::*;
 
 constexpr int digits = 6;  // enough for every number of the step to stand whole
 
-/// One row a vertex, one column a stage: how the y of one array of the bodies changes.
+/// A stage that comes a second time is called so.
+std::vector<std::string> stage_names(const Records& records)
+{
+    std::vector<std::string> names;
+    for (const StageRecord& record : records) {
+        const bool before = std::find(names.begin(), names.end(), record.stage) != names.end();
+        names.push_back(record.stage + (before ? " again" : ""));
+    }
+    return names;
+}
+
+bool same(const StageRecord& a, const StageRecord& b, Array array)
+{
+    for (std::size_t body = 0; body < a.bodies.size(); ++body)
+        if (a.bodies[body].*array != b.bodies[body].*array)
+            return false;
+    return true;
+}
+
+/// Records between which one array does not change, as one column: the first of them, and its heading.
+struct Span {
+    std::size_t first;
+    std::string heading;
+};
+
+std::vector<Span> unchanged_spans(const Records& records, Array array)
+{
+    const std::vector<std::string> names = stage_names(records);
+    std::vector<Span> spans;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (i == 0 || !same(records[i - 1], records[i], array))
+            spans.push_back({i, names[i]});
+        else
+            spans.back().heading = names[spans.back().first] + " to " + names[i];
+    }
+    return spans;
+}
+
+/// One row a vertex, a column each time the array changes: the y of one array of the bodies.
 Table array_table(const World& world, const Records& records, Array array)
 {
+    const std::vector<Span> spans = unchanged_spans(records, array);
     std::vector<std::string> columns{"vertex"};
-    for (const StageRecord& record : records)
-        columns.push_back(record.stage);
+    for (const Span& span : spans)
+        columns.push_back(span.heading);
     Table table(columns);
     for (std::size_t body = 0; body < world.bodies.size(); ++body)
         for (std::size_t vertex = 0; vertex < world.bodies[body]->positions_t0().size(); ++vertex) {
             std::vector<Cell> row{world.bodies[body]->name() + " " + std::to_string(vertex)};
-            for (const StageRecord& record : records)
-                row.emplace_back((record.bodies[body].*array)[vertex].y());
+            for (const Span& span : spans)
+                row.emplace_back((records[span.first].bodies[body].*array)[vertex].y());
             table.add(row);
         }
     return table;
@@ -52,13 +93,15 @@ bool same(const Contact& a, const Contact& b)
 Table contacts_table(const Records& records)
 {
     Table table({"after", "entry", "vertices", "weights", "start", "handled", "impulse y [N s]"});
+    const std::vector<std::string> names = stage_names(records);
     Contacts before;
-    for (const StageRecord& record : records) {
+    for (std::size_t stage = 0; stage < records.size(); ++stage) {
+        const StageRecord& record = records[stage];
         for (std::size_t i = 0; i < record.contacts.size(); ++i) {
             const Contact& contact = record.contacts[i];
             if (i < before.size() && same(contact, before[i]))
                 continue;
-            table.add({record.stage, static_cast<long>(i), list(contact.vertices), list(contact.weights), contact.start,
+            table.add({names[stage], static_cast<long>(i), list(contact.vertices), list(contact.weights), contact.start,
                        contact.handled ? "yes" : "no", contact.impulse.y()});
         }
         before = record.contacts;

@@ -118,7 +118,7 @@ TEST_CASE("worked step: in the next step all three pairs endure and push from it
     CHECK(records.back().contacts.size() == 3);
 }
 
-TEST_CASE("worked step: the page's tables have a column for each stage and a row for each vertex")
+TEST_CASE("worked step: the page's tables have a column for each stage that changed the array and a row for each vertex")
 {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "enduring_worked_step";
     Report report(folder);
@@ -126,7 +126,7 @@ TEST_CASE("worked step: the page's tables have a column for each stage and a row
     std::ifstream file(folder / "worked_step_velocities.md");
     std::ostringstream text;
     text << file.rdbuf();
-    CHECK(text.str().find("update prediction") != std::string::npos);
+    CHECK(text.str().find("| start to detect | respond to commit |") != std::string::npos);
     CHECK(text.str().find("below 3") != std::string::npos);
     CHECK(text.str().find("1.975") != std::string::npos);
     CHECK(std::filesystem::exists(folder / "worked_step_contacts.md"));
