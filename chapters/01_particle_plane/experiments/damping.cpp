@@ -85,7 +85,7 @@ void report_facts(Report& report, const ParticleProblem& problem, const std::vec
 
 }  // namespace
 
-/// Thesis figure 7.2: k = 1000 N/m, dt = 0.01 s, a step ten times below the stable ones.
+/// Thesis figure 7.2: k = 1000 N/m, dt = 0.01 s, a step four times below the stable ones.
 void damping(const RunOptions&, Report& report)
 {
     Table trajectories({"method", "time_s", "height_m"});

@@ -18,7 +18,7 @@ void drop(const RunOptions&, Report& report)
     const double duration = 10;  // [s]
 
     Table trajectories({"panel", "method", "dt_s", "time_s", "height_m"});
-    Table outcome({"panel", "method", "dt_s", "outcome", "rest_m", "last_swing_m"});
+    Table outcome({"panel", "method", "dt_s", "outcome", "rest_m", "swing_m"});
     for (const Case& c : cases) {
         ParticleProblem problem;
         problem.method = c.method;

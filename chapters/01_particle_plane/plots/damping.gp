@@ -1,4 +1,4 @@
-# The same drop with both methods, ten times below the stable steps (thesis figure 7.2).
+# The same drop with both methods, a quarter of the stable steps (thesis figure 7.2).
 load style
 set xlabel "time [s]"
 set ylabel "height [m]"
