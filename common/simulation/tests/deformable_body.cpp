@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <memory>
 
 using namespace enduring;
@@ -42,6 +43,12 @@ TEST_CASE("deformable body: it starts unstrained where it was placed, moving as 
         CHECK(body->energy(Vec3::Zero()).elastic == doctest::Approx(0).epsilon(1e-12));
         CHECK((body->linear_momentum() - Vec3(0, -125, 0)).norm() < 1e-10);
         CHECK(body->energy({0, -10, 0}).gravitational == doctest::Approx(125 * 10 * 2));
+        // The corner of the bar farthest along its own x, y and z, where the rotation puts it.
+        const Vec3 corner = soft().rotation * Vec3(0.5, 0.25, 0.25) + soft().position;
+        double nearest = 1;
+        for (const Vec3& vertex : body->positions_t0())
+            nearest = std::min(nearest, (vertex - corner).norm());
+        CHECK(nearest < 1e-14);
         for (int vertex = 0; vertex < body->surface().vertex_count(); ++vertex) {
             const Vec3 lever = body->positions_t0()[static_cast<std::size_t>(vertex)] - Vec3(1, 2, 3);
             CHECK((body->velocity(vertex) - Vec3(0, -1, 0) - Vec3(1, 0, 2).cross(lever)).norm() < 1e-12);

@@ -55,6 +55,8 @@ TEST_CASE("run: duration / dt steps despite rounding, and one more when it is no
     scene.dt = 0.1;
     scene.duration = 0.3;  // 0.3 / 0.1 is 2.9999999999999996
     CHECK(step_count(scene) == 3);
+    scene.duration = 1.1;  // 1.1 / 0.1 is 11.000000000000002
+    CHECK(step_count(scene) == 11);
     scene.duration = 0.31;
     CHECK(step_count(scene) == 4);
     scene.dt = 1.0 / 3;

@@ -257,6 +257,7 @@ TEST_CASE("scene: a deformable body has the material, basis, motion and supports
     }
     CHECK(fixed == 9);  // four corners, four edges, one diagonal of the end
     CHECK(jelly("").world.bodies[0]->mass() == doctest::Approx(100));
+    CHECK(jelly(R"({"/bodies/bar/shape/scale": 2})").world.bodies[0]->mass() == doctest::Approx(800));
 }
 
 TEST_CASE("scene: elastic constants out of range are named with path, range and value")
