@@ -55,8 +55,10 @@ TEST_CASE("run: duration / dt steps despite rounding, and one more when it is no
     scene.dt = 0.1;
     scene.duration = 0.3;  // 0.3 / 0.1 is 2.9999999999999996
     CHECK(step_count(scene) == 3);
-    scene.duration = 1.1;  // 1.1 / 0.1 is 11.000000000000002
-    CHECK(step_count(scene) == 11);
+    scene.dt = 0.001;
+    scene.duration = 4.001;  // 4.001 / 0.001 is 4001.0000000000005
+    CHECK(step_count(scene) == 4001);
+    scene.dt = 0.1;
     scene.duration = 0.31;
     CHECK(step_count(scene) == 4);
     scene.dt = 1.0 / 3;
