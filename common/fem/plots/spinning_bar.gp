@@ -1,6 +1,6 @@
 # Growth of a spinning bar's energy: marked, the most in 200 steps; dashed, the formula for the first step.
 load style
-set key top left
+set key bottom right
 set logscale xy
 set xlabel "turn in one step, |ω| dt [rad]"
 set ylabel "growth of the energy [%]"
@@ -14,7 +14,7 @@ plot data using (of(1e7)):"largest_percent" with linespoints linetype 2 title "E
      data using (of(2.5e6)):"largest_percent" with linespoints linetype 4 title "2.5 MPa", \
      data using (of(1e6)):"largest_percent" with linespoints linetype 3 title "1 MPa", \
      data using (of(1e5)):"largest_percent" with linespoints linetype 1 title "0.1 MPa", \
-     data using (of(1e7)):"formula_percent" with lines linetype 10 title "first step, by the formula", \
+     data using (of(1e7)):"formula_percent" with lines linetype 10 title "formula", \
      data using (of(2.5e6)):"formula_percent" with lines linetype 10, \
      data using (of(1e6)):"formula_percent" with lines linetype 10, \
      data using (of(1e5)):"formula_percent" with lines linetype 10
