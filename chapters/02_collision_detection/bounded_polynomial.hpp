@@ -75,14 +75,6 @@ void halve(const std::array<Value, Count>& whole, std::array<Value, Count>& earl
     }
 }
 
-template <class Real, std::size_t Degree>
-void halve(const BoundedPolynomial<Real, Degree>& whole, BoundedPolynomial<Real, Degree>& early,
-           BoundedPolynomial<Real, Degree>& late)
-{
-    halve(whole.c, early.c, late.c);
-    early.error = late.error = whole.error;
-}
-
 /// de Casteljau with a parameter of its own in each round. With all of them equal, the value there.
 template <class Real, class Value, std::size_t Count>
 Value blossom(std::array<Value, Count> c, const std::array<double, Count - 1>& parameters)
@@ -117,5 +109,12 @@ std::array<Value, Count> part(const std::array<Value, Count>& c, double from, do
     }
     return result;
 }
+
+/// What these cost: in each of `degree` rounds one rounding of the largest coefficient for a halving, five for a blossom.
+template <class Real> constexpr double halving_error(std::size_t degree, double size)
+{
+    return Precision<Real>::unit * static_cast<double>(degree) * size;
+}
+template <class Real> constexpr double blossom_error(std::size_t degree, double size) { return 5 * halving_error<Real>(degree, size); }
 
 }  // namespace enduring::certified

@@ -19,6 +19,7 @@ struct Touch {
 template <class Real>
 struct Bracket {
     const BoundedPolynomial<Real, 3>& height;
+    double error = height.error + blossom_error<Real>(3, height.size());
     double low = 0, high = 1;
     double value_low = rounded(height.c[0]), value_high = rounded(height.c[3]);
 
@@ -32,7 +33,7 @@ struct Bracket {
         if (s <= low || s >= high)
             return true;
         const double value = rounded(value_at<Real>(height.c, s));
-        if (std::abs(value) <= height.error)
+        if (std::abs(value) <= error)
             return false;
         const bool as_low = (value > 0) == (value_low > 0);
         (as_low ? low : high) = s;
@@ -60,10 +61,13 @@ std::optional<Bracket<Real>> bracket_root(const BoundedPolynomial<Real, 3>& heig
     return bracket;
 }
 
-/// A part of the step, and how many halvings' worth of rounding its polynomials have seen.
+/// Narrowing a span to a root costs as much as this many halvings.
+constexpr int cuts_of_a_zoom = 5;
+
+/// A part of the step, and how many cuts led to it.
 struct Span {
     double start = 0, width = 1;
-    int halvings = 0;
+    int depth = 0;
 };
 
 //! [search]
@@ -78,24 +82,24 @@ Touch first_touch(const SeparatingDirections<Real, Corners>& directions, const S
     if (directions.height_changes_once()) {
         const double slack = std::min(time_of_impact_slack / span.width, 0x1p-20);
         if (const auto root = bracket_root(directions.height, slack, steps_left)) {
-            const Span narrow{span.start + span.width * root->low, span.width * root->width(), span.halvings + part_in_halvings};
+            const Span narrow{span.start + span.width * root->low, span.width * root->width(), span.depth + cuts_of_a_zoom};
             if (const int within = directions.within_polygon(root->low, root->width()))
                 return {within > 0 ? Verdict::touch : Verdict::apart, narrow.start};
-            steps_left -= part_in_halvings;
-            if (narrow.halvings <= Precision<Real>::deepest)
+            steps_left -= cuts_of_a_zoom;
+            if (narrow.depth <= Precision<Real>::deepest)
                 return first_touch(part(directions, root->low, root->high), narrow, steps_left);
         }
     }
-    if (!directions.apart(AtStart{}) || span.halvings >= Precision<Real>::deepest || steps_left-- <= 0)
+    if (!directions.apart(AtStart{}) || span.depth >= Precision<Real>::deepest || steps_left-- <= 0)
         return {Verdict::open, span.start};
 
     SeparatingDirections<Real, Corners> early, late;
     halve(directions, early, late);
     const double half = 0.5 * span.width;
-    const Touch touch = first_touch(early, Span{span.start, half, span.halvings + 1}, steps_left);
+    const Touch touch = first_touch(early, Span{span.start, half, span.depth + 1}, steps_left);
     if (touch.verdict != Verdict::apart)
         return touch;
-    return first_touch(late, Span{span.start + half, half, span.halvings + 1}, steps_left);
+    return first_touch(late, Span{span.start + half, half, span.depth + 1}, steps_left);
 }
 //! [search]
 
@@ -104,8 +108,6 @@ template <template <class> class Differences, class Real>
 Touch search(const Differences<Real>& differences, double start)
 {
     auto directions = separating_directions(differences);
-    // Besides the deepest halving: a cut at `start`, and one more to look for a root.
-    plan_halvings(directions, Precision<Real>::deepest + 2 * part_in_halvings);
     if (start > 0)
         directions = part(directions, start, 1.0);
     int steps_left = Precision<Real>::budget;

@@ -42,10 +42,10 @@ double size_of(std::initializer_list<Vec3> differences)
 
 std::array<double, 3> impact_weights(const VertexFaceStep& step, double tau)
 {
-    // Seen from the vertex, which becomes the origin.
-    const Vec3 v = at_time(step.v_t0, step.v_t1, tau);
-    std::array<Vec3, 3> f{at_time(step.f0_t0, step.f0_t1, tau) - v, at_time(step.f1_t0, step.f1_t1, tau) - v,
-                          at_time(step.f2_t0, step.f2_t1, tau) - v};
+    // Seen from the vertex, which becomes the origin. Differences first: far from the origin only they are precise.
+    std::array<Vec3, 3> f{at_time(step.f0_t0 - step.v_t0, step.f0_t1 - step.v_t1, tau),
+                          at_time(step.f1_t0 - step.v_t0, step.f1_t1 - step.v_t1, tau),
+                          at_time(step.f2_t0 - step.v_t0, step.f2_t1 - step.v_t1, tau)};
     const double size = size_of({f[0], f[1], f[2]});
     for (Vec3& corner : f)
         corner /= size;
@@ -70,9 +70,10 @@ std::array<double, 3> impact_weights(const VertexFaceStep& step, double tau)
 
 std::array<double, 2> impact_weights(const EdgeEdgeStep& step, double tau)
 {
-    const Vec3 origin = at_time(step.ea0_t0, step.ea0_t1, tau);
-    Vec3 a1 = at_time(step.ea1_t0, step.ea1_t1, tau) - origin, b0 = at_time(step.eb0_t0, step.eb0_t1, tau) - origin;
-    Vec3 b1 = at_time(step.eb1_t0, step.eb1_t1, tau) - origin;
+    const auto seen_from_ea0 = [&](const Vec3& x_t0, const Vec3& x_t1) -> Vec3 {
+        return at_time(x_t0 - step.ea0_t0, x_t1 - step.ea0_t1, tau);
+    };
+    Vec3 a1 = seen_from_ea0(step.ea1_t0, step.ea1_t1), b0 = seen_from_ea0(step.eb0_t0, step.eb0_t1), b1 = seen_from_ea0(step.eb1_t0, step.eb1_t1);
     const double size = size_of({a1, b0, b1});
     a1 /= size, b0 /= size, b1 /= size;
     const Vec3 a0 = Vec3::Zero(), b = b1 - b0;

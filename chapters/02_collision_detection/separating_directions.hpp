@@ -121,7 +121,7 @@ struct SeparatingDirections {
         for (std::size_t i = 0; i < Corners; ++i) {
             const auto& side = sides[i];
             // A quadratic changes at most by 4 sizes over the whole interval.
-            there[i] = {{value_at<Real>(side.c, time)}, side.size, side.error + 4 * width * side.size};
+            there[i] = {{value_at<Real>(side.c, time)}, side.size, side.error + blossom_error<Real>(2, side.size) + 4 * width * side.size};
         }
         const std::array<Signs, 3> axes{signs(there, &Triple<Real>::x, Throughout{}), signs(there, &Triple<Real>::y, Throughout{}),
                                         signs(there, &Triple<Real>::z, Throughout{})};
@@ -159,16 +159,22 @@ SeparatingDirections<Real, 4> separating_directions(const EdgeEdgeDifferences<Re
             {d.d00, d.d01, d.d10, d.d11}};
 }
 
-/// Makes room in the error bounds for halving the interval.
-template <class Real, std::size_t Corners>
-void plan_halvings(SeparatingDirections<Real, Corners>& directions, int halvings)
+/// The same polynomial, known a little less well, over each half of the interval.
+template <class Real, std::size_t Degree>
+void halve(const BoundedPolynomial<Real, Degree>& whole, BoundedPolynomial<Real, Degree>& early,
+           BoundedPolynomial<Real, Degree>& late)
 {
-    auto& height = directions.height;
-    height.error = with_halvings<Real>(height.error, halvings, 3, height.size());
-    for (auto& side : directions.sides)
-        side.error = with_halvings<Real>(side.error, halvings, 2, side.size);
-    for (auto& corner : directions.corners)
-        corner.error = with_halvings<Real>(corner.error, halvings, 1, corner.size);
+    halve(whole.c, early.c, late.c);
+    early.error = late.error = whole.error + halving_error<Real>(Degree, whole.size());
+}
+
+template <class Real, std::size_t Degree>
+void halve(const MovingVector<Real, Degree>& whole, MovingVector<Real, Degree>& early, MovingVector<Real, Degree>& late)
+{
+    halve(whole.c, early.c, late.c);
+    early.error = late.error = whole.error + halving_error<Real>(Degree, whole.size);
+    early.size = largest(early);
+    late.size = largest(late);
 }
 
 /// The same tests over the earlier and the later half of the interval.
@@ -183,16 +189,26 @@ void halve(const SeparatingDirections<Real, Corners>& whole, SeparatingDirection
     }
 }
 
+template <class Real, std::size_t Degree>
+MovingVector<Real, Degree> part(const MovingVector<Real, Degree>& whole, double from, double to)
+{
+    MovingVector<Real, Degree> result{part<Real>(whole.c, from, to), 0, whole.error + blossom_error<Real>(Degree, whole.size)};
+    result.size = largest(result);
+    return result;
+}
+
 /// The same tests over a part of the interval.
 template <class Real, std::size_t Corners>
-SeparatingDirections<Real, Corners> part(SeparatingDirections<Real, Corners> directions, double from, double to)
+SeparatingDirections<Real, Corners> part(const SeparatingDirections<Real, Corners>& whole, double from, double to)
 {
-    directions.height.c = part<Real>(directions.height.c, from, to);
-    for (auto& side : directions.sides)
-        side.c = part<Real>(side.c, from, to);
-    for (auto& corner : directions.corners)
-        corner.c = part<Real>(corner.c, from, to);
-    return directions;
+    SeparatingDirections<Real, Corners> result;
+    result.height.c = part<Real>(whole.height.c, from, to);
+    result.height.error = whole.height.error + blossom_error<Real>(3, whole.height.size());
+    for (std::size_t i = 0; i < Corners; ++i) {
+        result.sides[i] = part(whole.sides[i], from, to);
+        result.corners[i] = part(whole.corners[i], from, to);
+    }
+    return result;
 }
 
 }  // namespace enduring::certified

@@ -53,12 +53,13 @@ struct MovingVector {
     }
 };
 
-template <class Real, std::size_t Degree>
-void halve(const MovingVector<Real, Degree>& whole, MovingVector<Real, Degree>& early, MovingVector<Real, Degree>& late)
+/// No component of any value is larger.
+template <class Real, std::size_t Degree> double largest(const MovingVector<Real, Degree>& vector)
 {
-    halve(whole.c, early.c, late.c);
-    early.size = late.size = whole.size;
-    early.error = late.error = whole.error;
+    double size = 0;
+    for (const Triple<Real>& c : vector.c)
+        size = std::max(size, largest(c));
+    return size + vector.error;
 }
 
 /// The difference of two points that move on straight lines.
@@ -68,15 +69,7 @@ template <class Real> using MovingDifference = MovingVector<Real, 1>;
 // the rest. A and B are the sizes of two differences a and b, off by at most u of themselves in each component.
 //   a x b        10 u AB: each of 4 products 3u, each of 3 sums u of what it adds; the result is at most 2AB
 //   a . (b x c)  76 u ABC: 3 products, each 10u from the cross product and 4u more, and the sums; at most 6ABC
-// Halving a polynomial of degree m adds m roundings of the largest coefficient; cutting it elsewhere, 5 times that.
 constexpr double cross_error = 12, triple_error = 80;
-constexpr int part_in_halvings = 5;
-
-/// Makes room in an error bound for halvings of a polynomial of this degree and size.
-template <class Real> double with_halvings(double error, int halvings, int degree, double size)
-{
-    return error + Precision<Real>::unit * halvings * degree * size;
-}
 
 //! [cross]
 /// The cross product of two moving differences: quadratic in time.
