@@ -1,0 +1,19 @@
+# Pairs left to the query, and the time of finding and answering them, against the faces of each body.
+load style
+set terminal svg size 760,380
+set multiplot layout 1,2 margins 0.09,0.98,0.15,0.93 spacing 0.11,0
+set logscale xy
+set format xy "10^{%L}"
+set xlabel "faces of each body"
+set xrange [50:150000]
+set key top left
+of(name, what) = strcol("method") eq name ? column(what) : NaN
+data = folder."/pruning.csv"
+set ylabel "pairs"
+plot data using "faces":(of("all pairs", "pairs")) with linespoints linetype 2 title "all pairs", \
+     "" using "faces":(of("tree", "pairs")) with linespoints linetype 1 title "boxes, tree"
+set ylabel "time [ms]"
+plot data using "faces":(of("all pairs", "time_ms")) with linespoints linetype 2 title "all pairs", \
+     "" using "faces":(of("boxes", "time_ms")) with linespoints linetype 4 title "boxes", \
+     "" using "faces":(of("tree", "time_ms")) with linespoints linetype 1 title "tree"
+unset multiplot
