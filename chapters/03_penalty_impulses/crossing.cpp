@@ -1,7 +1,6 @@
 #include "crossing.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "chapters/02_collision_detection/impact_weights.hpp"
 
 namespace enduring {
 namespace {
@@ -39,25 +38,6 @@ double falling(const PairStep& step, double time)
     return 0;
 }
 
-/// Weights of the foot of v on the face; rounding and the query's slack may leave it a little outside.
-PairWeights foot_on_face(const PairVertices& x)
-{
-    const Vec3 side_1 = x[2] - x[1], side_2 = x[3] - x[1], offset = x[0] - x[1], normal = side_1.cross(side_2);
-    const double w1 = std::max(0.0, offset.cross(side_2).dot(normal) / normal.squaredNorm());
-    const double w2 = std::max(0.0, side_1.cross(offset).dot(normal) / normal.squaredNorm());
-    const double sum = std::max(1.0, w1 + w2);
-    return {1, w1 / sum + w2 / sum - 1, -w1 / sum, -w2 / sum};
-}
-
-/// Weights of the points of both edges where they come closest.
-PairWeights closest_on_edges(const PairVertices& x)
-{
-    const Vec3 side_a = x[1] - x[0], side_b = x[3] - x[2], offset = x[2] - x[0], normal = side_a.cross(side_b);
-    const double s = std::clamp(offset.cross(side_b).dot(normal) / normal.squaredNorm(), 0.0, 1.0);
-    const double t = std::clamp(offset.cross(side_a).dot(normal) / normal.squaredNorm(), 0.0, 1.0);
-    return {1 - s, s, t - 1, -t};
-}
-
 }  // namespace
 
 Crossing crossing_at(const VertexFaceStep& step, double time)
@@ -65,7 +45,8 @@ Crossing crossing_at(const VertexFaceStep& step, double time)
     const PairVertices t0 = start_of(step), t1 = end_of(step), x = vertices_at(t0, t1, time);
     if (!has_normal(vertex_face_instant(x)))
         return {time, 0, {}};
-    return {time, falling({vertex_face_instant(t0), vertex_face_instant(t1)}, time), foot_on_face(x)};
+    const auto [w0, w1, w2] = impact_weights(step, time);
+    return {time, falling({vertex_face_instant(t0), vertex_face_instant(t1)}, time), {1, -w0, -w1, -w2}};
 }
 
 Crossing crossing_at(const EdgeEdgeStep& step, double time)
@@ -73,7 +54,8 @@ Crossing crossing_at(const EdgeEdgeStep& step, double time)
     const PairVertices t0 = start_of(step), t1 = end_of(step), x = vertices_at(t0, t1, time);
     if (!has_normal(edge_edge_instant(x, 1)))
         return {time, 0, {}};
-    return {time, falling({edge_edge_instant(t0, 1), edge_edge_instant(t1, 1)}, time), closest_on_edges(x)};
+    const auto [s, t] = impact_weights(step, time);
+    return {time, falling({edge_edge_instant(t0, 1), edge_edge_instant(t1, 1)}, time), {1 - s, s, t - 1, -t}};
 }
 
 bool enters_edge(const EdgeEdgeStep& step, const Crossing& crossing, const Vec3& outward)

@@ -1,0 +1,109 @@
+#include "bar_drop.hpp"
+
+#include "../penalty_contact.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "jitter.hpp"
+#include "scene_change.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace enduring::chapter03 {
+namespace {
+
+/// Sums over the pairs of bar and cube; the plane's contacts are not theirs.
+class BarProbe final : public Probe {
+public:
+    explicit BarProbe(BarRecord& record) : record_(record) {}
+
+    void observe(const World& world, const Contacts& contacts, double dt) override
+    {
+        double force = 0, depth = 0;
+        int pairs = 0;
+        for (const Contact& contact : contacts) {
+            if (contact.kind == ContactKind::vertex_plane)
+                continue;
+            force += (name_of_a(world, contact) == "bar" ? 1 : -1) * contact.impulse.y() / dt;
+            const double pair_depth = contact_geometry(world, contact, 0).depth;
+            depth -= std::min(pair_depth, 0.0);
+            pairs += pair_depth < 0;
+        }
+        record_.time.push_back(world.time);
+        record_.force.push_back(force);
+        record_.depth.push_back(depth);
+        record_.pairs.push_back(pairs);
+    }
+
+private:
+    BarRecord& record_;
+};
+
+/// The values of a record's column from `at_rest_from` on.
+template <class Value>
+std::vector<double> at_rest(const BarRecord& record, const std::vector<Value>& column)
+{
+    std::vector<double> values;
+    for (std::size_t i = 0; i < column.size(); ++i)
+        if (record.time[i] >= at_rest_from)
+            values.push_back(static_cast<double>(column[i]));
+    return values;
+}
+
+double mean(const std::vector<double>& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(std::max<std::size_t>(values.size(), 1));
+}
+
+}  // namespace
+
+std::vector<double> nine_turns(bool quick)
+{
+    return quick ? std::vector<double>{43, 45, 47} : std::vector<double>{41, 42, 43, 44, 45, 46, 47, 48, 49};
+}
+
+Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop)
+{
+    nlohmann::json patch = body_change(file, "bar", {{"rotation", {{"axis", {0, 1, 0}}, {"angle_deg", drop.turn_deg}}}});
+    patch.update(contact_change(drop.method, drop.stiffness, drop.dt));
+    return load_scene(file, patch.dump());
+}
+
+BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop, const std::vector<Probe*>& more_probes)
+{
+    Scene scene = load_bar_scene(file, drop);
+    BarRecord record;
+    record.weight = body_named(scene.world, "bar").mass() * scene.world.gravity.norm();
+    BarProbe probe(record);
+    std::vector<Probe*> probes{&probe};
+    probes.insert(probes.end(), more_probes.begin(), more_probes.end());
+    run(scene, chapter03_solver(scene.contact), probes);
+    return record;
+}
+
+double jitter_at_rest(const BarRecord& record)
+{
+    return jitter(at_rest(record, record.force), record.weight);
+}
+
+double depth_at_rest(const BarRecord& record)
+{
+    return mean(at_rest(record, record.depth));
+}
+
+double pairs_at_rest(const BarRecord& record)
+{
+    return mean(at_rest(record, record.pairs));
+}
+
+double depth_in_contact(const BarRecord& record)
+{
+    std::vector<double> depths;
+    for (const double depth : record.depth)
+        if (depth > 0)
+            depths.push_back(depth);
+    return mean(depths);
+}
+
+}  // namespace enduring::chapter03

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "common/simulation/run.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace enduring::chapter03 {
+
+/// One drop of the bar on the cube: what is varied, the rest is the scene's.
+struct BarDrop {
+    PenaltyMethod method = PenaltyMethod::continuous;
+    double dt = 0.008;        ///< [s]
+    double stiffness = 5000;  ///< k of one pair [N/m]
+    double turn_deg = 45;     ///< of the bar about the vertical
+};
+
+/// What was seen in each step, between bar and cube alone.
+struct BarRecord {
+    std::vector<double> time;   ///< [s]
+    std::vector<double> force;  ///< vertical, on the bar [N]
+    std::vector<double> depth;  ///< sum over the pairs inside, positive [m]
+    std::vector<int> pairs;     ///< inside
+    double weight = 0;          ///< of the bar [N]
+};
+
+/// From here on the bar lies on the cube, and what still changes fast is jitter [s].
+constexpr double at_rest_from = 2.5;
+
+/// The nine turns over which every number of the bar is taken: which pairs meet first depends on the last digit of
+/// everything, so one drop alone measures luck.
+std::vector<double> nine_turns(bool quick);
+
+Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop);
+BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop, const std::vector<Probe*>& more_probes = {});
+
+/// Jitter of the contact force at rest, as a share of the bar's weight.
+double jitter_at_rest(const BarRecord& record);
+/// Mean over the steps at rest.
+double depth_at_rest(const BarRecord& record);
+double pairs_at_rest(const BarRecord& record);
+/// Mean over all steps with contact (as the thesis' figure 7.6 averages) [m].
+double depth_in_contact(const BarRecord& record);
+
+}  // namespace enduring::chapter03

@@ -1,0 +1,145 @@
+#include "experiments.hpp"
+
+#include "../penalty_contact.hpp"
+#include "common/simulation/run.hpp"
+#include "moments.hpp"
+#include "scene_change.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+
+namespace enduring::chapter03 {
+namespace {
+
+/// time_s, pairs, depth_sum_m, depth_max_m, kinetic_j, total_j, inverted: between all bodies, in one table.
+class BunnyProbe final : public TableProbe {
+public:
+    explicit BunnyProbe(double stiffness)
+        : TableProbe({"time_s", "pairs", "depth_sum_m", "depth_max_m", "kinetic_j", "total_j", "inverted"}), penetration_(stiffness)
+    {
+    }
+    void observe(const World& world, const Contacts& contacts, double dt) override
+    {
+        penetration_.observe(world, contacts, dt);
+        const std::vector<Cell>& depth = penetration_.table().rows().back();
+        Energy energy;
+        int inverted = 0;
+        for (const auto& body : world.bodies) {
+            const Energy part = body->energy(world.gravity);
+            energy.kinetic += part.kinetic;
+            energy.gravitational += part.gravitational;
+            energy.elastic += part.elastic;
+            inverted += body->inverted_elements();
+        }
+        table_.add({world.time, depth[1], depth[3], depth[4], energy.kinetic, energy.total(), static_cast<long>(inverted)});
+        if (world.step == 0)
+            first_energy_ = energy.total();
+        highest_energy_ = std::max(highest_energy_, energy.total() / first_energy_);
+        most_inverted_ = std::max(most_inverted_, inverted);
+        steps_with_inverted_ += inverted > 0;
+        kinetic_ = energy.kinetic;
+    }
+
+    double highest_energy() const { return highest_energy_; }      ///< over that at the start
+    int most_inverted() const { return most_inverted_; }           ///< elements in one step
+    int steps_with_inverted() const { return steps_with_inverted_; }
+    double kinetic() const { return kinetic_; }                    ///< at the end [J]
+
+private:
+    PenetrationProbe penetration_;
+    double first_energy_ = 1, highest_energy_ = 0, kinetic_ = 0;
+    int most_inverted_ = 0, steps_with_inverted_ = 0;
+};
+
+nlohmann::json with_elements(const std::filesystem::path& file, int elements)
+{
+    return body_change(file, "bunny", {{"shape", {{"file", "bunny_" + std::to_string(elements) + ".msh"}}}});
+}
+
+/// A body whose energy has grown tenfold will not calm down again, and its flying vertices cost queries.
+RunLimits until_it_explodes(const BunnyProbe& probe, double duration, double dt)
+{
+    RunLimits limits;
+    limits.steps = static_cast<int>(duration / dt + 0.5);
+    limits.stop = [&probe](const World&, const Contacts&) { return probe.highest_energy() > 10; };
+    return limits;
+}
+
+/// Cost and outcome of one run; the only numbers of this experiment that a clock takes part in.
+void add_cost(Table& costs, int elements, const RunResult& result, double dt, const BunnyProbe& probe)
+{
+    const double per_step = 1000.0 / result.steps;
+    const Timings& timings = result.timings;
+    const double contact = timings.total() - timings.of("predict") - timings.of("update prediction") - timings.of("commit");
+    costs.add({static_cast<long>(elements), per_step * timings.of("predict"), per_step * timings.of("update prediction"),
+               per_step * timings.of("broad phase"), per_step * timings.of("queries"), per_step * timings.of("impulses"),
+               per_step * contact, per_step * timings.total(), result.steps * dt / timings.total(),
+               static_cast<long>(probe.most_inverted())});
+}
+
+/// The same fall where each node takes its impulse by its own mass alone, as the thesis does, and through the elasticity.
+void compare_responses(const std::filesystem::path& file, Report& report)
+{
+    struct Case {
+        std::string response;
+        double dt, stiffness;
+    };
+    Table table({"response", "dt_s", "stiffness_n_per_m", "outcome", "highest energy / first", "most inverted", "steps with inverted"});
+    for (const Case& c : {Case{"lumped", 0.01, 300}, Case{"lumped", 0.005, 300}, Case{"lumped", 0.002, 300}, Case{"implicit", 0.01, 300},
+                          Case{"implicit", 0.005, 800}, Case{"implicit", 0.002, 3000}}) {
+        nlohmann::json change = body_change(file, "bunny", {{"impulse_response", c.response}});
+        change.update(contact_change(PenaltyMethod::continuous, c.stiffness, c.dt));
+        Scene scene = load_scene(file, change.dump());
+        BunnyProbe probe(c.stiffness);
+        run(scene, chapter03_solver(scene.contact), {&probe}, until_it_explodes(probe, 1.5, c.dt));
+        table.add({c.response, c.dt, c.stiffness, probe.highest_energy() > 10 ? "explodes" : "bounces", probe.highest_energy(),
+                   static_cast<long>(probe.most_inverted()), static_cast<long>(probe.steps_with_inverted())});
+    }
+    report.table("bunny_responses", table);
+    report.page_table("bunny_responses", table, 3);
+}
+
+}  // namespace
+
+void bunny_bowl(const RunOptions& options, Report& report, int elements)
+{
+    const std::filesystem::path file = options.scene.value_or(scene_file("bunny_bowl"));
+    std::vector<int> sizes{elements};
+    if (elements == 785 && !options.quick)
+        sizes = {785, 363, 1452};
+
+    Table costs({"elements", "predict [ms]", "answer [ms]", "boxes [ms]", "queries [ms]", "impulses [ms]", "all contact [ms]", "step [ms]",
+                 "real-time factor", "most inverted"});
+    for (const int size : sizes) {
+        Scene scene = load_scene(file, with_elements(file, size).dump());
+        BunnyProbe probe(scene.contact.stiffness);
+        std::vector<Probe*> probes{&probe};
+        std::unique_ptr<Moments> moments;
+        if (size == elements) {
+            moments = std::make_unique<Moments>(scene, std::vector<double>{0.0, 0.3, 0.46, 0.7, 1.2, 2.9}, report.file("bunny_bowl.webp"));
+            probes.push_back(moments.get());
+        }
+        const RunResult result = run(scene, chapter03_solver(scene.contact), probes);
+        add_cost(costs, size, result, scene.dt, probe);
+        if (!moments)
+            continue;
+        moments->finish(report.file("bunny_bowl.png"));
+        report.table("bunny_bowl", probe.table());
+        report.plot(plot_script("bunny_bowl"), "bunny_bowl");
+        const Table passes = result.timings.table(scene.world.time, result.steps);
+        report.table("bunny_passes", passes);
+        report.page_table("bunny_passes", passes, 3);
+        report.fact("bunny_bowl", "real_time_factor", result.steps * scene.dt / result.timings.total(), 2);
+        report.fact("bunny_bowl", "step_ms", 1000 * result.timings.total() / result.steps, 2);
+        report.fact("bunny_bowl", "most_inverted", probe.most_inverted());
+        report.fact("bunny_bowl", "kinetic_at_end", probe.kinetic(), 2);
+    }
+    report.table("bunny_costs", costs);
+    report.page_table("bunny_costs", costs, 3);
+    if (!options.quick && elements == 785)
+        compare_responses(file, report);
+}
+
+}  // namespace enduring::chapter03

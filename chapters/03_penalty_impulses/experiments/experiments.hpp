@@ -1,0 +1,18 @@
+#pragma once
+
+#include "common/report/chapter_program.hpp"
+
+namespace enduring::chapter03 {
+
+void impulse_shape(const RunOptions& options, Report& report);
+void normalisation(const RunOptions& options, Report& report);
+void bar_on_cube(const RunOptions& options, Report& report);
+void penetration(const RunOptions& options, Report& report);
+void hooked(const RunOptions& options, Report& report);
+/// @param elements  of the bunny: 363, 785, 1452 or 10668
+void bunny_bowl(const RunOptions& options, Report& report, int elements);
+
+/// Where this chapter's gnuplot scripts lie.
+std::filesystem::path plot_script(const std::string& name);
+
+}  // namespace enduring::chapter03

@@ -1,0 +1,127 @@
+#include "experiments.hpp"
+
+#include "../penalty_contact.hpp"
+#include "common/render/renderer.hpp"
+#include "common/render/scene_view.hpp"
+#include "common/render/strip.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/run.hpp"
+#include "scene_change.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace enduring::chapter03 {
+namespace {
+
+/// Of a contact whose normal lies closer to the floor than to the upright, where every true contact here is upright.
+bool pushes_sideways(const World& world, const Contact& contact)
+{
+    return std::abs(contact_geometry(world, contact, 0).normal.y()) < std::sqrt(0.5);
+}
+
+/// floor, time_s, x_m, speed_m_per_s, pairs, sideways: where the cube is, and how many pairs push it along the floor.
+class SlideProbe final : public TableProbe {
+public:
+    explicit SlideProbe(std::string floor) : TableProbe({"floor", "time_s", "x_m", "speed_m_per_s", "pairs", "sideways"}), floor_(std::move(floor)) {}
+
+    void observe(const World& world, const Contacts& contacts, double) override
+    {
+        const Body& cube = body_named(world, "cube");
+        Vec3 middle = Vec3::Zero();
+        for (const Vec3& x : cube.positions_t0())
+            middle += x / static_cast<double>(cube.positions_t0().size());
+        const double speed = cube.linear_momentum().x() / cube.mass();
+        const auto sideways = std::count_if(contacts.begin(), contacts.end(),
+                                            [&](const Contact& contact) { return pushes_sideways(world, contact); });
+        if (stopped_at_ < 0 && world.step > 0 && speed <= 0)
+            stopped_at_ = world.time;
+        farthest_ = std::max(farthest_, middle.x());
+        last_speed_ = speed;
+        table_.add({floor_, world.time, middle.x(), speed, static_cast<long>(contacts.size()), static_cast<long>(sideways)});
+    }
+
+    double stopped_at() const { return stopped_at_; }  ///< first time the cube no longer moves forward [s], -1 never
+    double farthest() const { return farthest_; }      ///< [m]
+    double last_speed() const { return last_speed_; }  ///< [m/s]
+
+private:
+    std::string floor_;
+    double stopped_at_ = -1, farthest_ = -1e9, last_speed_ = 0;
+};
+
+/// The steps around the stop, with contacts marked and the sideways ones in orange.
+class HookProbe final : public Probe {
+public:
+    explicit HookProbe(const Scene& scene) : scene_(scene), renderer_(640, 420) {}
+    void observe(const World& world, const Contacts& contacts, double dt) override
+    {
+        constexpr std::array<double, 4> times{0.1, 0.3, 0.35, 0.6};
+        if (pictures_.size() == times.size() || world.time < times[pictures_.size()] - dt / 2)
+            return;
+        Stage stage = stage_of(world, scene_);
+        for (Drawable& drawable : stage.bodies)
+            drawable.wireframe = true;
+        mark_contacts(stage, world, contacts);
+        for (const Contact& contact : contacts)
+            if (pushes_sideways(world, contact))
+                mark_artefact(stage, world, contact.body_a, contact.vertices[0]);
+        char caption[32];
+        std::snprintf(caption, sizeof caption, "%.2f s", world.time);
+        pictures_.push_back({renderer_.draw(stage), caption});
+    }
+    Picture all() const { return strip(pictures_, 2); }
+
+private:
+    const Scene& scene_;
+    Renderer renderer_;
+    std::vector<StripPicture> pictures_;
+};
+
+/// The same scene with an analytic plane in the floor's place.
+nlohmann::json plane_instead_of_floor(const std::filesystem::path& file)
+{
+    nlohmann::json moving = nlohmann::json::array();
+    for (const nlohmann::json& body : bodies_of(file))
+        if (body.value("type", "") != "static")
+            moving.push_back(body);
+    return {{"planes", {{{"name", "floor"}}}}, {"bodies", moving}};
+}
+
+void append(Table& all, const Table& some)
+{
+    for (const std::vector<Cell>& row : some.rows())
+        all.add(row);
+}
+
+}  // namespace
+
+/// Thesis 6.1.2: the same cube on a plane and on triangles that form the same plane.
+void hooked(const RunOptions& options, Report& report)
+{
+    const std::filesystem::path file = options.scene.value_or(scene_file("hooked"));
+    Scene on_triangles = load_scene(file);
+    SlideProbe triangles("triangles");
+    HookProbe pictures(on_triangles);
+    run(on_triangles, chapter03_solver(on_triangles.contact), {&triangles, &pictures});
+    write_png(pictures.all(), report.file("hooked.png"));
+
+    Scene on_plane = load_scene(file, plane_instead_of_floor(file).dump());
+    SlideProbe plane("plane");
+    run(on_plane, chapter03_solver(on_plane.contact), {&plane});
+
+    Table table({"floor", "time_s", "x_m", "speed_m_per_s", "pairs", "sideways"});
+    append(table, plane.table());
+    append(table, triangles.table());
+    report.table("hooked", table);
+    report.plot(plot_script("hooked"), "hooked");
+    report.fact("hooked", "stopped_at", triangles.stopped_at(), 3);
+    report.fact("hooked", "farthest", triangles.farthest(), 3);
+    report.fact("hooked", "plane_farthest", plane.farthest(), 3);
+    report.fact("hooked", "plane_speed", plane.last_speed(), 3);
+}
+
+}  // namespace enduring::chapter03

@@ -1,0 +1,38 @@
+#include "moments.hpp"
+
+#include "common/render/scene_view.hpp"
+
+#include <cstdio>
+
+namespace enduring::chapter03 {
+
+Moments::Moments(const Scene& scene, std::vector<double> times, std::optional<std::filesystem::path> clip)
+    : scene_(scene), times_(std::move(times)), large_(560, 400), small_(480, 344)
+{
+    if (clip)
+        clip_.emplace(*clip, clip_pace);
+}
+
+void Moments::observe(const World& world, const Contacts& contacts, double dt)
+{
+    if (pictures_.size() < times_.size() && world.time >= times_[pictures_.size()] - dt / 2) {
+        Stage stage = stage_of(world, scene_);
+        mark_contacts(stage, world, contacts);
+        char caption[32];
+        std::snprintf(caption, sizeof caption, "%.2f s", world.time);
+        pictures_.push_back({large_.draw(stage), caption});
+    }
+    if (clip_ && world.time >= static_cast<double>(frames_) / clip_pace - dt / 2) {
+        clip_->add(small_.draw(stage_of(world, scene_)));
+        ++frames_;
+    }
+}
+
+void Moments::finish(const std::filesystem::path& strip_file)
+{
+    write_png(strip(pictures_, 3), strip_file);
+    if (clip_)
+        clip_->finish();
+}
+
+}  // namespace enduring::chapter03

@@ -1,0 +1,136 @@
+#include "../experiments/bar_drop.hpp"
+#include "../experiments/jitter.hpp"
+#include "../penalty_contact.hpp"
+#include "common/render/reference.hpp"
+#include "common/render/renderer.hpp"
+#include "common/render/scene_view.hpp"
+#include "common/simulation/run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace enduring;
+using namespace enduring::chapter03;
+
+namespace {
+
+/// The scene after a while, with the contacts alive then.
+struct Later {
+    Scene scene;
+    RunResult result;
+    double highest_energy = 0, first_energy = 0;
+    int most_inverted = 0;
+};
+
+Later later(const std::string& name, double time, const std::string& patch = "")
+{
+    Later it{load_scene(scene_file(name), patch), {}};
+    WatchProbe watch([&](const World& world, const Contacts&, double) {
+        double energy = 0;
+        int inverted = 0;
+        for (const auto& body : world.bodies) {
+            energy += body->energy(world.gravity).total();
+            inverted += body->inverted_elements();
+        }
+        if (world.step == 0)
+            it.first_energy = energy;
+        it.highest_energy = std::max(it.highest_energy, energy);
+        it.most_inverted = std::max(it.most_inverted, inverted);
+    });
+    RunLimits limits;
+    limits.steps = static_cast<int>(time / it.scene.dt + 0.5);
+    it.result = run(it.scene, chapter03_solver(it.scene.contact), {&watch}, limits);
+    return it;
+}
+
+void check_picture(const Later& it, const std::string& name)
+{
+    Renderer renderer(640, 420);
+    Stage stage = stage_of(it.scene.world, it.scene);
+    mark_contacts(stage, it.scene.world, it.result.contacts);
+    const ReferenceCheck check = check_reference_picture(renderer.draw(stage), "03_penalty_impulses/" + name + ".png");
+    CHECK_MESSAGE(check.passed, check.message);
+}
+
+double median_jitter(PenaltyMethod method, double dt)
+{
+    std::vector<double> jitters;
+    for (const double turn : {43.0, 44.0, 45.0, 46.0, 47.0})
+        jitters.push_back(jitter_at_rest(drop_bar(scene_file("bar_on_cube"), {method, dt, 5000, turn})));
+    return median(jitters);
+}
+
+}  // namespace
+
+TEST_CASE("jitter: an alternation of height a counts as a, a constant as nothing, a slow swing as next to nothing")
+{
+    std::vector<double> alternating, constant(50, 7.0), swing;
+    for (int i = 0; i < 50; ++i) {
+        alternating.push_back(100 + (i % 2 ? 3 : -3));
+        swing.push_back(100 + 3 * std::sin(0.1 * i));
+    }
+    CHECK(jitter(alternating, 10) == doctest::Approx(0.3));
+    CHECK(jitter(constant, 10) == 0);
+    CHECK(jitter(swing, 10) < 0.001);
+}
+
+TEST_CASE("bar on cube: at rest the cube carries the bar's weight")
+{
+    const BarRecord record = drop_bar(scene_file("bar_on_cube"), {});
+    double force = 0;
+    int steps = 0;
+    for (std::size_t i = 0; i < record.time.size(); ++i)
+        if (record.time[i] >= at_rest_from) {
+            force += record.force[i];
+            ++steps;
+        }
+    CHECK(force / steps == doctest::Approx(record.weight).epsilon(0.03));
+}
+
+TEST_CASE("bar on cube: at dt = 0.0105 s the continuous force lies still where the discrete one jitters")
+{
+    CHECK(median_jitter(PenaltyMethod::continuous, 0.0105) < 0.003);
+    CHECK(median_jitter(PenaltyMethod::discrete, 0.0105) > 0.003);
+    CHECK(median_jitter(PenaltyMethod::discrete, 0.008) < 0.003);
+    CHECK(median_jitter(PenaltyMethod::continuous, 0.0135) > 0.003);
+}
+
+TEST_CASE("bar on cube: the picture of the first impact")
+{
+    check_picture(later("bar_on_cube", 0.4), "bar_on_cube");
+}
+
+TEST_CASE("bunny in the bowl: it falls in, adds no energy and inverts no element")
+{
+    const Later it = later("bunny_bowl", 1.0);
+    CHECK(it.highest_energy <= 1.001 * it.first_energy);
+    CHECK(it.most_inverted == 0);
+    const Body &bowl = body_named(it.scene.world, "bowl"), &bunny = body_named(it.scene.world, "bunny");
+    const auto higher = [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); };
+    const auto rim = std::max_element(bowl.positions_t0().begin(), bowl.positions_t0().end(), higher)->y();
+    const auto feet = std::min_element(bunny.positions_t0().begin(), bunny.positions_t0().end(), higher)->y();
+    const auto floor = std::min_element(bowl.positions_t0().begin(), bowl.positions_t0().end(), higher)->y();
+    CHECK(feet < rim);
+    CHECK(feet > floor);
+}
+
+TEST_CASE("bunny in the bowl: the picture before the first bounce")
+{
+    check_picture(later("bunny_bowl", 0.5), "bunny_bowl");
+}
+
+TEST_CASE("hooked: a cube that slides without friction over triangles stops, and on a plane it does not")
+{
+    const Later triangles = later("hooked", 1.5);
+    const Body& cube = body_named(triangles.scene.world, "cube");
+    const double x = cube.positions_t0()[0].x() + 0.25;  // its first vertex began at -0.25
+    CHECK(cube.linear_momentum().x() / cube.mass() < 0.75);  // it began with 1.5 m/s
+    CHECK(x < 1.0);                                          // and would have come 2.25 m far
+
+    const Later plane = later("hooked", 1.5, R"({"planes": [{"name": "ground"}], "bodies": [{"name": "cube", "type": "rigid",
+        "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "mass": 20, "position": [0, 0.255, 0.03], "velocity": [1.5, 0, 0]}]})");
+    const Body& free = body_named(plane.scene.world, "cube");
+    CHECK(free.linear_momentum().x() / free.mass() == doctest::Approx(1.5).epsilon(1e-9));
+}

@@ -1,0 +1,254 @@
+#include "../penalty_contact.hpp"
+#include "../penalty_impulse.hpp"
+#include "common/geometry/quadratic.hpp"
+#include "common/geometry/shapes.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/deformable_body.hpp"
+#include "common/simulation/point_masses.hpp"
+#include "common/simulation/rigid_body.hpp"
+#include "common/simulation/static_body.hpp"
+#include "common/simulation/step_record.hpp"
+#include "common/simulation/worked_step.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+using namespace enduring;
+
+namespace {
+
+enum class BodyKind { rigid, linear, quadratic, still };
+
+SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
+{
+    for (Vec3& x : mesh.vertices)
+        x += by;
+    return mesh;
+}
+
+/// A block of side about 1 around a place, of any kind.
+std::unique_ptr<Body> block(const std::string& name, BodyKind kind, const Vec3& place, const Vec3& velocity)
+{
+    if (kind == BodyKind::rigid) {
+        const SurfaceMesh mesh = moved(box({1, 0.9, 1.1}, {2, 2, 2}), place);
+        return std::make_unique<RigidBody>(name, mesh, mass_properties(mesh, 10), velocity, Vec3(0.3, 0.2, -0.5));
+    }
+    if (kind == BodyKind::still) {
+        const SurfaceMesh mesh = moved(box({1, 0.9, 1.1}, {2, 2, 2}), place);
+        return std::make_unique<StaticBody>(name, SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
+    }
+    DeformableSettings settings;
+    settings.material.density = 10;
+    settings.material.young = 1e4;
+    settings.material.poisson = 0.3;
+    settings.position = place;
+    settings.velocity = velocity;
+    settings.angular_velocity = {0.3, 0.2, -0.5};
+    const TetrahedralMesh mesh = bar({1, 0.9, 1.1}, {2, 1, 1});
+    if (kind == BodyKind::quadratic)
+        return std::make_unique<DeformableBody>(name, with_edge_midpoints(mesh), settings);
+    return std::make_unique<DeformableBody>(name, mesh, settings);
+}
+
+/// One block above another, turned against it by its place only, and falling on it.
+World two_blocks(BodyKind above, BodyKind below)
+{
+    World world;
+    world.gravity.setZero();
+    world.bodies.push_back(block("above", above, {0.13, 0.93, 0.21}, {0.1, -1, 0.05}));
+    world.bodies.push_back(block("below", below, {0, 0, 0}, {0, 0.2, 0}));
+    return world;
+}
+
+Vec3 linear_momentum(const World& world)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const auto& body : world.bodies)
+        sum += body->linear_momentum();
+    return sum;
+}
+
+Vec3 angular_momentum(const World& world)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const auto& body : world.bodies)
+        sum += body->angular_momentum(Vec3(1, 2, 3));
+    return sum;
+}
+
+/// (p - q) x I at the start of the step, where impulses act, over all contacts.
+Vec3 angular_defect(const World& world, const Contacts& contacts)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const Contact& contact : contacts) {
+        const ContactGeometry geometry = contact_geometry(world, contact, 0);
+        sum += (geometry.p - geometry.q).cross(contact.impulse);
+    }
+    return sum;
+}
+
+std::vector<std::pair<BodyKind, BodyKind>> moving_pairs()
+{
+    return {{BodyKind::rigid, BodyKind::rigid}, {BodyKind::rigid, BodyKind::linear}, {BodyKind::linear, BodyKind::rigid},
+            {BodyKind::linear, BodyKind::quadratic}, {BodyKind::quadratic, BodyKind::rigid}};
+}
+
+}  // namespace
+
+TEST_CASE("penalty contact: impulses of every pair of bodies keep the momentum, and turn it by (p - q) x I alone")
+{
+    for (const PenaltyMethod method : {PenaltyMethod::discrete, PenaltyMethod::continuous})
+        for (const auto& [above, below] : moving_pairs()) {
+            CAPTURE(static_cast<int>(above));
+            CAPTURE(static_cast<int>(below));
+            World world = two_blocks(above, below);
+            Contacts contacts;
+            Solver solver = chapter03_solver({method, 200});
+            // Stands in for the solver's last pass and looks at momenta on both sides of it.
+            int pushed = 0;
+            solver.respond.back().run = [&](World& w, Contacts& c, double dt) {
+                Contacts fresh;
+                for (Contact& contact : c)
+                    if (!contact.handled) {
+                        fresh.push_back(contact);
+                        contact.handled = true;
+                    }
+                const Vec3 linear = linear_momentum(w), angular = angular_momentum(w);
+                apply_penalty_impulses(w, fresh, method, 200, dt);
+                pushed += static_cast<int>(fresh.size());
+                CHECK((linear_momentum(w) - linear).norm() < 1e-13 * (1 + linear.norm()));
+                CHECK((angular_momentum(w) - angular - angular_defect(w, fresh)).norm() < 1e-12);
+            };
+            for (int step = 0; step < 25; ++step)
+                advance(world, contacts, solver, 0.01);
+            CHECK(pushed > 20);
+        }
+}
+
+TEST_CASE("penalty contact: blocks of every kind push each other apart")
+{
+    for (const PenaltyMethod method : {PenaltyMethod::discrete, PenaltyMethod::continuous})
+        for (const BodyKind above : {BodyKind::rigid, BodyKind::linear, BodyKind::quadratic})
+            for (const BodyKind below : {BodyKind::rigid, BodyKind::linear, BodyKind::quadratic, BodyKind::still}) {
+                CAPTURE(static_cast<int>(above));
+                CAPTURE(static_cast<int>(below));
+                World world = two_blocks(above, below);
+                Contacts contacts;
+                const Solver solver = chapter03_solver({method, 200});
+                for (int step = 0; step < 80; ++step)
+                    advance(world, contacts, solver, 0.005);
+                const double fall = world.bodies[0]->linear_momentum().y() / world.bodies[0]->mass();
+                CHECK(fall > -0.5);  // it came with -1
+            }
+}
+
+TEST_CASE("penalty contact: no pair stands in the list twice, and the normal of an edge pair never turns over")
+{
+    World world = two_blocks(BodyKind::rigid, BodyKind::linear);
+    Contacts contacts;
+    const Solver solver = chapter03_solver({PenaltyMethod::continuous, 200});
+    std::map<std::tuple<int, int, int>, double> orientations;
+    for (int step = 0; step < 60; ++step) {
+        advance(world, contacts, solver, 0.005);
+        std::set<std::tuple<ContactKind, int, int, int, int>> seen;
+        std::map<std::tuple<int, int, int>, double> now;
+        for (const Contact& c : contacts) {
+            CHECK(seen.insert({c.kind, c.body_a, c.body_b, c.feature_a, c.feature_b}).second);
+            const std::tuple<int, int, int> key{static_cast<int>(c.kind), c.feature_a, c.feature_b};
+            const auto before = orientations.find(key);
+            if (before != orientations.end())
+                CHECK(before->second == c.orientation);
+            now[key] = c.orientation;
+        }
+        orientations = now;
+    }
+}
+
+TEST_CASE("penalty contact: a pair lives while its depth is not positive, and no longer")
+{
+    World world = two_blocks(BodyKind::rigid, BodyKind::rigid);
+    Contacts contacts;
+    const Solver solver = chapter03_solver({PenaltyMethod::continuous, 400});
+    bool any = false;
+    for (int step = 0; step < 150; ++step) {
+        advance(world, contacts, solver, 0.005);
+        any = any || !contacts.empty();
+        Contacts kept = contacts;
+        resolve_separated_pairs(world, kept);
+        for (const Contact& contact : kept)
+            CHECK(contact_geometry(world, contact, 0).depth <= 1e-12);
+        const auto inside = [&](const Contact& contact) { return contact_geometry(world, contact, 0).depth < -1e-12; };
+        CHECK(static_cast<std::ptrdiff_t>(kept.size()) >= std::count_if(contacts.begin(), contacts.end(), inside));
+    }
+    CHECK(any);
+    CHECK(contacts.empty());  // they have parted
+}
+
+TEST_CASE("penalty contact: the worked step gets the numbers of the stand-ins from this chapter's passes")
+{
+    WorkedStep by_hand = worked_step(), ours = worked_step();
+    Solver solver = worked_step_solver(ours.stiffness);
+    solver.enduring[0].run = [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); };
+    solver.respond[0].run = [k = ours.stiffness](World& world, Contacts& contacts, double dt) {
+        apply_penalty_impulses(world, contacts, PenaltyMethod::continuous, k, dt);
+    };
+    const auto expected = record_step(by_hand.world, by_hand.contacts, worked_step_solver(by_hand.stiffness), by_hand.dt);
+    const auto found = record_step(ours.world, ours.contacts, solver, ours.dt);
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t stage = 0; stage < found.size(); ++stage)
+        for (std::size_t body = 0; body < 2; ++body)
+            for (std::size_t v = 0; v < found[stage].bodies[body].velocities.size(); ++v) {
+                CAPTURE(found[stage].stage);
+                CHECK((found[stage].bodies[body].velocities[v] - expected[stage].bodies[body].velocities[v]).norm() < 1e-14);
+                CHECK((found[stage].bodies[body].positions_t1[v] - expected[stage].bodies[body].positions_t1[v]).norm() < 1e-14);
+            }
+}
+
+namespace {
+
+/// Three particles of 1 kg on one large resting triangle, a little off their equilibrium: do they come back to it?
+bool settles(PenaltyMethod method, double dt)
+{
+    const double k = 100, g = 9.81, sink = g / k;
+    World world;
+    world.bodies.push_back(std::make_unique<PointMasses>("particles", std::vector<Vec3>{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}},
+                                                         std::vector<Face>{{0, 1, 2}}, 1.0));
+    world.bodies.push_back(std::make_unique<StaticBody>("floor", SurfaceTopology(3, {{0, 1, 2}}),
+                                                        std::vector<Vec3>{{-50, 0, -50}, {-50, 0, 100}, {100, 0, -50}}));
+    Contacts contacts;
+    const Solver solver = chapter03_solver({method, k});
+    std::array<double, 2> swing{};
+    double last = 0;
+    for (int step = 0; step < 2000; ++step) {
+        advance(world, contacts, solver, dt);
+        const double y = world.bodies[0]->positions_t0()[0].y();
+        if (step > 1900)
+            swing[1] = std::max(swing[1], std::abs(y - last));
+        last = y;
+    }
+    return swing[1] < 1e-3 * sink;
+}
+
+double largest_settling_step(PenaltyMethod method)
+{
+    double low = 0.05, high = 0.3;
+    while (high - low > 1e-4) {
+        const double middle = 0.5 * (low + high);
+        (settles(method, middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
+TEST_CASE("penalty contact: on a mesh the largest settling steps are chapter 1's, sqrt(4m/3k) and sqrt(2m/k)")
+{
+    const double discrete = largest_settling_step(PenaltyMethod::discrete);
+    const double continuous = largest_settling_step(PenaltyMethod::continuous);
+    CHECK(discrete == doctest::Approx(std::sqrt(4.0 / 300)).epsilon(0.01));
+    CHECK(continuous == doctest::Approx(std::sqrt(0.02)).epsilon(0.01));
+    CHECK(continuous / discrete == doctest::Approx(std::sqrt(1.5)).epsilon(0.01));
+}
