@@ -41,37 +41,40 @@ bool finite(const EdgeEdgeStep& s)
 }
 
 template <template <class> class Differences, class Step>
-std::optional<double> first_touch(const Step& step, double start);
+CertifiedAnswer first_touch(const Step& step, double start);
 
 /// Brings the step to a size at which products are safe. A power of two changes no digit of what matters.
 template <template <class> class Differences, class Step>
-std::optional<double> first_touch_rescaled(const Step& step, double start, double size)
+CertifiedAnswer first_touch_rescaled(const Step& step, double start, double size)
 {
     if (!finite(step))
         throw std::invalid_argument("time_of_impact: every coordinate must be finite");
     if (size == 0)
-        return start;  // all differences vanish throughout: the features share a point
+        return {start, QueryStage::height};  // all differences vanish throughout: the features share a point
     const int down = std::isfinite(size) ? -std::ilogb(size) : -4;
     return first_touch<Differences>(scaled(step, down), start);
 }
 
 //! [stages]
 template <template <class> class Differences, class Step>
-std::optional<double> first_touch(const Step& step, double start)
+CertifiedAnswer first_touch(const Step& step, double start)
 {
     const Differences<double> quick(step);
     const double size = quick.size();
     if (!(size > smallest_size && size < largest_size))
         return first_touch_rescaled<Differences>(step, start, size);
     if (height(quick).sign() != 0)
-        return std::nullopt;  // most pairs end here
+        return {std::nullopt, QueryStage::height};  // most pairs end here
 
+    QueryStage stage = QueryStage::doubles;
     Touch touch = search(quick, start);
-    if (touch.verdict == Verdict::open)
+    if (touch.verdict == Verdict::open) {
+        stage = QueryStage::double_doubles;
         touch = search(Differences<DoubleDouble>(step), start);
+    }
     if (touch.verdict == Verdict::apart)
-        return std::nullopt;
-    return start + (1 - start) * touch.time;
+        return {std::nullopt, stage};
+    return {start + (1 - start) * touch.time, stage};
 }
 //! [stages]
 
@@ -83,19 +86,22 @@ void require_part_of_step(double from)
 
 }  // namespace
 
-std::optional<double> time_of_impact(const VertexFaceStep& step) { return first_touch<VertexFaceDifferences>(step, 0); }
-std::optional<double> time_of_impact(const EdgeEdgeStep& step) { return first_touch<EdgeEdgeDifferences>(step, 0); }
+CertifiedAnswer certified_answer(const VertexFaceStep& step) { return first_touch<VertexFaceDifferences>(step, 0); }
+CertifiedAnswer certified_answer(const EdgeEdgeStep& step) { return first_touch<EdgeEdgeDifferences>(step, 0); }
+
+std::optional<double> time_of_impact(const VertexFaceStep& step) { return first_touch<VertexFaceDifferences>(step, 0).time; }
+std::optional<double> time_of_impact(const EdgeEdgeStep& step) { return first_touch<EdgeEdgeDifferences>(step, 0).time; }
 
 std::optional<double> time_of_impact(const VertexFaceStep& step, double from)
 {
     require_part_of_step(from);
-    return first_touch<VertexFaceDifferences>(step, from);
+    return first_touch<VertexFaceDifferences>(step, from).time;
 }
 
 std::optional<double> time_of_impact(const EdgeEdgeStep& step, double from)
 {
     require_part_of_step(from);
-    return first_touch<EdgeEdgeDifferences>(step, from);
+    return first_touch<EdgeEdgeDifferences>(step, from).time;
 }
 
 }  // namespace enduring

@@ -27,4 +27,20 @@ std::optional<double> time_of_impact(const EdgeEdgeStep& step);
 std::optional<double> time_of_impact(const VertexFaceStep& step, double from);
 std::optional<double> time_of_impact(const EdgeEdgeStep& step, double from);
 
+/// Which part of the query settled it.
+enum class QueryStage {
+    height,         ///< the sign of the four coefficients of the height, in doubles
+    doubles,        ///< the search with doubles
+    double_doubles  ///< the search with 106 bits
+};
+
+struct CertifiedAnswer {
+    std::optional<double> time;  ///< as time_of_impact returns it
+    QueryStage stage;
+};
+
+/// time_of_impact, and what it took.
+CertifiedAnswer certified_answer(const VertexFaceStep& step);
+CertifiedAnswer certified_answer(const EdgeEdgeStep& step);
+
 }  // namespace enduring

@@ -58,6 +58,7 @@ struct Comparison {
     long queries = 0, collide = 0;
     std::array<Wrong, tolerances.size()> textbook;
     Wrong certified;
+    std::array<long, 3> settled{};  ///< by the stages of the certified query
 
     template <class Step>
     void add(const Step& step, bool collides)
@@ -66,7 +67,9 @@ struct Comparison {
         collide += collides;
         for (std::size_t i = 0; i < tolerances.size(); ++i)
             textbook[i].add(textbook_time_of_impact(step, {1e-12, tolerances[i], tolerances[i]}), collides);
-        certified.add(time_of_impact(step), collides);
+        const CertifiedAnswer answer = certified_answer(step);
+        certified.add(answer.time, collides);
+        ++settled[static_cast<std::size_t>(answer.stage)];
     }
 };
 
@@ -96,9 +99,11 @@ std::map<std::string, Comparison> compare_by_category()
 
 Table wrong_answers(const std::map<std::string, Comparison>& categories)
 {
-    Table table({"category", "queries", "collide", "textbook_tol_0", "textbook_tol_1e-9", "textbook_tol_1e-6", "certified"});
+    Table table({"category", "queries", "collide", "textbook_tol_0", "textbook_tol_1e-9", "textbook_tol_1e-6", "certified",
+                 "by_height", "by_doubles", "by_106_bits"});
     for (const auto& [name, c] : categories)
-        table.add({name, c.queries, c.collide, c.textbook[0].in_words(), c.textbook[1].in_words(), c.textbook[2].in_words(), c.certified.in_words()});
+        table.add({name, c.queries, c.collide, c.textbook[0].in_words(), c.textbook[1].in_words(), c.textbook[2].in_words(),
+                   c.certified.in_words(), c.settled[0], c.settled[1], c.settled[2]});
     return table;
 }
 
