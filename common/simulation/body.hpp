@@ -46,7 +46,8 @@ public:
     /// The prediction becomes the state.
     virtual void commit(double dt) = 0;
 
-    /// Adds an impulse [N s] at a surface vertex to the predicted velocities.
+    /// Adds an impulse [N s] at a surface vertex to the predicted velocities; a deformable body that answers implicitly
+    /// collects impulses and lets them act at the next update_prediction().
     virtual void apply_impulse(int vertex, const Vec3& impulse) = 0;
     /// Predicted velocity of a surface vertex [m/s].
     virtual Vec3 velocity(int vertex) const = 0;

@@ -9,9 +9,11 @@
 namespace enduring {
 
 //! [start]
-static Contact on_face_0(int vertex, const std::array<double, 4>& weights, double last_impulse)
+static Contact on_face_0(int vertex, const std::array<double, 4>& weights,
+                         double last_impulse)
 {
-    Contact contact{ContactKind::vertex_face, 0, 1, vertex, 0, {vertex, 0, 1, 2}, weights};
+    const std::array<int, 4> vertices{vertex, 0, 1, 2};
+    Contact contact{ContactKind::vertex_face, 0, 1, vertex, 0, vertices, weights};
     contact.handled = true;  // in the step before
     contact.impulse = {0, last_impulse, 0};
     return contact;
@@ -19,18 +21,20 @@ static Contact on_face_0(int vertex, const std::array<double, 4>& weights, doubl
 
 WorkedStep worked_step()
 {
-    const std::vector<Vec3> triangle{{0.5, 0.1, 0.5}, {0.5, -0.1, 1.0}, {1.5, -0.2, 1.5}};
+    const std::vector<Vec3> triangle{{0.5, 0.1, 0.5}, {0.5, -0.1, 1}, {1.5, -0.2, 1.5}};
     const std::vector<Vec3> sheet{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}, {2, 0, 2}};
+    const std::vector<Face> one_face{{0, 1, 2}}, two_faces{{0, 1, 2}, {3, 2, 1}};
     const double mass = 1;  // of each point
-    auto above = std::make_unique<PointMasses>("above", triangle, std::vector<Face>{{0, 1, 2}}, mass);
-    auto below = std::make_unique<PointMasses>("below", sheet, std::vector<Face>{{0, 1, 2}, {3, 2, 1}}, mass);
+    auto above = std::make_unique<PointMasses>("above", triangle, one_face, mass);
+    auto below = std::make_unique<PointMasses>("below", sheet, two_faces, mass);
     above->set_velocity(0, {0, -2, 0});
 
     WorkedStep step;
     step.world.gravity.setZero();
     step.world.bodies.push_back(std::move(above));
     step.world.bodies.push_back(std::move(below));
-    step.contacts = {on_face_0(1, {1, -0.25, -0.5, -0.25}, 0.1), on_face_0(2, {1, 0, -0.5, -0.5}, 0.2)};
+    step.contacts = {on_face_0(1, {1, -0.25, -0.5, -0.25}, 0.1),
+                     on_face_0(2, {1, 0, -0.5, -0.5}, 0.2)};
     return step;
 }
 //! [start]
