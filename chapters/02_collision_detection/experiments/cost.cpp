@@ -45,7 +45,7 @@ void cost(const RunOptions& options, Report& report)
 {
     Table table({"scene", "kind", "queries", "textbook_touching", "certified_touching", "textbook_ns", "certified_ns"});
     for (const std::string scene : {"bar_on_cube", "bunny_bowl"}) {
-        const RecordedQueries queries = record_queries(scene, options.quick ? 4 : 12);
+        const RecordedQueries queries = record_queries(scene, options.quick ? 12 : 120);
         const double spent = add_row(table, scene, "vertex-face", queries.vertex_face) + add_row(table, scene, "edge-edge", queries.edge_edge);
         const auto count = static_cast<double>(queries.vertex_face.size() + queries.edge_edge.size());
         report.fact("cost", scene + "_ns", count > 0 ? spent / count : 0, 3);

@@ -35,16 +35,4 @@ std::vector<Vec3> points_at(const GalleryCase& one, double tau)
     return std::visit([tau](const auto& step) { return points_of(step, tau); }, one.step);
 }
 
-Tunnelling tunnelling()
-{
-    Tunnelling scene;
-    scene.plate = {{-1.2, 0, 1}, {1.2, 0, 1}, {1.2, 0, -1}, {-1.2, 0, -1}};
-    const std::vector<Vec3> spike{{0, -0.35, 0}, {-0.3, 0.3, 0.2}, {0.3, 0.3, 0.2}, {0, 0.3, -0.35}};
-    for (const Vec3& x : spike) {
-        scene.spike_t0.push_back(x + Vec3(-0.4, 0.7, 0.1));
-        scene.spike_t1.push_back(x + Vec3(0.4, -0.7, -0.1));
-    }
-    return scene;
-}
-
 }  // namespace enduring::chapter02

@@ -21,10 +21,4 @@ std::vector<GalleryCase> gallery_cases();
 /// The points of a case at one time: v f0 f1 f2, or ea0 ea1 eb0 eb1.
 std::vector<Vec3> points_at(const GalleryCase& one, double tau);
 
-/// A spike that passes through a thin plate within one step. Positions at both ends; it moves straight.
-struct Tunnelling {
-    std::vector<Vec3> spike_t0, spike_t1, plate;
-};
-Tunnelling tunnelling();
-
 }  // namespace enduring::chapter02

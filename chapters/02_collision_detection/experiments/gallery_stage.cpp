@@ -59,12 +59,9 @@ Stage stage_at(const GalleryCase& one, double tau, bool touching)
 
 }  // namespace
 
-std::vector<Face> plate_faces() { return {{0, 1, 2}, {0, 2, 3}}; }
-std::vector<Face> spike_faces() { return {{1, 2, 3}, {0, 2, 1}, {0, 3, 2}, {0, 1, 3}}; }
-
 GalleryStage::GalleryStage() : renderer_(440, 380) {}
 
-void GalleryStage::write_case(const GalleryCase& one, const std::optional<double>& touch, const std::filesystem::path& file)
+Picture GalleryStage::draw_case(const GalleryCase& one, const std::optional<double>& touch)
 {
     std::vector<Vec3> seen = points_at(one, 0);
     for (const Vec3& x : points_at(one, 1))
@@ -80,17 +77,17 @@ void GalleryStage::write_case(const GalleryCase& one, const std::optional<double
         stage.camera = shared_camera(seen, renderer_);
         pictures.push_back({renderer_.draw(stage), caption});
     }
-    write_png(strip(pictures), file);
+    return strip(pictures);
 }
 
-void GalleryStage::write_tunnelling(const Tunnelling& scene, double touch, int hits_before, int hits_after, const std::filesystem::path& file)
+Picture GalleryStage::draw_tunnelling(const Tunnelling& scene, double touch)
 {
     std::vector<Vec3> seen = scene.plate;
     seen.insert(seen.end(), scene.spike_t0.begin(), scene.spike_t0.end());
     seen.insert(seen.end(), scene.spike_t1.begin(), scene.spike_t1.end());
-    const auto discrete = [](int hits) { return "discrete: " + std::to_string(hits) + " hits"; };
+    const auto discrete = [&](const std::vector<Vec3>& spike) { return "discrete: " + std::to_string(discrete_hits(spike, scene.plate)) + " hits"; };
     const std::array<std::pair<double, std::string>, 3> moments{
-        {{0, "τ = 0, " + discrete(hits_before)}, {touch, "continuous: touch at τ = " + readable(touch, 3)}, {1, "τ = 1, " + discrete(hits_after)}}};
+        {{0, "τ = 0, " + discrete(scene.spike_t0)}, {touch, "continuous: touch at τ = " + readable(touch, 3)}, {1, "τ = 1, " + discrete(scene.spike_t1)}}};
 
     std::vector<StripPicture> pictures;
     for (const auto& [tau, caption] : moments) {
@@ -108,10 +105,10 @@ void GalleryStage::write_tunnelling(const Tunnelling& scene, double touch, int h
         stage.camera = shared_camera(seen, renderer_);
         pictures.push_back({renderer_.draw(stage), caption});
     }
-    write_png(strip(pictures), file);
+    return strip(pictures);
 }
 
-void GalleryStage::write_edge_triangle(const std::filesystem::path& file)
+Picture GalleryStage::draw_edge_triangle()
 {
     const Vec3 a(-1, 0, 0.8), b(1.1, 0.1, 0.6), c(-0.6, 0, -1.1), up(0.1, 0.7, 0.05);
     const auto in_plane = [&](double weight_b, double weight_c) -> Vec3 { return a + weight_b * (b - a) + weight_c * (c - a); };
@@ -137,7 +134,7 @@ void GalleryStage::write_edge_triangle(const std::filesystem::path& file)
         stage.camera = shared_camera(seen, renderer_);
         pictures.push_back({renderer_.draw(stage), (hit ? "hit: " : "no hit: ") + remark[i]});
     }
-    write_png(strip(pictures), file);
+    return strip(pictures);
 }
 
 }  // namespace enduring::chapter02
