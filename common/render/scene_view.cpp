@@ -55,8 +55,6 @@ Stage stage_of(const World& world, const Scene& scene)
 
 void mark_contacts(Stage& stage, const World& world, const Contacts& contacts)
 {
-    for (Drawable& body : stage.bodies)  // pale bodies let the marks stand out
-        body.color = 0.35 * body.color + 0.65 * palette::ivory;
     for (const Contact& contact : contacts) {
         const auto points = corners(world, contact);
         if (contact.kind == ContactKind::edge_edge) {

@@ -67,9 +67,7 @@ public:
         if (pictures_.size() == times_.size() || world.time < times_[pictures_.size()] - dt / 2)
             return;
         Stage stage = stage_of(world, scene_);
-        const std::vector<Drawable> in_full_colour = stage.bodies;
         mark_contacts(stage, world, contacts);
-        stage.bodies = in_full_colour;  // marking pales what it marks; the few dots here stand out without
         char caption[32];
         std::snprintf(caption, sizeof caption, "%.2f s", world.time);
         pictures_.push_back({renderer_.draw(stage), caption});

@@ -53,6 +53,7 @@ TEST_CASE("scene view: each kind of contact marks its own vertices in the thesis
     Stage stage = stage_of(scene.world, scene);
     mark_contacts(stage, scene.world, {vertex_face, edge_edge, vertex_plane});
 
+    CHECK(stage.bodies[0].color == palette::plum);  // marking changes no body
     REQUIRE(stage.dots.size() == 2);
     CHECK(stage.dots[0].point == box_at[3]);
     CHECK(stage.dots[1].point == box_at[6]);
