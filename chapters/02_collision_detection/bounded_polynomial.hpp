@@ -23,6 +23,9 @@ template <> struct Precision<DoubleDouble> {
 /// A product that underflows loses at most 2^-1074; this covers all such losses of one query.
 constexpr double underflow = 0x1p-1000;
 
+/// A size read from the leading double of a double-double may be short of the true one by a rounding or two.
+constexpr double room = 1 + 0x1p-50;
+
 //! [bounded]
 /// +1 or -1 if all numbers between `low` and `high`, each off by at most `error`, certainly have that sign, else 0.
 inline int certain_sign(double low, double high, double error) { return low > error ? 1 : high < -error ? -1 : 0; }
@@ -43,7 +46,7 @@ struct BoundedPolynomial {
         double largest = 0;
         for (const Real& value : c)
             largest = std::max(largest, std::abs(rounded(value)));
-        return largest + error;
+        return room * largest + error;
     }
 
     /// The certain sign of coefficient i, or 0.

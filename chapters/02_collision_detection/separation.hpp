@@ -59,7 +59,7 @@ template <class Real, std::size_t Degree> double largest(const MovingVector<Real
     double size = 0;
     for (const Triple<Real>& c : vector.c)
         size = std::max(size, largest(c));
-    return size + vector.error;
+    return room * size + vector.error;
 }
 
 /// The difference of two points that move on straight lines.

@@ -100,6 +100,33 @@ TEST_CASE("error bounds: no coefficient of the height in double-doubles is off b
     require_bounds_hold<DoubleDouble>();
 }
 
+TEST_CASE_TEMPLATE("error bounds: halving and narrowing a polynomial cost no more than the bound grows", Real, double, DoubleDouble)
+{
+    Random random(15);
+    for (int i = 0; i < 100; ++i) {
+        MovingVector<Real, 2> vector{{}, 1, 0};  // known exactly
+        std::array<Rational, 3> truth;
+        for (std::size_t k = 0; k < 3; ++k) {
+            vector.c[k].x = random.uniform(-1, 1);
+            truth[k] = exact(vector.c[k].x);
+        }
+        vector.size = largest(vector);
+        for (int cut = 0; cut < 12; ++cut) {
+            const double from = random.uniform(0, 0.5), to = random.uniform(0.5, 1);
+            const bool narrow = random.integer(0, 1) == 1, late = random.integer(0, 1) == 1;
+            truth = narrow ? part<Rational>(truth, from, to) : part<Rational>(truth, late ? 0.5 : 0, late ? 1 : 0.5);
+            MovingVector<Real, 2> early, rest;
+            halve(vector, early, rest);
+            vector = narrow ? part(vector, from, to) : late ? rest : early;
+            CAPTURE(cut);
+            for (std::size_t k = 0; k < 3; ++k) {
+                CHECK(abs(exact(vector.c[k].x) - truth[k]) <= Rational(vector.error));
+                CHECK(abs(truth[k]) <= Rational(vector.size));
+            }
+        }
+    }
+}
+
 TEST_CASE("double-double: sums and products of doubles are exact")
 {
     Random random(12);
