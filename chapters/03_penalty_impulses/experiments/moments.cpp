@@ -2,7 +2,9 @@
 
 #include "common/render/scene_view.hpp"
 
+#include <algorithm>
 #include <cstdio>
+#include <iterator>
 
 namespace enduring::chapter03 {
 
@@ -17,7 +19,10 @@ void Moments::observe(const World& world, const Contacts& contacts, double dt)
 {
     if (pictures_.size() < times_.size() && world.time >= times_[pictures_.size()] - dt / 2) {
         Stage stage = stage_of(world, scene_);
-        mark_contacts(stage, world, contacts);
+        Contacts pairs;  // a body's vertices in the ground would hide what this chapter is about
+        std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pairs),
+                     [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane; });
+        mark_contacts(stage, world, pairs);
         char caption[32];
         std::snprintf(caption, sizeof caption, "%.2f s", world.time);
         pictures_.push_back({large_.draw(stage), caption});
