@@ -57,26 +57,31 @@ void visit_boxed_pairs(const SurfaceStep& a, const FaceTree& boxes_a, const Surf
     visit_all_pairs(a, b, Filter{boxes_a, boxes_b, visit});
 }
 
-//! [tree]
-/// The same pairs, found by descending both trees at once. Boxes of faces that overlap speak for the features the faces
-/// own; a feature's box lies in its face's box, so none is lost, and each pair has one owner, so none comes twice.
+//! [owned_pairs]
+/// The pairs of features for which two faces with overlapping boxes speak.
+template <class Visit>
+void visit_owned_pairs(const FaceTree& a, int face_a, const FaceTree& b, int face_b, Visit& visit)
+{
+    for (int v : a.owned_vertices(face_a))
+        if (a.vertex_box(v).overlaps(b.face_box(face_b)))
+            visit.vertex_face(v, face_b);
+    for (int v : b.owned_vertices(face_b))
+        if (a.face_box(face_a).overlaps(b.vertex_box(v)))
+            visit.face_vertex(face_a, v);
+    for (int e : a.owned_edges(face_a))
+        for (int g : b.owned_edges(face_b))
+            if (a.edge_box(e).overlaps(b.edge_box(g)))
+                visit.edge_edge(e, g);
+}
+
+/// The same pairs, found by descending both trees at once. A feature's box lies in its face's box, so none is lost, and
+/// each pair of features has one pair of faces that speaks for it, so none comes twice.
 template <class Visit>
 void visit_tree_pairs(const FaceTree& a, const FaceTree& b, Visit&& visit)
 {
-    FaceTree::overlapping_faces(a, b, [&](int face_a, int face_b) {
-        for (int v : a.owned_vertices(face_a))
-            if (a.vertex_box(v).overlaps(b.face_box(face_b)))
-                visit.vertex_face(v, face_b);
-        for (int v : b.owned_vertices(face_b))
-            if (a.face_box(face_a).overlaps(b.vertex_box(v)))
-                visit.face_vertex(face_a, v);
-        for (int e : a.owned_edges(face_a))
-            for (int g : b.owned_edges(face_b))
-                if (a.edge_box(e).overlaps(b.edge_box(g)))
-                    visit.edge_edge(e, g);
-    });
+    FaceTree::overlapping_faces(a, b, [&](int face_a, int face_b) { visit_owned_pairs(a, face_a, b, face_b, visit); });
 }
-//! [tree]
+//! [owned_pairs]
 
 /// A feature of A and a feature of B.
 struct FeaturePair {

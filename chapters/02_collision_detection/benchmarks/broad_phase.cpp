@@ -1,14 +1,12 @@
 // One step of the broad phase for two balls about to touch: our tree of faces, and Bullet's dynamic tree over the same boxes.
 #include "chapters/02_collision_detection/broad_phase.hpp"
+#include "chapters/02_collision_detection/experiments/bullet_tree.hpp"
 
 #include "common/geometry/shapes.hpp"
 
 #include <benchmark/benchmark.h>
 
-#include <BulletCollision/BroadphaseCollision/btDbvt.h>
-
 #include <cmath>
-#include <memory>
 
 namespace enduring {
 namespace {
@@ -63,50 +61,19 @@ void refit_alone(benchmark::State& state)
 }
 BENCHMARK(refit_alone)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
 
-/// Bullet's tree over the same boxes of faces; pairs of features are then looked up in the same way.
-struct BulletTree {
-    btDbvt tree;
-    std::vector<btDbvtNode*> leaves;
-
-    static btDbvtVolume volume(const SweptBox& box)
-    {
-        return btDbvtVolume::FromMM({box.low.x(), box.low.y(), box.low.z()}, {box.high.x(), box.high.y(), box.high.z()});
-    }
-    explicit BulletTree(const SurfaceStep& surface)
-    {
-        for (int f = 0; f < static_cast<int>(surface.topology.faces().size()); ++f) {
-            leaves.push_back(tree.insert(volume(face_box(surface, f)), nullptr));
-            leaves.back()->dataAsInt = f;
-        }
-        tree.optimizeTopDown();
-    }
-    void refit(const SurfaceStep& surface)
-    {
-        for (std::size_t f = 0; f < leaves.size(); ++f) {
-            btDbvtVolume box = volume(face_box(surface, static_cast<int>(f)));
-            tree.update(leaves[f], box);
-        }
-    }
-};
-
-struct CountFaces final : btDbvt::ICollide {
-    std::vector<FeaturePair> pairs;
-    void Process(const btDbvtNode* a, const btDbvtNode* b) override { pairs.push_back({a->dataAsInt, b->dataAsInt}); }
-};
-
 void bullet_tree_faces_only(benchmark::State& state)
 {
     const Balls balls(static_cast<int>(state.range(0)));
-    BulletTree upper(balls.upper.step()), lower(balls.lower.step());
-    CountFaces found;
+    chapter02::BulletTree upper(balls.upper.step()), lower(balls.lower.step());
+    std::vector<FeaturePair> found;
     for (auto _ : state) {
         upper.refit(balls.upper.step());
         lower.refit(balls.lower.step());
-        found.pairs.clear();
-        upper.tree.collideTT(upper.tree.m_root, lower.tree.m_root, found);
-        benchmark::DoNotOptimize(found.pairs.data());
+        found.clear();
+        chapter02::BulletTree::overlapping_faces(upper, lower, [&](int f, int g) { found.push_back({f, g}); });
+        benchmark::DoNotOptimize(found.data());
     }
-    state.counters["face_pairs"] = static_cast<double>(found.pairs.size());
+    state.counters["face_pairs"] = static_cast<double>(found.size());
 }
 BENCHMARK(bullet_tree_faces_only)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
 

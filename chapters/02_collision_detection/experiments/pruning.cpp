@@ -1,5 +1,6 @@
 // How many pairs each way of the broad phase leaves to the query, and what finding and answering them takes, against the
 // size of the meshes.
+#include "bullet_tree.hpp"
 #include "cpu_time.hpp"
 #include "experiments.hpp"
 
@@ -16,6 +17,7 @@ struct Balls {
     SurfaceTopology topology;
     std::vector<Vec3> lower, upper_t0, upper_t1;
     FaceTree lower_tree, upper_tree;
+    std::optional<BulletTree> lower_bullet, upper_bullet;
 
     explicit Balls(int subdivisions)
     {
@@ -29,6 +31,8 @@ struct Balls {
         }
         lower_tree = FaceTree(topology, lower);
         upper_tree = FaceTree(topology, upper_t0);
+        lower_bullet.emplace(lower_step());
+        upper_bullet.emplace(upper_step());
         refit();
     }
     SurfaceStep lower_step() const { return {topology, lower, lower}; }
@@ -71,35 +75,73 @@ const std::vector<Way> ways{
          balls.refit();
          visit_tree_pairs(balls.upper_tree, balls.lower_tree, tally);
      }},
+    {"Bullet's tree", 6, 4, [](Balls& balls, Tally& tally) {
+         balls.refit();
+         balls.upper_bullet->refit(balls.upper_step());
+         balls.lower_bullet->refit(balls.lower_step());
+         BulletTree::overlapping_faces(*balls.upper_bullet, *balls.lower_bullet, [&](int f, int g) {
+             visit_owned_pairs(balls.upper_tree, f, balls.lower_tree, g, tally);
+         });
+     }},
 };
+
+/// One way on one size of mesh.
+struct Outcome {
+    long pairs = 0, touching = 0;
+    double milliseconds = 0;
+};
+
+Outcome measure(const Way& way, Balls& balls)
+{
+    Tally tally{balls.upper_step(), balls.lower_step()};
+    const double seconds = best_cpu_seconds([&] {
+        tally.pairs = tally.touching = 0;
+        way.visit(balls, tally);
+    });
+    return {tally.pairs, tally.touching, 1e3 * seconds};
+}
+
+Cell or_dash(const std::optional<Outcome>& outcome, double Outcome::*value)
+{
+    return outcome ? Cell((*outcome).*value) : Cell("–");
+}
 
 }  // namespace
 
 void pruning(const RunOptions& options, Report& report)
 {
     Table table({"faces", "method", "pairs", "touching", "time_ms"});
-    for (int subdivisions = 1; subdivisions <= ways.back().most_subdivisions; ++subdivisions) {
-        Balls balls(subdivisions);
-        const long faces = static_cast<long>(balls.topology.faces().size());
-        for (const Way& way : ways) {
-            if (subdivisions > (options.quick ? way.most_if_quick : way.most_subdivisions))
-                continue;
-            Tally tally{balls.upper_step(), balls.lower_step()};
-            const double seconds = best_cpu_seconds([&] {
-                tally.pairs = tally.touching = 0;
-                way.visit(balls, tally);
-            });
-            table.add({faces, way.name, tally.pairs, tally.touching, 1e3 * seconds});
-            if (faces == 1280 || (options.quick && faces == 320)) {
-                const std::string name = way.name == "all pairs" ? "all" : way.name;
-                report.fact("pruning", name + "_pairs", static_cast<double>(tally.pairs), 3);
-                report.fact("pruning", name + "_ms", 1e3 * seconds, 2);
-                report.fact("pruning", "faces", static_cast<double>(faces), 5);
-            }
+    std::vector<std::vector<std::optional<Outcome>>> outcomes(ways.size());
+    const auto faces_at = [](int subdivisions) { return 20L << (2 * subdivisions); };
+    const auto most = [&](const Way& way) { return options.quick ? way.most_if_quick : way.most_subdivisions; };
+    const int largest = most(ways.back());
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+        for (int subdivisions = 1; subdivisions <= most(ways[w]); ++subdivisions) {
+            Balls balls(subdivisions);
+            const Outcome outcome = measure(ways[w], balls);
+            table.add({faces_at(subdivisions), ways[w].name, outcome.pairs, outcome.touching, outcome.milliseconds});
+            outcomes[w].push_back(outcome);
         }
+        outcomes[w].resize(static_cast<std::size_t>(largest));
     }
+
+    Table page({"faces", "all pairs", "boxed pairs", "touching", "all [ms]", "boxes [ms]", "tree [ms]", "Bullet's tree [ms]"});
+    for (std::size_t i = 0; i < static_cast<std::size_t>(largest); ++i) {
+        const auto &all = outcomes[0][i], &tree = outcomes[2][i];
+        page.add({faces_at(static_cast<int>(i) + 1), all ? Cell(static_cast<double>(all->pairs)) : Cell("–"), tree->pairs, tree->touching,
+                  or_dash(all, &Outcome::milliseconds), or_dash(outcomes[1][i], &Outcome::milliseconds),
+                  or_dash(tree, &Outcome::milliseconds), or_dash(outcomes[3][i], &Outcome::milliseconds)});
+    }
+    const std::size_t shown = options.quick ? 1 : 3;  // the largest size on which all ways ran
+    report.fact("pruning", "faces", static_cast<double>(faces_at(static_cast<int>(shown) + 1)), 5);
+    report.fact("pruning", "all_pairs", static_cast<double>(outcomes[0][shown]->pairs), 3);
+    report.fact("pruning", "boxed_pairs", static_cast<double>(outcomes[2][shown]->pairs), 4);
+    report.fact("pruning", "all_ms", outcomes[0][shown]->milliseconds, 3);
+    report.fact("pruning", "boxes_ms", outcomes[1][shown]->milliseconds, 3);
+    report.fact("pruning", "tree_ms", outcomes[2][shown]->milliseconds, 2);
+    report.fact("pruning", "bullet_over_tree", outcomes[3].back()->milliseconds / outcomes[2].back()->milliseconds, 2);
     report.table("pruning", table);
-    report.page_table("pruning", table);
+    report.page_table("pruning", page);
     report.plot(plot_script("pruning"), "pruning");
 }
 

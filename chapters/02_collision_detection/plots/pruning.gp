@@ -12,8 +12,10 @@ data = folder."/pruning.csv"
 set ylabel "pairs"
 plot data using "faces":(of("all pairs", "pairs")) with linespoints linetype 2 title "all pairs", \
      "" using "faces":(of("tree", "pairs")) with linespoints linetype 1 title "boxes, tree"
+set key bottom right
 set ylabel "time [ms]"
 plot data using "faces":(of("all pairs", "time_ms")) with linespoints linetype 2 title "all pairs", \
      "" using "faces":(of("boxes", "time_ms")) with linespoints linetype 4 title "boxes", \
-     "" using "faces":(of("tree", "time_ms")) with linespoints linetype 1 title "tree"
+     "" using "faces":(of("tree", "time_ms")) with linespoints linetype 1 title "tree", \
+     "" using "faces":(of("Bullet's tree", "time_ms")) with linespoints linetype 6 title "Bullet's tree"
 unset multiplot
