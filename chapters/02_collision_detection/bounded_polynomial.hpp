@@ -17,7 +17,7 @@ template <> struct Precision<double> {
 };
 template <> struct Precision<DoubleDouble> {
     static constexpr double unit = 0x1p-103;
-    static constexpr int deepest = 110, budget = 256;
+    static constexpr int deepest = 64, budget = 128;
 };
 
 /// A product that underflows loses at most 2^-1074; this covers all such losses of one query.

@@ -15,7 +15,7 @@ constexpr double time_of_impact_slack = 0x1p-34;
 ///   - it precedes the first touch by at most `time_of_impact_slack` where they cross with heights and sides that
 ///     106 bits can tell from zero, that is, larger than about 2^-95 of the products of coordinate differences that
 ///     they are made of. Nearer misses than that count as touches, at the time where they can no longer be excluded.
-/// One query takes at most 288 steps of bounded cost, so its time has a bound too; when the steps run out, the earliest
+/// One query takes at most 160 steps of bounded cost, so its time has a bound too; when the steps run out, the earliest
 /// time not yet excluded is returned.
 /// @return tau in [0, 1]
 /// @throws std::invalid_argument  a coordinate is not finite

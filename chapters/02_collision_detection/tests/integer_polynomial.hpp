@@ -15,8 +15,8 @@ struct Dyadic {
     unsigned power = 0;
 
     double rounded() const;
-    friend bool operator==(const Dyadic& a, const Dyadic& b) { return a.numerator << b.power == b.numerator << a.power; }
-    friend bool operator<(const Dyadic& a, const Dyadic& b) { return a.numerator << b.power < b.numerator << a.power; }
+    friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a.numerator << b.power) == (b.numerator << a.power); }
+    friend bool operator<(const Dyadic& a, const Dyadic& b) { return (a.numerator << b.power) < (b.numerator << a.power); }
 };
 
 Dyadic middle(const Dyadic& a, const Dyadic& b);
