@@ -133,7 +133,7 @@ void bar_on_cube(const RunOptions& options, Report& report)
 {
     const std::filesystem::path file = options.scene.value_or(scene_file("bar_on_cube"));
     Scene scene = load_bar_scene(file, {});
-    Moments moments(scene, {0.0, 0.28, 0.4, 0.7, 1.2, 3.6}, report.file("bar_on_cube.webp"));
+    Moments moments(scene, {0.0, 0.28, 0.4, 0.7, 1.2, 3.6}, clip_plan(report.file("bar_on_cube.webp"), options.quick));
     drop_bar(file, {}, {&moments});
     moments.finish(report.file("bar_on_cube.png"));
 

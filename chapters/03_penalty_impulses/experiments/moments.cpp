@@ -8,11 +8,9 @@
 
 namespace enduring::chapter03 {
 
-Moments::Moments(const Scene& scene, std::vector<double> times, std::optional<std::filesystem::path> clip)
-    : scene_(scene), times_(std::move(times)), large_(560, 400), small_(480, 344)
+Moments::Moments(const Scene& scene, std::vector<double> times, const ClipPlan& plan)
+    : scene_(scene), times_(std::move(times)), large_(560, 400), small_(480, 344), pace_(plan.pace), clip_(plan.file, plan.pace)
 {
-    if (clip)
-        clip_.emplace(*clip, clip_pace);
 }
 
 void Moments::observe(const World& world, const Contacts& contacts, double dt)
@@ -27,8 +25,8 @@ void Moments::observe(const World& world, const Contacts& contacts, double dt)
         std::snprintf(caption, sizeof caption, "%.2f s", world.time);
         pictures_.push_back({large_.draw(stage), caption});
     }
-    if (clip_ && world.time >= static_cast<double>(frames_) / clip_pace - dt / 2) {
-        clip_->add(small_.draw(stage_of(world, scene_)));
+    if (world.time >= static_cast<double>(frames_) / pace_ - dt / 2) {
+        clip_.add(small_.draw(stage_of(world, scene_)));
         ++frames_;
     }
 }
@@ -36,8 +34,7 @@ void Moments::observe(const World& world, const Contacts& contacts, double dt)
 void Moments::finish(const std::filesystem::path& strip_file)
 {
     write_png(strip(pictures_, 3), strip_file);
-    if (clip_)
-        clip_->finish();
+    clip_.finish();
 }
 
 }  // namespace enduring::chapter03

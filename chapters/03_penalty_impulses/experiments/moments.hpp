@@ -6,16 +6,25 @@
 #include "common/simulation/probes.hpp"
 #include "common/simulation/scene.hpp"
 
-#include <optional>
+#include <filesystem>
 
 namespace enduring::chapter03 {
 
-/// Pictures of a run: a strip of some moments with the contacts marked, and a clip of the whole if a place for it is given.
+/// Where a clip goes, and its frames a second; a second of the run takes a second.
+struct ClipPlan {
+    std::filesystem::path file;
+    int pace = 20;  ///< [1/s]
+};
+
+/// Frames are most of a quick run's time, so it takes few.
+inline ClipPlan clip_plan(const std::filesystem::path& file, bool quick) { return {file, quick ? 3 : 20}; }
+
+/// Pictures of a run: a strip of some moments with the contacts marked, and a clip of the whole.
 class Moments final : public Probe {
 public:
     /// @param scene  looks and camera
     /// @param times  of the strip's pictures [s], ascending
-    Moments(const Scene& scene, std::vector<double> times, std::optional<std::filesystem::path> clip = std::nullopt);
+    Moments(const Scene& scene, std::vector<double> times, const ClipPlan& plan);
     void observe(const World& world, const Contacts& contacts, double dt) override;
     /// Writes the strip, three pictures in a row, and ends the clip.
     void finish(const std::filesystem::path& strip_file);
@@ -24,12 +33,9 @@ private:
     const Scene& scene_;
     std::vector<double> times_;
     Renderer large_, small_;
-    std::optional<Clip> clip_;
-    int frames_ = 0;
+    int pace_, frames_ = 0;
+    Clip clip_;
     std::vector<StripPicture> pictures_;
 };
-
-/// Frames of a clip [1/s]; a second of the run takes a second.
-constexpr int clip_pace = 20;
 
 }  // namespace enduring::chapter03
