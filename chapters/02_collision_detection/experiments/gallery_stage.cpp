@@ -50,7 +50,7 @@ Stage stage_at(const GalleryCase& one, double tau, bool touching)
         add_face(stage, {x[1], x[2], x[3]}, {{0, 1, 2}}, touching, palette::sand);
         stage.dots.push_back({.point = x[0], .color = touching ? palette::colliding_vertex : palette::ink, .radius_px = 6});
     } else {
-        for (std::size_t i : {0, 2})
+        for (std::size_t i = 0; i < 4; i += 2)
             stage.segments.push_back({.from = x[i], .to = x[i + 1], .color = touching ? palette::colliding_edge : i == 0 ? palette::terracotta : palette::blue, .width_px = 5});
     }
     add_paths(stage, points_at(one, 0), points_at(one, 1));

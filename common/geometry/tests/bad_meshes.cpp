@@ -91,7 +91,8 @@ TEST_CASE("Gmsh reader: each kind of bad file is refused with file, line and rea
         {replaced(good, "1 4 2 1 1", "1 5 2 1 1"), "m.msh:13: element 1 is of type 5"},
         {replaced(good, "1 4 2 1 1 1 2 3 4", "1 2 2 1 1 1 2 3"), "m.msh:14: the file ends without a tetrahedron"},
     };
-    for (const auto& [text, expected] : cases) {
+    for (const auto& one : cases) {
+        const std::string &text = one[0], &expected = one[1];
         CAPTURE(text);
         const std::string got = gmsh_complaint(text);
         CAPTURE(got);
@@ -126,7 +127,8 @@ TEST_CASE("OBJ reader: each kind of bad file is refused with file, line and reas
         {replaced(good, "f 1 2 3", "f a b c"), "m.obj:4: 'a' does not name a vertex"},
         {replaced(good, "f 1 2 3", "f 1 2 4294967297"), "m.obj:4: the face names vertex 4294967297"},
     };
-    for (const auto& [text, expected] : cases) {
+    for (const auto& one : cases) {
+        const std::string &text = one[0], &expected = one[1];
         CAPTURE(text);
         const std::string got = obj_complaint(text);
         CAPTURE(got);
