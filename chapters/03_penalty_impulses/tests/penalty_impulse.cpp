@@ -1,3 +1,4 @@
+#include "../exact_impulse.hpp"
 #include "../penalty_impulse.hpp"
 #include "chapters/01_particle_plane/plane_impulse.hpp"
 #include "random_pairs.hpp"
@@ -79,6 +80,42 @@ TEST_CASE("penalty impulses: the closed form equals a quadrature of its own inte
             return Vec3(normal.dot(now.offset) * normal);
         }) / mean_squared(pair);
         CHECK((exact - summed).norm() <= 1e-12 * (1 + summed.norm()));
+    }
+}
+
+TEST_CASE("penalty impulses: the constant L_k is exact for normals that keep their length, and close for small motions")
+{
+    double worst_at_1_percent = 0, worst_at_10_percent = 0;
+    for (const double motion : {0.0, 0.01, 0.1})
+        for (const RandomPair& pair : random_pairs(400, 44, motion)) {
+            // Only well shaped pairs: the motion must be small beside the normal.
+            if (pair.at(0).side_1.cross(pair.at(0).side_2).norm() < 0.5)
+                continue;
+            const Vec3 exact = exact_impulse(pair.step(), 0, 1, 1), ours = continuous_impulse(pair.step(), 0, 1, 1);
+            const double error = (exact - ours).norm() / (1e-3 + exact.norm());
+            if (motion == 0)
+                CHECK(error < 1e-13);
+            double& worst = motion < 0.05 ? worst_at_1_percent : worst_at_10_percent;
+            worst = std::max(worst, error);
+        }
+    CHECK(worst_at_1_percent < 0.05);
+    CHECK(worst_at_10_percent < 0.5);
+    CHECK(worst_at_1_percent < 0.3 * worst_at_10_percent);
+}
+
+TEST_CASE("penalty impulses: the exact impulse is a quadrature of the unit normal's integrand")
+{
+    for (const RandomPair& pair : random_pairs(200, 45, 0.5)) {
+        const Vec3 exact = exact_impulse(pair.step(), 0, 1, 1, 16);
+        const Vec3 summed = -integral_inside(pair, [&](double tau) {
+            const PairInstant now = pair.at(tau);
+            const Vec3 normal = now.side_1.cross(now.side_2).normalized();
+            return Vec3(normal.dot(now.offset) * normal);
+        });
+        // A normal that almost vanishes on its way makes the integrand steep for both.
+        if (std::min({pair.at(0.25).side_1.cross(pair.at(0.25).side_2).norm(), pair.at(0.5).side_1.cross(pair.at(0.5).side_2).norm(),
+                      pair.at(0.75).side_1.cross(pair.at(0.75).side_2).norm()}) > 0.5)
+            CHECK((exact - summed).norm() < 1e-10);
     }
 }
 
