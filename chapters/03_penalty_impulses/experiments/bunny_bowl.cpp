@@ -176,6 +176,10 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
         report.fact("bunny_bowl", "step_ms", 1000 * result.timings.total() / result.steps, 2);
         report.fact("bunny_bowl", "most_inverted", probe.most_inverted());
         report.fact("bunny_bowl", "kinetic_at_end", probe.kinetic(), 2);
+        const std::vector<Cell>& end = probe.table().rows().back();
+        report.fact("bunny_bowl", "pairs_at_end", static_cast<double>(std::get<long>(end[1])), 3);
+        report.fact("bunny_bowl", "nk_at_end", std::get<double>(end[4]) / 1000, 2);
+        report.fact("bunny_bowl", "stable_step_at_end", std::get<double>(end[5]), 2);
         report.fact("bunny_bowl", "mean_lever_mm", 1000 * probe.mean_lever(), 2);
         report.fact("bunny_bowl", "deepest_at_end_mm", 1000 * probe.deepest(), 2);
     }
