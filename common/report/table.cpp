@@ -1,3 +1,4 @@
+#include "common/report/column_words.hpp"
 #include "common/report/number_text.hpp"
 #include "common/report/table_text.hpp"
 
@@ -82,7 +83,7 @@ std::string markdown(const Table& table, int digits)
 {
     std::string head = "|", rule = "|", body;
     for (std::size_t c = 0; c < table.columns().size(); ++c) {
-        head += ' ' + markdown_text(table.columns()[c]) + " |";
+        head += ' ' + markdown_text(column_words(table.columns()[c])) + " |";
         rule += holds_numbers(table, c) ? "---:|" : "---|";
     }
     for (const auto& row : table.rows()) {

@@ -1,3 +1,4 @@
+#include "common/report/column_words.hpp"
 #include "common/report/input_error.hpp"
 #include "common/report/number_text.hpp"
 #include "common/report/report.hpp"
@@ -57,8 +58,26 @@ TEST_CASE("report: text with a comma or a quote stays one CSV cell, and a bar do
     table.add({std::string("says \"no\", twice"), 3L, 0.1});
     table.add({std::string("a|b"), -1L, 1e-7});
     CHECK(csv(table) == "method,count,dt_s\n\"says \"\"no\"\", twice\",3,0.1\na|b,-1,1e-07\n");
-    CHECK(markdown(table, 3) == "| method | count | dt_s |\n|---|---:|---:|\n"
+    CHECK(markdown(table, 3) == "| method | count | dt [s] |\n|---|---:|---:|\n"
                                 "| says \"no\", twice | 3 | 0.1 |\n| a\\|b | -1 | 1·10⁻⁷ |\n");
+}
+
+TEST_CASE("report: a page names columns in words, with the unit in brackets")
+{
+    CHECK(column_words("dt_s") == "dt [s]");
+    CHECK(column_words("stiffness_n_per_m") == "stiffness [N/m]");
+    CHECK(column_words("speed_m_per_s") == "speed [m/s]");
+    CHECK(column_words("dpf_depth_mm") == "DPF depth [mm]");
+    CHECK(column_words("p95_percent") == "p95 [%]");
+    CHECK(column_words("minus_mg_over_k_mm") == "minus mg/k [mm]");
+    CHECK(column_words("turn_deg") == "turn [°]");
+    CHECK(column_words("certified_tau") == "certified τ");
+    CHECK(column_words("cells_along") == "cells along");
+    CHECK(column_words("steps") == "steps");  // ends like a unit, but is none
+    CHECK(column_words("s") == "s");
+    CHECK(column_words("over_n") == "over [N]");
+    CHECK(column_words("thesis k [N/m]") == "thesis k [N/m]");
+    CHECK(column_words("n_s in words") == "n_s in words");
 }
 
 TEST_CASE("report: a row of the wrong length is refused")
