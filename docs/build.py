@@ -61,6 +61,16 @@ def leftovers(book):
                     for found in re.findall(r"@(?:fact|figure|table|figref|tabref|test)\{[^}]*\}|\\f[$\[].{0,40}", body))
 
 
+def hang_lines(book):
+    """Tells the style sheet how far each line of a listing is indented, so that a broken one hangs behind itself."""
+    for page in (WORK / "pages").glob("*.md"):
+        place = book / (page.stem.replace("mainpage", "index") + ".html")
+        text = re.sub(r'<div class="line">( +)(?=[^ ])',
+                      lambda found: f'<div class="line" style="--indentation: {len(found[1])}">{found[1]}',
+                      place.read_text(encoding="utf-8"))
+        place.write_text(text, encoding="utf-8")
+
+
 def copy_mathjax(book):
     for part in MATHJAX_PARTS:
         source, place = MATHJAX / part, book / "mathjax" / part
@@ -86,6 +96,7 @@ def main():
     run_doxygen()
     html = WORK / "html"
     shutil.copytree(WORK / "figures", html / "figures")
+    hang_lines(html)
     copy_mathjax(html)
     if faults := list(leftovers(html)):
         sys.exit("\n".join(faults))

@@ -35,6 +35,7 @@ class Page:
     folder: str         # of its chapter, "" outside the chapters
     label: str = ""
     title: str = ""
+    about: str = ""     # one line for lists of pages
     lines: list = field(default_factory=list)      # of the body
     first_line: int = 2
     figures: dict = field(default_factory=dict)    # by file name
@@ -88,9 +89,12 @@ def read_page(path, folder=""):
     title = re.match(r"#\s+(?:Chapter\s+)?(?:\d+[.:]?\s+)?(.+?)\s*(?:\{#(\w+)\})?$", lines[0] if lines else "")
     if not title:
         raise Mistake(f"{path}:1: a page begins with its title: # Title")
-    page.title = f"{page.number}. {title[1]}" if folder else title[1]
+    page.title = f"Chapter {page.number}: {title[1]}" if folder else title[1]
     page.label = title[2] or (f"chapter_{folder[:2]}" if folder else f"page_{path.stem}")
-    page.lines = lines[1:]
+    about = re.match(r"@about\{(.+)\}\s*$", lines[1]) if len(lines) > 1 else None
+    page.about = about[1] if about else ""
+    page.first_line = 3 if about else 2
+    page.lines = lines[page.first_line - 1:]
     return page
 
 
@@ -184,7 +188,7 @@ def link_block(weaver, kind):
               "common": [page for page in weaver.pages if page.path.parent.parent.name == "common"]}.get(kind)
     if chosen is None:
         raise Mistake(f"@pages{{{kind}}}: either chapters or common")
-    return "\n".join(f"- \\subpage {page.label} <br>{weaver.inline(page, first_sentence(page))}" for page in chosen)
+    return "\n".join(f"- \\subpage {page.label} <br>{weaver.inline(page, page.about or first_sentence(page))}" for page in chosen)
 
 
 def reference(pages, page, kind, name):
@@ -223,7 +227,7 @@ class Weaver:
             return reference(self.pages, page, match[1], match[2].strip())
         parts = re.split(r"(`[^`]*`)", text)
         parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages)\b.*", part)),
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about)\b.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")

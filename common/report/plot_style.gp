@@ -1,8 +1,10 @@
 # The look of every plot of the course: an SVG without a background, in tones that read on a white page and on a dark one.
-# A script begins with `load style`, then reads its tables as folder."/NAME.csv". Line types:
+# A script begins with `load style`, before it `height = 560` if it is not 430 high, then reads its tables as
+# folder."/NAME.csv". Line types:
 #   1 blue: continuous penalties (CPF)   2 terracotta: discrete penalties (DPF)   3 green   4 ochre   5 violet   6 grey
 #   10 a thin dashed line for theory and limits
-set terminal svg enhanced size 760,430 font "DejaVu Sans,Verdana,Helvetica,sans-serif,14" linewidth 1.4 rounded \
+if (!exists("height")) height = 430
+set terminal svg enhanced size 760,height font "DejaVu Sans,Verdana,Helvetica,sans-serif,14" linewidth 1.4 rounded \
     dashlength 0.7    # no background: the page shows through
 set output output
 set datafile separator ","

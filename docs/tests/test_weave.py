@@ -60,7 +60,7 @@ class WhatArrives(unittest.TestCase):
         return book.page()
 
     def test_a_chapter_gets_its_number_and_label(self):
-        self.assertTrue(self.woven("Why?").startswith("# 1. The drop {#chapter_01}\n"))
+        self.assertTrue(self.woven("Why?").startswith("# Chapter 1: The drop {#chapter_01}\n"))
 
     def test_a_fact_is_the_text_of_the_run(self):
         self.assertIn("It falls 0.1 m, about.", self.woven("It falls @fact{drop.height}."))

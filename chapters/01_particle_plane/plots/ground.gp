@@ -1,7 +1,7 @@
 # The ground's force on each body over time, beside its weight.
+height = 520
 load style
-set terminal svg size 760,520
-set multiplot layout 2,1 margins 0.1,0.98,0.11,0.96 spacing 0,0.06
+set multiplot layout 2,1 margins 0.12,0.98,0.135,0.96 spacing 0,0.06
 set xrange [0:2.5]
 set ylabel "force [N]"
 names = "bar cube"

@@ -1,6 +1,6 @@
 # The spectral radius over the step; filled where the simulation settles, open where it does not.
 load style
-set xlabel "step dt [s]"
+set xlabel "step Δt [s]"
 set ylabel "spectral radius"
 set xrange [0:0.18]
 set yrange [0:2.2]

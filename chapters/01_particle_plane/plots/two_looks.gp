@@ -1,6 +1,6 @@
 # What each method adds up in one step: CPF the area under the depth, DPF the end's depth for the whole step.
+height = 320
 load style
-set terminal svg size 760,320
 set multiplot layout 1,3 margins 0.09,0.98,0.22,0.87 spacing 0.05,0
 set xrange [0:1]
 set yrange [-24:55]

@@ -1,12 +1,12 @@
 # Pairs left to the query, and the time of finding and answering them, against the faces of each body.
+height = 380
 load style
-set terminal svg size 760,380
-set multiplot layout 1,2 margins 0.09,0.98,0.15,0.93 spacing 0.11,0
+set multiplot layout 1,2 margins 0.1,0.98,0.19,0.95 spacing 0.13,0
 set logscale xy
 set format xy "10^{%L}"
 set xlabel "faces of each body"
 set xrange [50:150000]
-set key top left
+set key bottom right
 of(name, what) = strcol("method") eq name ? column(what) : NaN
 data = folder."/pruning.csv"
 set ylabel "pairs"

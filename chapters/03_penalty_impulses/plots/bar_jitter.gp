@@ -1,7 +1,7 @@
 # Jitter at rest over the step: the median of nine drops, and the span from the smoothest to the roughest.
 load style
 set logscale y
-set xlabel "step dt [s]"
+set xlabel "step Δt [s]"
 set ylabel "jitter [% of the weight]"
 set yrange [0.01:60]
 set xrange [0.0068:0.0142]

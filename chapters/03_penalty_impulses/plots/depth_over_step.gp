@@ -1,6 +1,6 @@
 # Mean summed penetration depth along k dt^2 = const (thesis figure 7.6).
 load style
-set xlabel "step dt [s]"
+set xlabel "step Δt [s]"
 set ylabel "summed depth [mm]"
 set xrange [0:0.021]
 set yrange [0:*]

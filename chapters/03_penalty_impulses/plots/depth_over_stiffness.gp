@@ -1,7 +1,7 @@
 # Summed depth at rest and jitter over the stiffness at dt = 0.01 s (thesis figure 7.7). Filled: smooth.
+height = 560
 load style
-set terminal svg size 760,560
-set multiplot layout 2,1 margins 0.1,0.98,0.1,0.97 spacing 0,0.04
+set multiplot layout 2,1 margins 0.12,0.98,0.125,0.97 spacing 0,0.04
 set xrange [1500:10500]
 set key top right
 of(m, x) = strcol("method") eq m ? x : NaN

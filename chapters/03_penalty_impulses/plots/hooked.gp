@@ -1,7 +1,7 @@
 # A cube that slides without friction: on a plane, and on triangles that form the same plane.
+height = 480
 load style
-set terminal svg size 760,460
-set multiplot layout 2,1 margins 0.1,0.98,0.12,0.97 spacing 0,0.04
+set multiplot layout 2,1 margins 0.12,0.98,0.145,0.97 spacing 0,0.04
 set xrange [0:1.5]
 set key top left
 on(f, x) = strcol("floor") eq f ? x : NaN

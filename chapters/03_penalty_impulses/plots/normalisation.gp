@@ -1,11 +1,11 @@
 # Error of the impulse by the constant length L_k, over how far the face turns or grows in one step.
+height = 380
 load style
-set terminal svg size 860,380
-set multiplot layout 1,2 margins 0.09,0.99,0.15,0.93 spacing 0.04,0
+set multiplot layout 1,2 margins 0.11,0.99,0.19,0.95 spacing 0.04,0
 set logscale xy
 set yrange [1e-6:100]
 set format y "10^{%T}"
-set key bottom right
+set key top left
 set ylabel "error of the impulse [%]"
 set xlabel "turn of the face in one step [degrees]"
 set xrange [0.2:120]
@@ -14,7 +14,7 @@ grown(x) = column("growth_percent") > 0 ? x : NaN
 plot folder."/normalisation.csv" using "turn_deg":(turned(column("max_percent"))) with linespoints linetype 2 title "largest", \
      "" using "turn_deg":(turned(column("p95_percent"))) with linespoints linetype 1 title "95 of 100", \
      "" using "turn_deg":(turned(column("median_percent"))) with linespoints linetype 3 title "half", \
-     4e-4*x**2 with lines linetype 10 title "turn^2"
+     4e-4*x**2 with lines linetype 10 title "turn²"
 set ylabel ""
 set format y ""
 set xlabel "growth of the face in one step [%]"

@@ -2,7 +2,7 @@
 load style
 set key bottom right
 set logscale xy
-set xlabel "turn in one step, |ω| dt [rad]"
+set xlabel "turn in one step, |ω| Δt [rad]"
 set ylabel "growth of the energy [%]"
 set xrange [0.01:0.25]
 set yrange [0.001:60]
