@@ -62,13 +62,17 @@ def leftovers(book):
 
 
 def hang_lines(book):
-    """Tells the style sheet how far each line of a listing is indented, so that a broken one hangs behind itself."""
+    """Tells the style sheet how far each line of a listing is indented, so that a broken one hangs behind itself,
+    and keeps its arrows whole."""
     for page in (WORK / "pages").glob("*.md"):
         place = book / (page.stem.replace("mainpage", "index") + ".html")
-        text = re.sub(r'<div class="line">( +)(?=[^ ])',
-                      lambda found: f'<div class="line" style="--indentation: {len(found[1])}">{found[1]}',
-                      place.read_text(encoding="utf-8"))
-        place.write_text(text, encoding="utf-8")
+        lines = place.read_text(encoding="utf-8").split("\n")
+        for number, line in enumerate(lines):
+            if '<div class="line">' in line:
+                line = line.replace("-&gt;", '<span class="arrow">-&gt;</span>')
+                lines[number] = re.sub(r'<div class="line">( +)(?=[^ ])', lambda found:
+                                       f'<div class="line" style="--indentation: {len(found[1])}">{found[1]}', line)
+        place.write_text("\n".join(lines), encoding="utf-8")
 
 
 def copy_mathjax(book):

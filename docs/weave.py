@@ -154,10 +154,11 @@ def figure_block(figure, caption):
 
 def table_block(page, name, caption, results):
     rows = results.file(page, "table", name + ".md").read_text(encoding="utf-8").strip()
+    box = '<div class="data wide">' if rows.splitlines()[0].count("|") > 9 else '<div class="data">'
     if not caption:
-        return f'<div class="data">\n\n{rows}\n\n</div>'
+        return f'{box}\n\n{rows}\n\n</div>'
     number, anchor = page.tables[name]
-    return (f'<div class="data">\n\\anchor {anchor}\n<div class="caption"><b>Table {number}.</b> {caption}</div>\n\n'
+    return (f'{box}\n\\anchor {anchor}\n<div class="caption"><b>Table {number}.</b> {caption}</div>\n\n'
             f'{rows}\n\n</div>')
 
 
@@ -215,7 +216,7 @@ class Weaver:
     def test(self, name):
         if name not in self.tests:
             raise Mistake(f"no test is called '{name}'")
-        return "<code>" + html.escape(name, quote=False).replace("|", "\\|") + "</code>"
+        return '<code class="test">' + html.escape(name, quote=False).replace("|", "\\|") + "</code>"
 
     def inline(self, page, text):
         """Facts and references, everywhere but in `code`."""

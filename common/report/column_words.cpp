@@ -15,8 +15,8 @@ constexpr std::array<Pair, 16> units{{{"_n_per_m", "N/m"}, {"_m_per_s", "m/s"}, 
     {"_kg", "kg"}, {"_hz", "Hz"}, {"_pa", "Pa"}, {"_kn", "kN"}, {"_n", "N"}, {"_j", "J"}, {"_mm", "mm"}, {"_m", "m"},
     {"_ms", "ms"}, {"_us", "µs"}, {"_ns", "ns"}, {"_s", "s"}}};
 
-constexpr std::array<Pair, 9> spelled{{{"dpf", "DPF"}, {"cpf", "CPF"}, {"dcd", "DCD"}, {"ccd", "CCD"}, {"l2", "L2"},
-    {"rho", "ρ"}, {"tau", "τ"}, {"omega", "ω"}, {"young", "Young's modulus"}}};
+constexpr std::array<Pair, 10> spelled{{{"dpf", "DPF"}, {"cpf", "CPF"}, {"dcd", "DCD"}, {"ccd", "CCD"}, {"l2", "L2"},
+    {"rho", "ρ"}, {"tau", "τ"}, {"omega", "ω"}, {"dt", "Δt"}, {"young", "Young's modulus"}}};
 
 std::string_view spelled_out(std::string_view word)
 {

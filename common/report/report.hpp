@@ -35,7 +35,7 @@ public:
 
     /// NAME.csv with all digits (shortest form that reads back the same double).
     void table(const std::string& name, const Table& table);
-    /// NAME.md for the book's page: names of columns in words (dt_s: "dt [s]"), numbers with `digits` significant digits.
+    /// NAME.md for the book's page: names of columns in words (dt_s: "Δt [s]"), numbers with `digits` significant digits.
     void page_table(const std::string& name, const Table& table, int digits = 3);
     /// One named number of the text, as `@fact{experiment.name}`: facts_EXPERIMENT.csv, one row a fact with the columns
     /// name,value,text. The text is the number with `digits` significant digits; telling a fact again replaces it.

@@ -85,8 +85,25 @@ class WhatArrives(unittest.TestCase):
     def test_a_snippet_names_its_file_from_the_top(self):
         self.assertIn("\\snippet chapters/01_drop/depth.hpp depth\n", self.woven("\\snippet depth.hpp depth\n"))
 
+    def test_a_list_of_pages_says_what_each_is_about(self):
+        book = Book("# The drop\n@about{A drop, @fact{drop.height} high.}\n\nWhy? Because.")
+        self.assertEqual(book.weave().returncode, 0)
+        self.assertIn("\\subpage chapter_01 <br>A drop, 0.1 m, about high.", book.page("mainpage"))
+        self.assertNotIn("about{", book.page())
+        self.assertIn("Why? Because.", book.page())
+
+    def test_without_it_the_list_shows_the_first_sentence(self):
+        book = Book("# The drop\n\nWhy? Because.")
+        self.assertEqual(book.weave().returncode, 0)
+        self.assertIn("\\subpage chapter_01 <br>Why?\n", book.page("mainpage"))
+
+    def test_mistakes_below_it_are_named_with_their_line(self):
+        done = Book("# The drop\n@about{A drop.}\n\n@fact{drop.depth}").weave()
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("chapter.md:4: ", done.stderr)
+
     def test_a_test_is_named_so_that_a_table_survives_it(self):
-        self.assertIn("<code>drop: \\|v\\| &lt; 1</code>", self.woven("@test{drop: |v| < 1}"))
+        self.assertIn('<code class="test">drop: \\|v\\| &lt; 1</code>', self.woven("@test{drop: |v| < 1}"))
 
     def test_a_quick_run_is_said(self):
         self.assertIn("quick run", self.woven("Why?", "--quick"))

@@ -6,12 +6,14 @@ set xrange [0:0.18]
 set yrange [-0.2:0.5]
 set ytics -0.2,0.2
 set ylabel "height [m]"
-set key top left
+unset key
 set format x ""
+set label 1 "DPF" at graph 0.02,0.9 textcolor linetype 2
 plot 0 linetype 10, folder."/visited_heights.csv" using "dt_s":(strcol("method") eq "DPF" ? column("height_m") : NaN) \
-     with points linetype 2 pointtype 7 pointsize 0.16 title "DPF"
+     with points linetype 2 pointtype 7 pointsize 0.16
 set format x "%.2f"
 set xlabel "step Δt [s]"
+set label 1 "CPF" at graph 0.02,0.9 textcolor linetype 1
 plot 0 linetype 10, folder."/visited_heights.csv" using "dt_s":(strcol("method") eq "CPF" ? column("height_m") : NaN) \
-     with points linetype 1 pointtype 7 pointsize 0.16 title "CPF"
+     with points linetype 1 pointtype 7 pointsize 0.16
 unset multiplot

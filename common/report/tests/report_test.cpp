@@ -58,13 +58,13 @@ TEST_CASE("report: text with a comma or a quote stays one CSV cell, and a bar do
     table.add({std::string("says \"no\", twice"), 3L, 0.1});
     table.add({std::string("a|b"), -1L, 1e-7});
     CHECK(csv(table) == "method,count,dt_s\n\"says \"\"no\"\", twice\",3,0.1\na|b,-1,1e-07\n");
-    CHECK(markdown(table, 3) == "| method | count | dt [s] |\n|---|---:|---:|\n"
+    CHECK(markdown(table, 3) == "| method | count | Δt [s] |\n|---|---:|---:|\n"
                                 "| says \"no\", twice | 3 | 0.1 |\n| a\\|b | -1 | 1·10⁻⁷ |\n");
 }
 
 TEST_CASE("report: a page names columns in words, with the unit in brackets")
 {
-    CHECK(column_words("dt_s") == "dt [s]");
+    CHECK(column_words("dt_s") == "Δt [s]");
     CHECK(column_words("stiffness_n_per_m") == "stiffness [N/m]");
     CHECK(column_words("speed_m_per_s") == "speed [m/s]");
     CHECK(column_words("dpf_depth_mm") == "DPF depth [mm]");
