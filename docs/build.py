@@ -61,17 +61,21 @@ def leftovers(book):
                     for found in re.findall(r"@(?:fact|figure|table|figref|tabref|test)\{[^}]*\}|\\f[$\[].{0,40}", body))
 
 
-def hang_lines(book):
-    """Tells the style sheet how far each line of a listing is indented, so that a broken one hangs behind itself,
-    and keeps its arrows whole."""
+def keep_together(book):
+    """Where lines may not break, and how far each line of a listing is indented, so that a broken one hangs behind
+    itself. Both are for the style sheet."""
     for page in (WORK / "pages").glob("*.md"):
         place = book / (page.stem.replace("mainpage", "index") + ".html")
         lines = place.read_text(encoding="utf-8").split("\n")
         for number, line in enumerate(lines):
             if '<div class="line">' in line:
-                line = line.replace("-&gt;", '<span class="arrow">-&gt;</span>')
-                lines[number] = re.sub(r'<div class="line">( +)(?=[^ ])', lambda found:
-                                       f'<div class="line" style="--indentation: {len(found[1])}">{found[1]}', line)
+                line = line.replace("-&gt;", '<span class="whole">-&gt;</span>')
+                line = re.sub(r'<div class="line">( +)(?=[^ ])', lambda found:
+                              f'<div class="line" style="--indentation: {len(found[1])}">{found[1]}', line)
+            else:  # a formula, and the bracket or comma at its side
+                line = re.sub(r"(\( ?|)(\\\((?:(?!\\\)).)+\\\))([,.;:?!)]*)", lambda found:
+                              f'<span class="whole">{found[1].strip()}{found[2]}{found[3]}</span>', line)
+            lines[number] = line
         place.write_text("\n".join(lines), encoding="utf-8")
 
 
@@ -100,7 +104,7 @@ def main():
     run_doxygen()
     html = WORK / "html"
     shutil.copytree(WORK / "figures", html / "figures")
-    hang_lines(html)
+    keep_together(html)
     copy_mathjax(html)
     if faults := list(leftovers(html)):
         sys.exit("\n".join(faults))
