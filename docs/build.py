@@ -71,7 +71,8 @@ def keep_together(book):
             if '<div class="line">' in line:
                 line = line.replace("-&gt;", '<span class="whole">-&gt;</span>')
                 line = re.sub(r'<div class="line">( +)(?=[^ ])', lambda found:
-                              f'<div class="line" style="--indentation: {len(found[1])}">{found[1]}', line)
+                              f'<div class="line" style="--indentation: {len(found[1])}ch">'
+                              f'<span class="indentation">{found[1]}</span>', line)
             else:  # a formula, and the bracket or comma at its side
                 line = re.sub(r"(\( ?|)(\\\((?:(?!\\\)).)+\\\))([,.;:?!)]*)", lambda found:
                               f'<span class="whole">{found[1].strip()}{found[2]}{found[3]}</span>', line)
