@@ -46,7 +46,7 @@ TEST_CASE("gallery: each case is what its name says")
 
 TEST_CASE("gallery: the near miss comes so near that its boxes overlap")
 {
-    const auto& step = std::get<VertexFaceStep>(gallery_cases()[2].step);
+    const auto step = std::get<VertexFaceStep>(gallery_cases()[2].step);  // a copy: the list is gone after this line
     const std::vector<Vec3> t0{step.v_t0, step.f0_t0, step.f1_t0, step.f2_t0}, t1{step.v_t1, step.f0_t1, step.f1_t1, step.f2_t1};
     const SurfaceTopology face(4, {{1, 2, 3}});
     const SurfaceStep surface{face, t0, t1};
