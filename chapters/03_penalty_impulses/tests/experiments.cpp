@@ -97,7 +97,7 @@ TEST_CASE("bar on cube: at dt = 0.0105 s the continuous force lies still where t
     CHECK(median_jitter(PenaltyMethod::continuous, 0.0135) > 0.003);
 }
 
-TEST_CASE("bar on cube: the picture of the first impact")
+TEST_CASE("bar on cube: the first impact is as in its reference picture")
 {
     check_picture(later("bar_on_cube", 0.4), "bar_on_cube");
 }
@@ -116,7 +116,7 @@ TEST_CASE("bunny in the bowl: it falls in, adds no energy and inverts no element
     CHECK(feet > floor);
 }
 
-TEST_CASE("bunny in the bowl: the picture before the first bounce")
+TEST_CASE("bunny in the bowl: the moment before the first bounce is as in its reference picture")
 {
     check_picture(later("bunny_bowl", 0.5), "bunny_bowl");
 }
