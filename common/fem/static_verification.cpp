@@ -154,7 +154,7 @@ Table convergence_in_time()
         }
         const NodalVectors exact = body->mesh().rest() - mode;  // cos(pi) = -1
         const double error = (body->positions() - exact).norm() / mode.norm();
-        table.add({long{steps}, error, previous > 0 ? std::log2(previous / error) : 0.0});
+        table.add({long{steps}, error, previous > 0 ? Cell{std::log2(previous / error)} : Cell{"-"}});  // an order needs two steps
         previous = error;
     }
     return table;
@@ -275,9 +275,10 @@ Table convergence_in_space()
         for (int cells : basis == Basis::linear ? std::vector{4, 8, 12} : std::vector{2, 4, 6}) {
             const SpatialError fine = error_on_cube(basis, cells);
             const double refinement = coarse_cells > 0 ? std::log(double(cells) / coarse_cells) : 1;
-            const double l2_order = coarse_cells > 0 ? std::log(coarse.value / fine.value) / refinement : 0;
-            const double gradient_order = coarse_cells > 0 ? std::log(coarse.gradient / fine.gradient) / refinement : 0;
-            table.add({name_of(basis), long{cells}, fine.value, fine.gradient, l2_order, gradient_order});
+            const auto order = [&](double before, double after) -> Cell {  // an order needs two meshes
+                return coarse_cells > 0 ? Cell{std::log(before / after) / refinement} : Cell{"-"};
+            };
+            table.add({name_of(basis), long{cells}, fine.value, fine.gradient, order(coarse.value, fine.value), order(coarse.gradient, fine.gradient)});
             coarse = fine;
             coarse_cells = cells;
         }

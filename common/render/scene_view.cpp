@@ -35,6 +35,23 @@ std::array<Vec3, 4> corners(const World& world, const Contact& contact)
     return points;
 }
 
+struct MarkColors {
+    Vec3 vertex, face, edge;
+};
+
+void mark(Stage& stage, const World& world, const Contact& contact, const MarkColors& colors)
+{
+    const auto points = corners(world, contact);
+    if (contact.kind == ContactKind::edge_edge) {
+        stage.segments.push_back({points[0], points[1], colors.edge, 4});
+        stage.segments.push_back({points[2], points[3], colors.edge, 4});
+        return;
+    }
+    stage.dots.push_back({points[0], colors.vertex});
+    if (contact.kind == ContactKind::vertex_face)
+        stage.triangles.push_back({{points[1], points[2], points[3]}, colors.face});
+}
+
 }  // namespace
 
 Stage stage_of(const World& world, const Scene& scene)
@@ -55,22 +72,14 @@ Stage stage_of(const World& world, const Scene& scene)
 
 void mark_contacts(Stage& stage, const World& world, const Contacts& contacts)
 {
-    for (const Contact& contact : contacts) {
-        const auto points = corners(world, contact);
-        if (contact.kind == ContactKind::edge_edge) {
-            stage.segments.push_back({points[0], points[1], palette::colliding_edge, 4});
-            stage.segments.push_back({points[2], points[3], palette::colliding_edge, 4});
-            continue;
-        }
-        stage.dots.push_back({points[0], palette::colliding_vertex});
-        if (contact.kind == ContactKind::vertex_face)
-            stage.triangles.push_back({{points[1], points[2], points[3]}, palette::colliding_face});
-    }
+    for (const Contact& contact : contacts)
+        mark(stage, world, contact, {palette::colliding_vertex, palette::colliding_face, palette::colliding_edge});
 }
 
-void mark_artefact(Stage& stage, const World& world, int body, int vertex)
+void mark_artefacts(Stage& stage, const World& world, const Contacts& contacts)
 {
-    stage.dots.push_back({position(world, body, vertex), palette::artefact, 8});
+    for (const Contact& contact : contacts)
+        mark(stage, world, contact, {palette::artefact, palette::artefact, palette::artefact});
 }
 
 }  // namespace enduring

@@ -15,7 +15,7 @@ Stage stage_of(const World& world, const Scene& scene);
 /// Marks the features of contacts in the thesis' colours at positions_t0: vertices red, faces blue, edges green.
 void mark_contacts(Stage& stage, const World& world, const Contacts& contacts);
 
-/// An orange dot, for a vertex that moved as it should not have.
-void mark_artefact(Stage& stage, const World& world, int body, int vertex);
+/// Marks the same features in orange, for contacts that push as they should not.
+void mark_artefacts(Stage& stage, const World& world, const Contacts& contacts);
 
 }  // namespace enduring

@@ -65,10 +65,11 @@ public:
         Stage stage = stage_of(world, scene_);
         for (Drawable& drawable : stage.bodies)
             drawable.wireframe = true;
-        mark_contacts(stage, world, contacts);
+        Contacts sideways, upwards;
         for (const Contact& contact : contacts)
-            if (pushes_sideways(world, contact))
-                mark_artefact(stage, world, contact.body_a, contact.vertices[0]);
+            (pushes_sideways(world, contact) ? sideways : upwards).push_back(contact);
+        mark_contacts(stage, world, upwards);
+        mark_artefacts(stage, world, sideways);
         char caption[32];
         std::snprintf(caption, sizeof caption, "%.2f s", world.time);
         pictures_.push_back({renderer_.draw(stage), caption});

@@ -66,7 +66,8 @@ TEST_CASE("scene view: each kind of contact marks its own vertices in the thesis
     CHECK(stage.segments[1].from == floor_at[6]);
     CHECK(stage.segments[1].color == palette::colliding_edge);
 
-    mark_artefact(stage, scene.world, 0, 7);
-    CHECK(stage.dots.back().point == box_at[7]);
-    CHECK(stage.dots.back().color == palette::artefact);
+    mark_artefacts(stage, scene.world, {vertex_face, edge_edge});
+    CHECK(stage.dots.back().point == box_at[3]);
+    for (const Vec3& color : {stage.dots.back().color, stage.triangles.back().color, stage.segments.back().color})
+        CHECK(color == palette::artefact);
 }
