@@ -2,6 +2,7 @@
 
 #include "common/simulation/body_reader.hpp"
 #include "common/simulation/json_value.hpp"
+#include "common/simulation/mistakes.hpp"
 
 #include <algorithm>
 #include <set>
@@ -15,9 +16,13 @@ ContactParameters read_contact(const JsonValue& value)
 {
     value.require_keys({"method", "stiffness"});
     ContactParameters contact;
-    if (const std::optional<JsonValue> method = value.find("method"))
-        contact.method = method->choice({"dpf", "cpf"}) == 0 ? PenaltyMethod::discrete : PenaltyMethod::continuous;
-    contact.stiffness = value.number_or("stiffness", {0, 1e12, false, true, "N/m"}, contact.stiffness);
+    Mistakes mistakes;
+    mistakes.gather([&] {
+        if (const std::optional<JsonValue> method = value.find("method"))
+            contact.method = method->choice({"dpf", "cpf"}) == 0 ? PenaltyMethod::discrete : PenaltyMethod::continuous;
+    });
+    mistakes.gather([&] { contact.stiffness = value.number_or("stiffness", {0, 1e12, false, true, "N/m"}, contact.stiffness); });
+    mistakes.complain();
     return contact;
 }
 
@@ -61,36 +66,50 @@ void require_new_name(const JsonValue& entry, std::set<std::string>& names)
         entry.at("name").complain("another body or plane is already called \"" + entry.at("name").text() + "\"");
 }
 
-void read_world(const JsonValue& root, const SceneSurroundings& surroundings, Scene& scene)
+void read_planes(const JsonValue& root, std::set<std::string>& names, Scene& scene, Mistakes& mistakes)
 {
-    std::set<std::string> names;
-    scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"}, scene.world.gravity);
-    if (const std::optional<JsonValue> planes = root.find("planes"))
-        for (const JsonValue& entry : planes->items(0, most_planes)) {
-            scene.world.planes.push_back(read_plane(entry));
+    const std::optional<JsonValue> planes = root.find("planes");
+    if (!planes)
+        return;
+    for (const JsonValue& entry : planes->items(0, most_planes))
+        mistakes.gather([&] {
             require_new_name(entry, names);
-        }
+            scene.world.planes.push_back(read_plane(entry));
+        });
+}
+
+void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings, std::set<std::string>& names, Scene& scene, Mistakes& mistakes)
+{
     for (const JsonValue& entry : root.at("bodies").items(1, surroundings.limits.bodies)) {
-        require_new_name(entry, names);
-        scene.world.bodies.push_back(read_body(entry, surroundings));
-        const std::optional<JsonValue> look = entry.find("look");
-        scene.looks[scene.world.bodies.back()->name()] = look ? read_look(*look) : BodyLook{};
+        mistakes.gather([&] {
+            require_new_name(entry, names);
+            scene.world.bodies.push_back(read_body(entry, surroundings));
+        });
+        mistakes.gather([&] {
+            const std::optional<JsonValue> look = entry.find("look");
+            const BodyLook read = look ? read_look(*look) : BodyLook{};
+            if (const std::optional<JsonValue> name = entry.find("name"))
+                scene.looks[name->text()] = read;
+        });
     }
 }
 
 Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
 {
-    root.require_keys({"name", "description", "gravity", "dt", "duration", "contact", "planes", "bodies", "camera"});
     Scene scene;
-    scene.name = root.at("name").text();
-    scene.description = root.text_or("description", "");
-    scene.dt = root.at("dt").number({1e-6, 1, true, true, "s"});
-    scene.duration = root.at("duration").number({0, 3600, false, true, "s"});
-    if (const std::optional<JsonValue> contact = root.find("contact"))
-        scene.contact = read_contact(*contact);
-    if (const std::optional<JsonValue> camera = root.find("camera"))
-        scene.camera = read_camera(*camera);
-    read_world(root, surroundings, scene);
+    std::set<std::string> names;
+    Mistakes mistakes;
+    mistakes.gather([&] { root.require_keys({"name", "description", "gravity", "dt", "duration", "contact", "planes", "bodies", "camera"}); });
+    mistakes.gather([&] { scene.name = root.at("name").text(); });
+    mistakes.gather([&] { scene.description = root.text_or("description", ""); });
+    mistakes.gather([&] { scene.dt = root.at("dt").number({1e-6, 1, true, true, "s"}); });
+    mistakes.gather([&] { scene.duration = root.at("duration").number({0, 3600, false, true, "s"}); });
+    mistakes.gather([&] { scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"}, scene.world.gravity); });
+    mistakes.gather([&] { scene.contact = root.find("contact") ? read_contact(root.at("contact")) : scene.contact; });
+    mistakes.gather([&] { scene.camera = root.find("camera") ? read_camera(root.at("camera")) : scene.camera; });
+    mistakes.gather([&] { read_planes(root, names, scene, mistakes); });
+    mistakes.gather([&] { read_bodies(root, surroundings, names, scene, mistakes); });
+    mistakes.complain();
     return scene;
 }
 

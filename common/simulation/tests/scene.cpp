@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 
 using namespace enduring;
@@ -149,6 +150,16 @@ TEST_CASE("scene: unknown and missing keys are named, and a near miss is guessed
     CHECK(complaint(R"({"/bodies/0": {"density": 5}})") == "ball.json: /bodies/0/mass: stands beside \"density\"; one of the two is enough");
     CHECK(complaint(R"({"/bodies/1/name": "ball"})") == "ball.json: /bodies/1/name: another body or plane is already called \"ball\"");
     CHECK(complaint(R"({"/bodies/1/name": "ground"})") == "ball.json: /bodies/1/name: another body or plane is already called \"ground\"");
+}
+
+TEST_CASE("scene: several mistakes are told at once, one a line")
+{
+    const std::string all = complaint(R"({"dt": -1, "contact": {"stiffness": 0, "method": "xpf"}, "/bodies/0/mass": -2,
+                                          "/bodies/1/position": "here", "camera": {"eye": 3}})");
+    for (const char* place : {"/dt: ", "/contact/method: ", "/contact/stiffness: ", "/bodies/0/mass: ", "/bodies/1/position: ", "/camera/eye: "})
+        CHECK_MESSAGE(all.find(std::string("ball.json: ") + place) != std::string::npos, place, " is not in:\n", all);
+    CHECK(std::count(all.begin(), all.end(), '\n') == 5);
+    CHECK(complaint(R"({"/bodies/0": 7})") == "ball.json: /bodies/0: expected an object, found 7");
 }
 
 TEST_CASE("scene: shapes that cannot be are refused")
