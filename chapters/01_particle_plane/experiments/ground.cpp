@@ -2,13 +2,10 @@
 
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/01_particle_plane/plane_contact.hpp"
-#include "common/render/renderer.hpp"
-#include "common/render/scene_view.hpp"
-#include "common/render/strip.hpp"
+#include "common/render/film_probes.hpp"
 #include "common/simulation/run.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace enduring::chapter01 {
 namespace {
@@ -56,29 +53,6 @@ public:
 private:
     std::string method_;
     std::vector<Touch> last_;
-};
-
-/// Pictures of the run at some times, the vertices in contact marked.
-class StripProbe final : public Probe {
-public:
-    StripProbe(const Scene& scene, std::vector<double> times) : scene_(scene), times_(std::move(times)), renderer_(640, 420) {}
-    void observe(const World& world, const Contacts& contacts, double dt) override
-    {
-        if (pictures_.size() == times_.size() || world.time < times_[pictures_.size()] - dt / 2)
-            return;
-        Stage stage = stage_of(world, scene_);
-        mark_contacts(stage, world, contacts);
-        char caption[32];
-        std::snprintf(caption, sizeof caption, "%.2f s", world.time);
-        pictures_.push_back({renderer_.draw(stage), caption});
-    }
-    Picture all() const { return strip(pictures_, 2); }
-
-private:
-    const Scene& scene_;
-    std::vector<double> times_;
-    Renderer renderer_;
-    std::vector<StripPicture> pictures_;
 };
 
 /// Mean predicted fall [m] of the vertices that are about to be pushed, for each body: what gravity and the body's own
@@ -147,7 +121,7 @@ void ground(const RunOptions& options, Report& report)
         append(forces, touches.table());
         add_rest(rest, scene, touches, falls);
         if (method == "cpf")
-            write_png(moments.all(), report.file("ground.png"));
+            write_png(moments.all(2), report.file("ground.png"));
     }
     report.table("ground", forces);
     report.table("ground_rest", rest);

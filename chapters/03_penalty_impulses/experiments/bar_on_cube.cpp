@@ -4,7 +4,7 @@
 #include "chapters/01_particle_plane/particle.hpp"
 #include "common/simulation/progress.hpp"
 #include "jitter.hpp"
-#include "moments.hpp"
+#include "pair_film.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,9 +133,9 @@ void bar_on_cube(const RunOptions& options, Report& report)
 {
     const std::filesystem::path file = options.scene.value_or(scene_file("bar_on_cube"));
     Scene scene = load_bar_scene(file, {});
-    Moments moments(scene, {0.0, 0.28, 0.4, 0.7, 1.2, 3.6}, clip_plan(report.file("bar_on_cube.webp"), options.quick));
-    drop_bar(file, {}, {&moments});
-    moments.finish(report.file("bar_on_cube.png"));
+    PairFilm film(scene, {0.0, 0.28, 0.4, 0.7, 1.2, 3.6}, report, "bar_on_cube", options.quick);
+    drop_bar(file, {}, film.probes());
+    film.finish();
 
     force_curves(options, file, report);
     compare_smooth_steps(sweep(options, file, report), report);

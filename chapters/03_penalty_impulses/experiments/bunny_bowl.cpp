@@ -3,7 +3,7 @@
 #include "../penalty_contact.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/run.hpp"
-#include "moments.hpp"
+#include "pair_film.hpp"
 #include "scene_change.hpp"
 
 #include <nlohmann/json.hpp>
@@ -156,17 +156,17 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
         Scene scene = load_scene(file, with_elements(file, size).dump());
         BunnyProbe probe(scene.contact.stiffness);
         std::vector<Probe*> probes{&probe};
-        std::unique_ptr<Moments> moments;
+        std::unique_ptr<PairFilm> film;
         if (size == elements) {
-            moments = std::make_unique<Moments>(scene, std::vector<double>{0.0, 0.3, 0.46, 0.7, 1.2, 2.9},
-                                                clip_plan(report.file("bunny_bowl.webp"), options.quick));
-            probes.push_back(moments.get());
+            film = std::make_unique<PairFilm>(scene, std::vector<double>{0.0, 0.3, 0.46, 0.7, 1.2, 2.9}, report, "bunny_bowl", options.quick);
+            for (Probe* probe_of_film : film->probes())
+                probes.push_back(probe_of_film);
         }
         const RunResult result = run(scene, chapter03_solver(scene.contact), probes);
         add_cost(costs, size, result, scene.dt, probe);
-        if (!moments)
+        if (!film)
             continue;
-        moments->finish(report.file("bunny_bowl.png"));
+        film->finish();
         report.table("bunny_bowl", probe.table());
         report.plot(plot_script("bunny_bowl"), "bunny_bowl");
         const Table passes = result.timings.table(scene.world.time, result.steps);

@@ -1,9 +1,7 @@
 #include "experiments.hpp"
 
 #include "../penalty_contact.hpp"
-#include "common/render/renderer.hpp"
-#include "common/render/scene_view.hpp"
-#include "common/render/strip.hpp"
+#include "common/render/film_probes.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/run.hpp"
 #include "scene_change.hpp"
@@ -12,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace enduring::chapter03 {
 namespace {
@@ -53,34 +50,17 @@ private:
     double stopped_at_ = -1, farthest_ = -1e9, last_speed_ = 0;
 };
 
-/// The steps around the stop, with contacts marked and the sideways ones in orange.
-class HookProbe final : public Probe {
-public:
-    explicit HookProbe(const Scene& scene) : scene_(scene), renderer_(640, 420) {}
-    void observe(const World& world, const Contacts& contacts, double dt) override
-    {
-        constexpr std::array<double, 4> times{0.1, 0.3, 0.35, 0.6};
-        if (pictures_.size() == times.size() || world.time < times[pictures_.size()] - dt / 2)
-            return;
-        Stage stage = stage_of(world, scene_);
-        for (Drawable& drawable : stage.bodies)
-            drawable.wireframe = true;
-        Contacts sideways, upwards;
-        for (const Contact& contact : contacts)
-            (pushes_sideways(world, contact) ? sideways : upwards).push_back(contact);
-        mark_contacts(stage, world, upwards);
-        mark_artefacts(stage, world, sideways);
-        char caption[32];
-        std::snprintf(caption, sizeof caption, "%.2f s", world.time);
-        pictures_.push_back({renderer_.draw(stage), caption});
-    }
-    Picture all() const { return strip(pictures_, 2); }
-
-private:
-    const Scene& scene_;
-    Renderer renderer_;
-    std::vector<StripPicture> pictures_;
-};
+/// Triangles drawn, pairs in the thesis' colours, the sideways ones in orange.
+void mark_sideways(Stage& stage, const World& world, const Contacts& contacts)
+{
+    for (Drawable& drawable : stage.bodies)
+        drawable.wireframe = true;
+    Contacts sideways, upwards;
+    for (const Contact& contact : contacts)
+        (pushes_sideways(world, contact) ? sideways : upwards).push_back(contact);
+    mark_contacts(stage, world, upwards);
+    mark_artefacts(stage, world, sideways);
+}
 
 /// The same scene with an analytic plane in the floor's place.
 nlohmann::json plane_instead_of_floor(const std::filesystem::path& file)
@@ -106,9 +86,9 @@ void hooked(const RunOptions& options, Report& report)
     const std::filesystem::path file = options.scene.value_or(scene_file("hooked"));
     Scene on_triangles = load_scene(file);
     SlideProbe triangles("triangles");
-    HookProbe pictures(on_triangles);
+    StripProbe pictures(on_triangles, {0.1, 0.3, 0.35, 0.6}, mark_sideways);
     run(on_triangles, chapter03_solver(on_triangles.contact), {&triangles, &pictures});
-    write_png(pictures.all(), report.file("hooked.png"));
+    write_png(pictures.all(2), report.file("hooked.png"));
 
     Scene on_plane = load_scene(file, plane_instead_of_floor(file).dump());
     SlideProbe plane("plane");
