@@ -1,6 +1,7 @@
 #include "penalty_contact.hpp"
 
 #include "chapters/01_particle_plane/plane_contact.hpp"
+#include "common/simulation/contact_geometry.hpp"
 #include "crossing_detection.hpp"
 #include "penalty_impulse.hpp"
 
@@ -8,12 +9,6 @@
 
 namespace enduring {
 namespace {
-
-Body& side(const World& world, const Contact& contact, int vertex)
-{
-    const int body = vertex < contact.vertices_of_a() ? contact.body_a : contact.body_b;
-    return *world.bodies[static_cast<std::size_t>(body)];
-}
 
 PairInstant instant(const Contact& contact, const PairVertices& x)
 {
@@ -29,7 +24,7 @@ double depth_at_start(const World& world, const Contact& contact)
 void distribute(const World& world, const Contact& contact)
 {
     for (std::size_t i = 0; i < 4; ++i)
-        side(world, contact, static_cast<int>(i)).apply_impulse(contact.vertices[i], contact.weights[i] * contact.impulse);
+        body_of_vertex(world, contact, static_cast<int>(i)).apply_impulse(contact.vertices[i], contact.weights[i] * contact.impulse);
 }
 
 }  // namespace
@@ -38,7 +33,7 @@ PairStep pair_step(const World& world, const Contact& contact)
 {
     PairVertices t0, t1;
     for (std::size_t i = 0; i < 4; ++i) {
-        const Body& body = side(world, contact, static_cast<int>(i));
+        const Body& body = body_of_vertex(world, contact, static_cast<int>(i));
         const auto vertex = static_cast<std::size_t>(contact.vertices[i]);
         t0[i] = body.positions_t0()[vertex];
         t1[i] = body.positions_t1()[vertex];

@@ -1,12 +1,9 @@
 #include "common/render/scene_view.hpp"
 
+#include "common/simulation/contact_geometry.hpp"
+
 namespace enduring {
 namespace {
-
-const Vec3& position(const World& world, int body, int vertex)
-{
-    return world.bodies[static_cast<std::size_t>(body)]->positions_t0()[static_cast<std::size_t>(vertex)];
-}
 
 Drawable drawable_of(const Body& body, const Vec3& own_color, const Scene& scene)
 {
@@ -24,24 +21,15 @@ Drawable drawable_of(const Body& body, const Vec3& own_color, const Scene& scene
     return drawable;
 }
 
-/// The contact's four vertices: which body each belongs to, and where it is.
-std::array<Vec3, 4> corners(const World& world, const Contact& contact)
-{
-    std::array<Vec3, 4> points;
-    for (int i = 0; i < contact.vertex_count(); ++i) {
-        const auto index = static_cast<std::size_t>(i);
-        points[index] = position(world, i < contact.vertices_of_a() ? contact.body_a : contact.body_b, contact.vertices[index]);
-    }
-    return points;
-}
-
 struct MarkColors {
     Vec3 vertex, face, edge;
 };
 
 void mark(Stage& stage, const World& world, const Contact& contact, const MarkColors& colors)
 {
-    const auto points = corners(world, contact);
+    std::array<Vec3, 4> points;
+    for (int i = 0; i < contact.vertex_count(); ++i)
+        points[static_cast<std::size_t>(i)] = contact_vertex(world, contact, i, 0);
     if (contact.kind == ContactKind::edge_edge) {
         stage.segments.push_back({points[0], points[1], colors.edge, 4});
         stage.segments.push_back({points[2], points[3], colors.edge, 4});

@@ -27,8 +27,7 @@ Vec3 normal_direction(const Contact& contact, const std::array<Vec3, 4>& x)
 
 Vec3 contact_vertex(const World& world, const Contact& contact, int i, double tau)
 {
-    const int side = i < contact.vertices_of_a() ? contact.body_a : contact.body_b;
-    const Body& body = *world.bodies[static_cast<std::size_t>(side)];
+    const Body& body = body_of_vertex(world, contact, i);
     const std::size_t vertex = static_cast<std::size_t>(contact.vertices[static_cast<std::size_t>(i)]);
     return (1 - tau) * body.positions_t0()[vertex] + tau * body.positions_t1()[vertex];
 }

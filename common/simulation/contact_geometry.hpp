@@ -23,6 +23,13 @@ ContactGeometry contact_geometry(const World& world, const Contact& contact, dou
 const std::string& name_of_a(const World& world, const Contact& contact);
 const std::string& name_of_b(const World& world, const Contact& contact);
 
+/// The body that the contact's i-th vertex (0..3) belongs to.
+inline Body& body_of_vertex(const World& world, const Contact& contact, int i)
+{
+    const int body = i < contact.vertices_of_a() ? contact.body_a : contact.body_b;
+    return *world.bodies[static_cast<std::size_t>(body)];
+}
+
 /// World position of the contact's i-th vertex (0..3) at tau [m].
 Vec3 contact_vertex(const World& world, const Contact& contact, int i, double tau);
 
