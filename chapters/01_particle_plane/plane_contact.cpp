@@ -82,18 +82,16 @@ void resolve_plane_contacts(World& world, Contacts& contacts)
 }
 
 //! [respond]
-void push_out_of_planes(World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt)
+void push_out_of_planes(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt)
 {
     for (Contact& contact : contacts) {
-        if (contact.kind != ContactKind::vertex_plane || contact.handled)
+        if (contact.kind != ContactKind::vertex_plane || !contact.waiting())
             continue;
         const PlaneStep step = plane_step(world, contact);
         const double impulse = method == PenaltyMethod::discrete
                                    ? discrete_plane_impulse(step.depth_t1, stiffness, dt)
                                    : continuous_plane_impulse(step.depth_t0, step.depth_t1, stiffness, dt);
         contact.impulse = impulse * world.planes[static_cast<std::size_t>(contact.body_b)].normal;
-        world.bodies[static_cast<std::size_t>(contact.body_a)]->apply_impulse(contact.feature_a, contact.impulse);
-        contact.handled = true;
     }
 }
 //! [respond]

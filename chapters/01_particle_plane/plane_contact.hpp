@@ -12,11 +12,11 @@ void detect_plane_contacts(World& world, Contacts& contacts);
 /// ground in the step before.
 void resolve_plane_contacts(World& world, Contacts& contacts);
 
-/// Response: gives every unhandled plane contact its impulse along the normal and marks it handled. All impulses come
-/// from the same predicted positions.
+/// Response: gives every waiting plane contact its impulse along the normal. All come from the same predicted positions,
+/// and the step applies them together.
 /// @param stiffness  k of one vertex [N/m], positive
 /// @param dt         length of the step [s], positive
-void push_out_of_planes(World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
+void push_out_of_planes(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
 
 /// This chapter's solver: vertices against the scene's planes, and nothing else.
 Solver chapter01_solver(const ContactParameters& parameters);

@@ -21,12 +21,6 @@ double depth_at_start(const World& world, const Contact& contact)
     return start.side_1.cross(start.side_2).dot(start.offset);
 }
 
-void distribute(const World& world, const Contact& contact)
-{
-    for (std::size_t i = 0; i < 4; ++i)
-        body_of_vertex(world, contact, static_cast<int>(i)).apply_impulse(contact.vertices[i], contact.weights[i] * contact.impulse);
-}
-
 }  // namespace
 
 PairStep pair_step(const World& world, const Contact& contact)
@@ -52,16 +46,14 @@ void resolve_separated_pairs(const World& world, Contacts& contacts)
 //! [resolve]
 
 //! [respond]
-void apply_penalty_impulses(World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt)
+void push_pairs_apart(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt)
 {
     for (Contact& contact : contacts) {
-        if (contact.kind == ContactKind::vertex_plane || contact.handled)
+        if (contact.kind == ContactKind::vertex_plane || !contact.waiting())
             continue;
         const PairStep step = pair_step(world, contact);
         contact.impulse = method == PenaltyMethod::discrete ? discrete_impulse(step.t1, stiffness, dt)
                                                             : continuous_impulse(step, contact.start, stiffness, dt);
-        distribute(world, contact);
-        contact.handled = true;
     }
 }
 //! [respond]
@@ -82,7 +74,7 @@ Solver chapter03_solver(const ContactParameters& parameters)
         detection->append_entries(world, contacts);
     }});
     solver.respond.push_back({"impulses", [parameters](World& world, Contacts& contacts, double dt) {
-        apply_penalty_impulses(world, contacts, parameters.method, parameters.stiffness, dt);
+        push_pairs_apart(world, contacts, parameters.method, parameters.stiffness, dt);
     }});
     return solver;
 }

@@ -12,11 +12,11 @@ PairStep pair_step(const World& world, const Contact& contact);
 /// Resolution: removes the pairs of features whose depth is positive at the start of the step (thesis 5.2.1).
 void resolve_separated_pairs(const World& world, Contacts& contacts);
 
-/// Response: gives every unhandled pair of features its impulse, p and q each their share by the weights (5.10, 5.16),
-/// and marks it handled. All impulses come from the same predicted positions.
+/// Response: gives every waiting pair of features its impulse along the normal. All come from the same predicted
+/// positions, and the step applies them together.
 /// @param stiffness  k of one pair [N/m], positive
 /// @param dt         length of the step [s], positive
-void apply_penalty_impulses(World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
+void push_pairs_apart(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
 
 /// This chapter's solver: chapter 1 for planes, chapter 2 to find crossings, and impulses for pairs of features. It
 /// keeps the trees of one world, so make one for each run.

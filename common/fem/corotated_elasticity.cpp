@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 
 namespace enduring {
@@ -121,18 +122,18 @@ void find_rotations(const ElasticMesh& mesh, const NodalVectors& positions, Elem
     });
 }
 
+bool is_inverted(Basis basis, const ElasticElement& element, const NodalVectors& positions)
+{
+    return with_basis(basis, [&]<class B>(B) {
+        const auto gradients = gradients_at_points<B>(element, positions);
+        return std::any_of(gradients.begin(), gradients.end(), [](const Mat3& gradient) { return !(gradient.determinant() > 0); });
+    });
+}
+
 int inverted_elements(const ElasticMesh& mesh, const NodalVectors& positions)
 {
-    return with_basis(mesh.basis(), [&]<class B>(B) {
-        int count = 0;
-        for (const ElasticElement& element : mesh.elements()) {
-            bool inverted = false;
-            for (const Mat3& gradient : gradients_at_points<B>(element, positions))
-                inverted = inverted || !(gradient.determinant() > 0);
-            count += inverted ? 1 : 0;
-        }
-        return count;
-    });
+    return static_cast<int>(std::count_if(mesh.elements().begin(), mesh.elements().end(),
+                                          [&](const ElasticElement& element) { return is_inverted(mesh.basis(), element, positions); }));
 }
 
 Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element, const Eigen::Matrix<double, 6, 6>& hooke)

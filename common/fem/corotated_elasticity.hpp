@@ -16,8 +16,10 @@ using ElementRotations = std::vector<Mat3>;
 /// The rotation of every element from its mean deformation gradient (its value at the centroid).
 void find_rotations(const ElasticMesh& mesh, const NodalVectors& positions, ElementRotations& rotations);
 
-/// Elements that are turned inside out: a deformation gradient with determinant <= 0 at the element (linear) or at one of
-/// its corners (quadratic).
+/// Whether an element is turned inside out: a deformation gradient with determinant <= 0 at the element (linear) or at
+/// one of its corners (quadratic).
+bool is_inverted(Basis basis, const ElasticElement& element, const NodalVectors& positions);
+/// How many are.
 int inverted_elements(const ElasticMesh& mesh, const NodalVectors& positions);
 
 /// Stiffness of one element in its rest orientation, 3n x 3n for n nodes, node by node [N/m]:

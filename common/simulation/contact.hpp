@@ -10,6 +10,9 @@ namespace enduring {
 
 enum class ContactKind : std::uint8_t { vertex_plane, vertex_face, edge_edge };
 
+/// Whether a pair pushes its bodies apart or along each other (chapter 5).
+enum class ContactCategory : std::uint8_t { unknown, regular, hooked };
+
 /// One pair of features in contact: a point p of body A and a point q of body B, each a fixed combination of vertices.
 ///
 /// Whatever the kind, p - q = sum_i weights[i] x[vertices[i]], and an impulse I on p reaches vertex i as weights[i] I.
@@ -26,7 +29,15 @@ struct Contact {
     double orientation = 1;   ///< edge_edge: the sign that made the normal point from B to A at first contact
     double start = 0;         ///< part of the step from which the pair pushes: its time of impact, 0 when it endures
     bool handled = false;     ///< has received its impulse in this step
-    Vec3 impulse = Vec3::Zero();  ///< on A in this step [N s]; kept for probes and pictures
+    Vec3 impulse = Vec3::Zero();  ///< along the normal, on A in this step [N s]; kept for probes and pictures
+
+    Vec3 friction = Vec3::Zero();  ///< friction impulse on A in this step [N s], chapter 4
+    Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m], chapter 4
+    ContactCategory category = ContactCategory::unknown;  ///< chapter 5
+    bool held = false;             ///< stays in the list but takes no impulse, chapter 6
+
+    /// Still waits for its impulse in this step.
+    bool waiting() const { return !handled && !held; }
 
     /// How many of `vertices` belong to A (the others belong to B).
     int vertices_of_a() const { return kind == ContactKind::edge_edge ? 2 : 1; }

@@ -128,7 +128,7 @@ void ForceProbe::observe(const World& world, const Contacts& contacts, double dt
     for (const Contact& contact : contacts) {
         const std::string &a = name_of_a(world, contact), &b = name_of_b(world, contact);
         const double sign = a == on_ && b == from_ ? 1 : a == from_ && b == on_ ? -1 : 0;
-        impulse += sign * contact.impulse;
+        impulse += sign * (contact.impulse + contact.friction);
         pairs += sign != 0;
     }
     const Vec3 force = impulse / dt;

@@ -12,10 +12,22 @@ namespace enduring {
 
 enum class PenaltyMethod { discrete, continuous };  ///< "dpf" or "cpf" in the file
 
+enum class FrictionModel { none, yamane_nakamura, mended };  ///< "none", "yamane_nakamura" or "mended" in the file
+
+/// Friction of every pair (chapter 4).
+struct FrictionParameters {
+    FrictionModel model = FrictionModel::none;
+    double mu_s = 0.5, mu_d = 0.3;  ///< static and dynamic coefficient; 0 <= mu_d <= mu_s
+    double spring = 100;            ///< k_FP of one pair [N/m]
+    double damper = 25;             ///< k_FD of one pair [N s/m]
+    double weighting = 10000;       ///< k_w of (5.24) [s/m]
+};
+
 /// What a scene says about contact. A chapter reads what its layer knows and leaves the rest.
 struct ContactParameters {
     PenaltyMethod method = PenaltyMethod::continuous;
     double stiffness = 1000;  ///< k of one pair [N/m], positive
+    FrictionParameters friction{};
 };
 
 /// Where a picture is taken from.

@@ -1,5 +1,7 @@
 #include "common/simulation/step.hpp"
 
+#include "common/simulation/contact_geometry.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
@@ -34,12 +36,13 @@ void begin_step(Contacts& contacts)
         contact.start = 0;
         contact.handled = false;
         contact.impulse.setZero();
+        contact.friction.setZero();
     }
 }
 
-bool any_unhandled(const Contacts& contacts)
+bool any_waiting(const Contacts& contacts)
 {
-    return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return !contact.handled; });
+    return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.waiting(); });
 }
 
 /// Stops a NaN where it first shows: every later number would only repeat it.
@@ -79,6 +82,22 @@ void commit(World& world, double dt)
 
 }  // namespace
 
+//! [apply_impulses]
+void apply_impulses(World& world, Contacts& contacts)
+{
+    for (Contact& contact : contacts) {
+        if (!contact.waiting())
+            continue;
+        const Vec3 impulse = contact.impulse + contact.friction;
+        for (int i = 0; i < contact.vertex_count(); ++i) {
+            const auto vertex = static_cast<std::size_t>(i);
+            body_of_vertex(world, contact, i).apply_impulse(contact.vertices[vertex], contact.weights[vertex] * impulse);
+        }
+        contact.handled = true;
+    }
+}
+//! [apply_impulses]
+
 //! [advance]
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
              const PassTimer& timer)
@@ -90,12 +109,14 @@ void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
     run_passes(solver.enduring, world, contacts, dt, timer);
 
     run_passes(solver.detect, world, contacts, dt, timer);
-    for (int n = 0; n < max_responses && any_unhandled(contacts); ++n) {
+    for (int n = 0; n < max_responses && any_waiting(contacts); ++n) {
         run_passes(solver.respond, world, contacts, dt, timer);
+        timed(timer, "apply impulses", [&] { apply_impulses(world, contacts); });
         timed(timer, "update prediction", [&] { update_predictions(world, dt); });
         run_passes(solver.detect, world, contacts, dt, timer);
     }
 
+    run_passes(solver.finish, world, contacts, dt, timer);
     timed(timer, "commit", [&] { commit(world, dt); });
 }
 //! [advance]

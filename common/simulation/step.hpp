@@ -35,17 +35,22 @@ struct Pass {
 /// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line.
 struct Solver {
     std::string name;
-    std::vector<Pass> enduring;  ///< once a step, before any detection: resolve, dismiss or redefine what endures
-    std::vector<Pass> detect;    ///< append new crossings as unhandled contacts
-    std::vector<Pass> respond;   ///< give every unhandled contact its impulse (all from one prediction), mark it handled
+    std::vector<Pass> enduring{};  ///< once a step, before any detection: resolve, dismiss or redefine what endures
+    std::vector<Pass> detect{};    ///< append new crossings as unhandled contacts
+    std::vector<Pass> respond{};   ///< give every waiting contact its impulses; the step applies them, all together
+    std::vector<Pass> finish{};    ///< once a step, from the last prediction, before it becomes the state: friction anchors move
 };
 
 /// Called with a pass's name and the seconds it took; empty when nobody measures.
 using PassTimer = std::function<void(const std::string& pass, double seconds)>;
 
+/// Applies the impulses of every waiting contact, normal and friction together, and marks it handled: vertex i receives
+/// its weight times their sum (thesis 5.10, 5.16). On a plane only the vertex does.
+void apply_impulses(World& world, Contacts& contacts);
+
 /// One step of the thesis' scheme (its section 3.3, made precise in the book's page on the step):
-///   predict; enduring passes; at most 5 x (detect, respond, update the prediction) until nothing new appears;
-///   commit velocities, then positions. Pairs found by the last detection stay, unhandled, for the next step.
+///   predict; enduring passes; at most 5 x (detect, respond, apply impulses, update the prediction) until nothing new
+///   appears; finish; commit velocities, then positions. Pairs found by the last detection stay, unhandled, for the next step.
 ///
 /// @param world     bodies, changed in place
 /// @param contacts  pairs that live on from the last step; on return those alive after this one

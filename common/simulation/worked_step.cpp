@@ -159,15 +159,12 @@ Pass stand_in_respond(double stiffness)
 {
     return {"respond", [stiffness](World& world, Contacts& contacts, double dt) {
                 for (Contact& contact : contacts) {
-                    if (contact.handled)
+                    if (!contact.waiting())
                         continue;
                     const ContactGeometry first = contact_geometry(world, contact, contact.start);
                     const ContactGeometry last = contact_geometry(world, contact, 1);
                     const double area = (1 - contact.start) * (first.depth + last.depth) / 2;
                     contact.impulse = -stiffness * dt * area * last.normal;
-                    contact.handled = true;
-                    for (std::size_t i = 0; i < 4; ++i)
-                        world.bodies[i == 0 ? 0 : 1]->apply_impulse(contact.vertices[i], contact.weights[i] * contact.impulse);
                 }
             }};
 }

@@ -163,11 +163,11 @@ TEST_CASE("step: the timer hears every pass by its name")
     World world = one_triangle();
     Contacts contacts(1);
     bool never_negative = true;
-    advance(world, contacts, {"", {logged("e", log)}, {logged("d", log)}, {logged("r", log, handle_all)}}, 0.1,
+    advance(world, contacts, {"", {logged("e", log)}, {logged("d", log)}, {logged("r", log, handle_all)}, {logged("f", log)}}, 0.1,
             [&](const std::string& pass, double seconds) {
                 heard += pass + ",";
                 never_negative = never_negative && seconds >= 0;
             });
-    CHECK(heard == "predict,e,d,r,update prediction,d,commit,");
+    CHECK(heard == "predict,e,d,r,apply impulses,update prediction,d,f,commit,");
     CHECK(never_negative);
 }

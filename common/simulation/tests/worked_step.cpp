@@ -27,7 +27,8 @@ const std::vector<Expected> expected{
     {"resolve", {-2, 0, 0}, rest, {-0.1, -0.1, -0.2}, rest, 2},
     {"redefine", {-2, 0, 0}, rest, {-0.1, -0.1, -0.2}, rest, 2},
     {"detect", {-2, 0, 0}, rest, {-0.1, -0.1, -0.2}, rest, 3},
-    {"respond", {-1.975, 0.1, 0.2}, pushed, {-0.1, -0.1, -0.2}, rest, 3},
+    {"respond", {-2, 0, 0}, rest, {-0.1, -0.1, -0.2}, rest, 3},
+    {"apply impulses", {-1.975, 0.1, 0.2}, pushed, {-0.1, -0.1, -0.2}, rest, 3},
     {"update prediction", {-1.975, 0.1, 0.2}, pushed, {-0.0975, -0.09, -0.18}, sunk, 3},
     {"detect", {-1.975, 0.1, 0.2}, pushed, {-0.0975, -0.09, -0.18}, sunk, 3},
     {"commit", {-1.975, 0.1, 0.2}, pushed, {-0.0975, -0.09, -0.18}, sunk, 3},
@@ -126,7 +127,7 @@ TEST_CASE("worked step: the page's tables have a column for each stage that chan
     std::ifstream file(folder / "worked_step_velocities.md");
     std::ostringstream text;
     text << file.rdbuf();
-    CHECK(text.str().find("| start to detect | respond to commit |") != std::string::npos);
+    CHECK(text.str().find("| start to respond | apply impulses to commit |") != std::string::npos);
     CHECK(text.str().find("below 3") != std::string::npos);
     CHECK(text.str().find("1.975") != std::string::npos);
     CHECK(std::filesystem::exists(folder / "worked_step_contacts.md"));
