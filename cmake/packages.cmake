@@ -21,6 +21,9 @@ enduring_need(CLI11_FOUND libcli11-dev "CLI11")
 find_package(nlohmann_json QUIET)
 enduring_need(nlohmann_json_FOUND nlohmann-json3-dev "JSON for Modern C++")
 
+find_package(pugixml QUIET)
+enduring_need(pugixml_FOUND libpugixml-dev "pugixml")
+
 # Bullet in double precision. CMake's own FindBullet picks the float libraries, which double headers misread silently.
 pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)
 enduring_need(BULLET_FOUND "libbullet-dev libbullet-extras-dev" "Bullet in double precision (bullet-float64.pc)")

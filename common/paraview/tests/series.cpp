@@ -47,6 +47,13 @@ struct TwoSheets {
 
 TetrahedralMesh one_tetrahedron() { return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}}; }
 
+DeformableSettings soft()
+{
+    DeformableSettings settings;
+    settings.material = {1e3, 0.3, 1e3};
+    return settings;
+}
+
 /// Moves the surface vertex that starts at (0, 0, 1) within one tiny step, in which the elements cannot answer.
 void dent(Body& body, const Vec3& by)
 {
@@ -149,7 +156,7 @@ TEST_CASE("paraview: a pair is a line from q to p with its forces, depth and lab
 TEST_CASE("paraview: quadratic elements come with points of the body on their edges, not with control points")
 {
     World world;
-    world.bodies.push_back(std::make_unique<DeformableBody>("soft", with_edge_midpoints(one_tetrahedron()), DeformableSettings{.material = {1e3, 0.3, 1e3}}));
+    world.bodies.push_back(std::make_unique<DeformableBody>("soft", with_edge_midpoints(one_tetrahedron()), soft()));
     dent(*world.bodies[0], {0.1, -0.05, 0.2});
     const Parsed file(elements_vtu(world));
     const pugi::xml_node piece = file.piece("UnstructuredGrid");
@@ -174,7 +181,7 @@ TEST_CASE("paraview: an element is marked once a corner has been pushed through 
         CAPTURE(push);
         World world;
         world.bodies.push_back(triangle("lower"));  // has no elements
-        world.bodies.push_back(std::make_unique<DeformableBody>("soft", one_tetrahedron(), DeformableSettings{.material = {1e3, 0.3, 1e3}}));
+        world.bodies.push_back(std::make_unique<DeformableBody>("soft", one_tetrahedron(), soft()));
         dent(*world.bodies[1], {0, 0, push});
         const Parsed file(elements_vtu(world));
         const pugi::xml_node cells = file.piece("UnstructuredGrid").child("CellData");
