@@ -29,6 +29,14 @@ public:
             descend(a, 0, b, 0, visit);
     }
 
+    /// Calls visit(face) for all faces whose boxes overlap one box, always in the same order.
+    template <class Visit>
+    void faces_near(const SweptBox& box, Visit&& visit) const
+    {
+        if (!nodes_.empty())
+            descend(0, box, visit);
+    }
+
     const SweptBox& vertex_box(int vertex) const { return vertex_boxes_[static_cast<std::size_t>(vertex)]; }
     const SweptBox& edge_box(int edge) const { return edge_boxes_[static_cast<std::size_t>(edge)]; }
     const SweptBox& face_box(int face) const { return nodes_[static_cast<std::size_t>(leaf_of_face_[static_cast<std::size_t>(face)])].box; }
@@ -55,6 +63,18 @@ private:
     {
         const Owned& one = all[static_cast<std::size_t>(face)];
         return {one.features.data(), static_cast<std::size_t>(one.count)};
+    }
+
+    template <class Visit>
+    void descend(int i, const SweptBox& box, Visit& visit) const
+    {
+        const Node& node = nodes_[static_cast<std::size_t>(i)];
+        if (!node.box.overlaps(box))
+            return;
+        if (node.is_leaf())
+            return visit(node.face());
+        descend(i + 1, box, visit);
+        descend(node.second_child, box, visit);
     }
 
     //! [descend]

@@ -22,6 +22,25 @@ public:
     /// Pairs of features that the last find_candidates left for the query.
     std::size_t candidate_count() const;
 
+    /// Calls visit(body_a, vertex, body_b, face) for every vertex and face among them, always in the same order.
+    template <class Visit>
+    void visit_vertex_face_candidates(Visit&& visit) const
+    {
+        for (const auto& [a, b, pairs] : body_pairs_) {
+            for (const auto& [vertex, face] : pairs.vertex_face)
+                visit(a, vertex, b, face);
+            for (const auto& [face, vertex] : pairs.face_vertex)
+                visit(b, vertex, a, face);
+        }
+    }
+
+    /// Calls visit(face) for the faces of a body whose boxes of the last find_candidates overlap a box.
+    template <class Visit>
+    void visit_faces_near(int body, const SweptBox& box, Visit&& visit) const
+    {
+        trees_[static_cast<std::size_t>(body)].faces_near(box, visit);
+    }
+
 private:
     struct BodyPair {
         int a, b;

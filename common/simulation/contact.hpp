@@ -35,9 +35,10 @@ struct Contact {
     Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m], chapter 4
     ContactCategory category = ContactCategory::unknown;  ///< chapter 5
     bool held = false;             ///< stays in the list but takes no impulse, chapter 6
+    bool resolved = false;         ///< separated in this step: seen by the probes, gone with the next, chapter 6
 
     /// Still waits for its impulse in this step.
-    bool waiting() const { return !handled && !held; }
+    bool waiting() const { return !handled && !held && !resolved; }
 
     /// How many of `vertices` belong to A (the others belong to B).
     int vertices_of_a() const { return kind == ContactKind::edge_edge ? 2 : 1; }

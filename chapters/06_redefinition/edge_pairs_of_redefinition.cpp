@@ -1,0 +1,82 @@
+#include "edge_pairs_of_redefinition.hpp"
+
+#include "chapters/05_categorisation/category.hpp"
+#include "edge_edge_dismissal.hpp"
+
+namespace enduring {
+namespace {
+
+bool is_known(const Contact& pair, const Contacts& contacts)
+{
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+        return c.kind == ContactKind::edge_edge && !c.resolved && c.body_a == pair.body_a && c.body_b == pair.body_b &&
+               c.feature_a == pair.feature_a && c.feature_b == pair.feature_b;
+    });
+}
+
+bool has_vertex(const Face& face, int vertex) { return std::find(face.begin(), face.end(), vertex) != face.end(); }
+
+/// L_B: edges at the vertices that both faces have; at all those of the new face if they have none in common, as after a
+/// step that crossed a whole face. An edge between two such vertices comes twice: the second time it is known.
+template <class Visit>
+void visit_edges_between(const SurfaceTopology& surface, int old_face, int new_face, Visit&& visit)
+{
+    const Face &old_corners = surface.faces()[static_cast<std::size_t>(old_face)],
+               &new_corners = surface.faces()[static_cast<std::size_t>(new_face)];
+    const auto is_mutual = [&](int vertex) { return has_vertex(old_corners, vertex); };
+    const bool apart = std::none_of(new_corners.begin(), new_corners.end(), is_mutual);
+    for (const int vertex : new_corners)
+        if (apart || is_mutual(vertex))
+            for (const int edge : surface.edges_around_vertex(vertex))
+                visit(edge);
+}
+
+//! [append_edge_pair]
+/// @param reference  points from body_b to body_a
+void append_if_touching(const World& world, Contact pair, const Vec3& reference, double tau, Contacts& contacts)
+{
+    const PairSurfaces surfaces(world, pair, tau);
+    const PairVertices x = edge_vertices(surfaces, pair.feature_a, pair.feature_b);
+    pair.orientation = (x[1] - x[0]).cross(x[3] - x[2]).dot(reference) < 0 ? -1 : 1;
+    const std::optional<EdgeFeet> feet = feet_of_edges(x, pair.orientation, smallest_edge_sine);
+    if (!feet || feet->depth >= 0 || !feet->overlap(edge_tolerance) || is_known(pair, contacts) ||
+        is_hooked_edge_pair(surfaces.a, pair.feature_a, surfaces.b, pair.feature_b, feet->normal))
+        return;
+    const auto [a0, a1] = surfaces.a.step.edge(pair.feature_a);
+    const auto [b0, b1] = surfaces.b.step.edge(pair.feature_b);
+    pair.vertices = {a0, a1, b0, b1};
+    pair.category = ContactCategory::regular;
+    pair.held = !feet->overlap(0);
+    put_at(pair, *feet);
+    contacts.push_back(pair);
+}
+//! [append_edge_pair]
+
+/// Edge pairs stand in the list with the smaller body first, as detection makes them.
+Contact edge_pair(const Redefinition& of, int edge_at_vertex, int edge_between, double start)
+{
+    Contact pair{ContactKind::edge_edge, of.body_a, of.body_b, edge_at_vertex, edge_between};
+    if (of.body_a > of.body_b)
+        pair = {ContactKind::edge_edge, of.body_b, of.body_a, edge_between, edge_at_vertex};
+    pair.start = start;
+    return pair;
+}
+
+}  // namespace
+
+//! [append_edge_pairs]
+void append_edge_pairs(const World& world, const Redefinitions& redefinitions, double tau, double start, Contacts& contacts)
+{
+    for (const Redefinition& of : redefinitions) {
+        const SurfaceTopology &surface_a = world.bodies[static_cast<std::size_t>(of.body_a)]->surface(),
+                              &surface_b = world.bodies[static_cast<std::size_t>(of.body_b)]->surface();
+        const Vec3 reference = of.body_a < of.body_b ? of.reference_normal : Vec3(-of.reference_normal);
+        visit_edges_between(surface_b, of.old_face, of.new_face, [&](int edge_between) {
+            for (const int edge_at_vertex : surface_a.edges_around_vertex(of.vertex))
+                append_if_touching(world, edge_pair(of, edge_at_vertex, edge_between, start), reference, tau, contacts);
+        });
+    }
+}
+//! [append_edge_pairs]
+
+}  // namespace enduring

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "vertex_face_redefinition.hpp"
+
+namespace enduring {
+
+/// When a vertex passes from one face to another, the edges at it pass over the edges between: pairs that never cross from
+/// outside, and that no detection finds (thesis 6.2.3). Appends each pair of an edge at the vertex (L_A) and an edge at the
+/// vertices that both faces have (L_B) which is inside, overlaps within `edge_tolerance` (held if only within that), is
+/// regular, and is not in the list yet. It is oriented by the redefinition's reference normal.
+///
+/// A vertex that leaves its body needs the same, which the thesis does not say: a trailing edge that passes over a vertex
+/// of the floor leaves the floor's edges behind the vertex for those before it.
+///
+/// @param tau    moment of the step at which positions are looked at
+/// @param start  part of the step from which the new pairs push, 0 if they count as enduring
+void append_edge_pairs(const World& world, const Redefinitions& redefinitions, double tau, double start, Contacts& contacts);
+
+}  // namespace enduring

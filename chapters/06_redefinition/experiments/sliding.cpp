@@ -1,0 +1,5 @@
+#include "experiments.hpp"
+
+namespace enduring::chapter06 {
+void sliding(const RunOptions&, Report&) {}
+}
