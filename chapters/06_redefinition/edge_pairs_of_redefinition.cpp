@@ -53,19 +53,19 @@ void append_if_touching(const World& world, Contact pair, const Vec3& reference,
 //! [append_edge_pair]
 
 /// Edge pairs stand in the list with the smaller body first, as detection makes them.
-Contact edge_pair(const Redefinition& of, int edge_at_vertex, int edge_between, double start)
+Contact edge_pair(const Redefinition& of, int edge_at_vertex, int edge_between)
 {
     Contact pair{ContactKind::edge_edge, of.body_a, of.body_b, edge_at_vertex, edge_between};
     if (of.body_a > of.body_b)
         pair = {ContactKind::edge_edge, of.body_b, of.body_a, edge_between, edge_at_vertex};
-    pair.start = start;
+    pair.start = of.start;
     return pair;
 }
 
 }  // namespace
 
 //! [append_edge_pairs]
-void append_edge_pairs(const World& world, const Redefinitions& redefinitions, double tau, double start, Contacts& contacts)
+void append_edge_pairs(const World& world, const Redefinitions& redefinitions, double tau, Contacts& contacts)
 {
     for (const Redefinition& of : redefinitions) {
         const SurfaceTopology &surface_a = world.bodies[static_cast<std::size_t>(of.body_a)]->surface(),
@@ -73,7 +73,7 @@ void append_edge_pairs(const World& world, const Redefinitions& redefinitions, d
         const Vec3 reference = of.body_a < of.body_b ? of.reference_normal : Vec3(-of.reference_normal);
         visit_edges_between(surface_b, of.old_face, of.new_face, [&](int edge_between) {
             for (const int edge_at_vertex : surface_a.edges_around_vertex(of.vertex))
-                append_if_touching(world, edge_pair(of, edge_at_vertex, edge_between, start), reference, tau, contacts);
+                append_if_touching(world, edge_pair(of, edge_at_vertex, edge_between), reference, tau, contacts);
         });
     }
 }

@@ -12,8 +12,7 @@ namespace enduring {
 /// A vertex that leaves its body needs the same, which the thesis does not say: a trailing edge that passes over a vertex
 /// of the floor leaves the floor's edges behind the vertex for those before it.
 ///
-/// @param tau    moment of the step at which positions are looked at
-/// @param start  part of the step from which the new pairs push, 0 if they count as enduring
-void append_edge_pairs(const World& world, const Redefinitions& redefinitions, double tau, double start, Contacts& contacts);
+/// @param tau  moment of the step at which positions are looked at
+void append_edge_pairs(const World& world, const Redefinitions& redefinitions, double tau, Contacts& contacts);
 
 }  // namespace enduring

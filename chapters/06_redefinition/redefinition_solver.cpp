@@ -3,6 +3,7 @@
 #include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
 #include "edge_edge_dismissal.hpp"
 #include "edge_pairs_of_redefinition.hpp"
 #include "new_pairs.hpp"
@@ -17,7 +18,7 @@ void follow_enduring_pairs(const World& world, Contacts& contacts)
     drop_resolved(contacts);
     redefine_enduring_vertices(world, contacts, redefinitions);
     dismiss_enduring_edges(world, contacts);
-    append_edge_pairs(world, redefinitions, 0, 0, contacts);
+    append_edge_pairs(world, redefinitions, 0, contacts);
     drop_resolved(contacts);
 }
 //! [follow_enduring]
@@ -29,7 +30,7 @@ void detect_new_pairs(const World& world, const CrossingDetection& detection, Co
     const std::size_t first_new = contacts.size();
     detection.append_entries(world, contacts);
     admit_new_pairs(world, contacts, first_new, redefinitions);
-    append_edge_pairs(world, redefinitions, 1, 0, contacts);
+    append_edge_pairs(world, redefinitions, 1, contacts);
 }
 //! [detect_new]
 
@@ -38,7 +39,7 @@ void resolve_pairs_that_left(const World& world, const CrossingDetection& detect
 {
     Redefinitions redefinitions;
     resolve_vertices_that_left(world, detection, contacts, redefinitions);
-    append_edge_pairs(world, redefinitions, 1, 0, contacts);
+    append_edge_pairs(world, redefinitions, 1, contacts);
     resolve_edges_that_left(world, detection, contacts);
 }
 //! [resolve]
@@ -61,6 +62,7 @@ Solver chapter06_solver(const ContactParameters& parameters)
     solver.respond.push_back({"impulses", [parameters](World& world, Contacts& contacts, double dt) {
         push_pairs_apart(world, contacts, parameters.method, parameters.stiffness, dt);
     }});
+    add_friction(solver, parameters.friction);
     solver.finish.push_back({"resolve pairs", [detection](World& world, Contacts& contacts, double) {
         resolve_pairs_that_left(world, *detection, contacts);
     }});

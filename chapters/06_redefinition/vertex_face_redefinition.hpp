@@ -12,6 +12,7 @@ struct Redefinition {
     int body_a, vertex, body_b;
     int old_face, new_face;  ///< of body_b
     Vec3 reference_normal;   ///< n_ref: of the face whose pair is regular, out of body_b; any length
+    double start = 0;        ///< part of the step from which the vertex's pair pushes
 };
 
 using Redefinitions = std::vector<Redefinition>;

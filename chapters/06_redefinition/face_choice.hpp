@@ -1,0 +1,54 @@
+#pragma once
+
+#include "pair_projection.hpp"
+
+namespace enduring {
+
+/// Corners of a face around which neighbours are looked at.
+using Corners = std::array<bool, 3>;
+
+inline constexpr Corners all_corners{true, true, true};
+
+/// The corners on whose side a foot beyond the face lies: those of positive weight.
+inline Corners corners_towards(const FaceFoot& foot) { return {foot.weights[0] > 0, foot.weights[1] > 0, foot.weights[2] > 0}; }
+
+/// What algorithm 6.1 finds out about a candidate, in the order in which it asks.
+enum class FaceVerdict {
+    above,   ///< the vertex is not below this face, or the face has no area
+    beside,  ///< its foot lies outside the face, by more than the tolerance
+    hooked,  ///< the pair would push the vertex along its own surface
+    fit
+};
+
+/// A candidate and what came of it.
+struct FaceTrial {
+    int face = -1;
+    FaceFoot foot{};
+    double overshoot = 0;  ///< (6.4) of the foot
+    FaceVerdict verdict = FaceVerdict::above;
+};
+
+/// Asks about one face.
+/// @param tolerance  eps_v of (6.4): in the dead wedge below a valley no face has the foot. A face is taken only if its foot
+///                   overshoots less than the present one's, so a vertex is not passed to and fro.
+FaceTrial try_face(const PairSurfaces& surfaces, int vertex, int face, double tolerance);
+
+/// Feet on a face before feet beside one; among equals the smaller penetration.
+bool is_better(const FaceTrial& one, const FaceTrial& other);
+
+/// Visits the faces around some corners of a contact's present face, which is left out; a face at two corners comes twice.
+template <typename Visit>
+void visit_candidates(const PairSurfaces& surfaces, const Contact& contact, const Corners& around, Visit&& visit)
+{
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        if (around[corner])
+            for (const int face : surfaces.b.step.topology.faces_around_vertex(contact.vertices[corner + 1]))
+                if (face != contact.feature_b)
+                    visit(face);
+}
+
+/// Algorithm 6.1: the best regular face around some corners of a vertex-face contact's present one; none if there is none.
+/// @param tau  moment of the step at which positions are looked at
+std::optional<FaceTrial> find_face(const World& world, const Contact& contact, double tau, const Corners& around, double tolerance);
+
+}  // namespace enduring
