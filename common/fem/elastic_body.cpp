@@ -30,6 +30,8 @@ ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, cons
       positions_(mesh_.rest()),
       velocities_(NodalVectors::Zero(3, mesh_.node_count())),
       external_forces_(NodalVectors::Zero(3, mesh_.node_count())),
+      last_prediction_(NodalVectors::Zero(3, mesh_.node_count())),
+      last_response_(NodalVectors::Zero(3, mesh_.node_count())),
       rotations_(mesh_.elements().size(), Mat3::Identity()),
       solver_(mesh_, masses_, options.solver_tolerance)
 {
@@ -42,7 +44,8 @@ ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, cons
 void ElasticBody::place(const Mat3& rotation, const Vec3& translation)
 {
     positions_ = (rotation * positions_).colwise() + translation;
-    velocities_ = (rotation * velocities_).eval();
+    for (NodalVectors* field : {&velocities_, &last_prediction_, &last_response_})
+        *field = (rotation * *field).eval();
     for (Mat3& r : rotations_)
         r = rotation * r;
 }
@@ -66,13 +69,14 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
         find_rotations(mesh_, positions_, rotations_);
     const CorotatedElasticity elasticity(mesh_, lame_, rotations_);
 
-    NodalVectors outer = external_forces_ + gravity * masses_.transpose();
-    NodalVectors forces = outer;
+    NodalVectors forces = external_forces_ + gravity * masses_.transpose();
     elasticity.add_forces(positions_, forces);
     const NodalVectors rhs = velocities_ * masses_.asDiagonal() + dt * forces;
 
-    velocities_ += dt * outer * inverse_masses_.asDiagonal();  // the first guess: right for a free fall
+    const NodalVectors before = velocities_;
+    velocities_ += last_prediction_;  // the first guess: the same change again, right for a free fall and for a body at rest
     solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping, dt * (dt + material_.stiffness_damping), rhs, velocities_);
+    last_prediction_ = velocities_ - before;
 }
 //! [predict]
 
@@ -80,9 +84,10 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
 void ElasticBody::respond(const NodalVectors& impulses, double dt)
 {
     const CorotatedElasticity elasticity(mesh_, lame_, rotations_);
-    NodalVectors change = NodalVectors::Zero(3, node_count());
+    NodalVectors change = last_response_;  // the first guess; the solver takes its best multiple, so that it cannot harm
     solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping, dt * (dt + material_.stiffness_damping), impulses, change);
     velocities_ += change;
+    last_response_ = change;
 }
 //! [respond]
 

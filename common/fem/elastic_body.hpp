@@ -17,7 +17,9 @@ struct ElasticOptions {
 /// A deformable body: masses at nodes, held together by corotated elements. It knows nothing of surfaces or contact.
 ///
 /// One step is predict (new velocities, positions unchanged), then whatever changes velocities(), then commit. Positions
-/// and velocities may be written at any time in between: there is no hidden state but the rotations of the last prediction.
+/// and velocities may be written at any time in between. The hidden state is the rotations of the last prediction, and what
+/// the last solves changed, from which the next ones start: it decides how long they take, and their result only within
+/// the tolerance.
 class ElasticBody {
 public:
     /// @throws InputError  a material constant outside its range
@@ -80,6 +82,7 @@ private:
     Eigen::VectorXd masses_, inverse_masses_;
     std::vector<char> fixed_;
     NodalVectors positions_, velocities_, external_forces_;
+    NodalVectors last_prediction_, last_response_;  ///< changes of the velocities [m/s]
     ElementRotations rotations_;
     ImplicitSolver solver_;
 };

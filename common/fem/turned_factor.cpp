@@ -1,23 +1,17 @@
 #include "common/fem/turned_factor.hpp"
 
+#include "common/fem/block_factor.hpp"
 #include "common/fem/polar_rotation.hpp"
 #include "common/fem/stiffness_assembly.hpp"
-
-#include <Eigen/CholmodSupport>
 
 #include <stdexcept>
 
 namespace enduring {
 
-/// CHOLMOD orders the unknowns and finds the factor's sparsity once; it takes dense blocks where they pay.
 struct TurnedFactor::Cholesky {
-    explicit Cholesky(const ElasticMesh& mesh) : assembly(mesh)
-    {
-        solver.cholmod().supernodal_switch = 500;  // operations per entry of the factor; below it plain columns solve faster
-        solver.analyzePattern(assembly.pattern());
-    }
+    explicit Cholesky(const ElasticMesh& mesh) : assembly(mesh) { factor.analyze(assembly.pattern()); }
     StiffnessAssembly assembly;
-    Eigen::CholmodDecomposition<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
+    BlockFactor factor;
 };
 
 TurnedFactor::TurnedFactor(const ElasticMesh& mesh) : mesh_(mesh) {}
@@ -29,12 +23,12 @@ void TurnedFactor::factor(const CorotatedElasticity& elasticity, const Eigen::Ve
 {
     if (!cholesky_)
         cholesky_ = std::make_unique<Cholesky>(mesh_);
-    cholesky_->solver.factorize(cholesky_->assembly.assemble(elasticity, masses, fixed, mass_scale, stiffness_scale));
-    if (cholesky_->solver.info() != Eigen::Success)
+    if (!cholesky_->factor.factor(cholesky_->assembly.assemble(elasticity, masses, fixed, mass_scale, stiffness_scale)))
         throw std::runtime_error("the elastic system could not be factored");
     mass_scale_ = mass_scale;
     stiffness_scale_ = stiffness_scale;
     rotations_when_factored_ = elasticity.rotations();
+    rotations_now_ = rotations_when_factored_;
     turns_.assign(mesh_.node_count(), Mat3::Identity());
 }
 
@@ -46,6 +40,9 @@ bool TurnedFactor::matches(double mass_scale, double stiffness_scale) const
 //! [turn]
 void TurnedFactor::turn(const ElementRotations& rotations)
 {
+    if (rotations == rotations_now_)
+        return;
+    rotations_now_ = rotations;
     turns_.assign(turns_.size(), Mat3::Zero());
     for (std::size_t e = 0; e < rotations.size(); ++e) {
         const Mat3 since = rotations[e] * rotations_when_factored_[e].transpose();
@@ -58,12 +55,13 @@ void TurnedFactor::turn(const ElementRotations& rotations)
 
 void TurnedFactor::apply(const NodalVectors& r, NodalVectors& z) const
 {
+    Eigen::VectorXd turned(3 * r.cols());
+    for (Eigen::Index n = 0; n < r.cols(); ++n)
+        turned.segment<3>(3 * n) = turns_[n].transpose() * r.col(n);
+    cholesky_->factor.solve(turned);
     z.resize(3, r.cols());
     for (Eigen::Index n = 0; n < r.cols(); ++n)
-        z.col(n) = turns_[n].transpose() * r.col(n);
-    const Eigen::VectorXd solved = cholesky_->solver.solve(z.reshaped());
-    for (Eigen::Index n = 0; n < r.cols(); ++n)
-        z.col(n) = turns_[n] * solved.segment<3>(3 * n);
+        z.col(n) = turns_[n] * turned.segment<3>(3 * n);
 }
 //! [turn]
 

@@ -33,7 +33,7 @@ private:
     struct Cholesky;
     const ElasticMesh& mesh_;
     std::unique_ptr<Cholesky> cholesky_;
-    ElementRotations rotations_when_factored_;
+    ElementRotations rotations_when_factored_, rotations_now_;
     std::vector<Mat3> turns_;
     double mass_scale_ = 0, stiffness_scale_ = 0;
 };

@@ -78,6 +78,8 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
     if (const std::optional<JsonValue> response = value.find("impulse_response"))
         settings.impulse_response = response->choice({"lumped", "implicit"}) == 1 ? ImpulseResponse::implicit : ImpulseResponse::lumped;
 
+    settings.options.solver_tolerance = value.number_or("solver_tolerance", {1e-14, 1e-2}, settings.options.solver_tolerance);
+
     const std::optional<JsonValue> basis = value.find("basis");
     if (basis && basis->choice({"linear", "quadratic"}) == 1) {
         const QuadraticTetrahedralMesh quadratic = with_edge_midpoints(mesh);
@@ -93,7 +95,7 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
 std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis", "fixed", "impulse_response",
-                        "position", "rotation", "velocity", "angular_velocity", "look"});
+                        "solver_tolerance", "position", "rotation", "velocity", "angular_velocity", "look"});
     try {
         return build(value, surroundings);
     } catch (const InputError& error) {

@@ -250,6 +250,20 @@ TEST_CASE("elastic body: an impulse answered after the prediction equals the for
     CHECK((pushed.linear_momentum() - forced.linear_momentum()).norm() <= 1e-13 * pushed.mass());
 }
 
+TEST_CASE("elastic body: a change that repeats, of a fall or of an impulse, needs no second iteration")
+{
+    ElasticBody body(elastic(small_bar(), Basis::quadratic), {});
+    body.velocities() = NodalVectors::Ones(3, body.node_count());
+    run(body, gravity, 0.01, 1);
+    run(body, gravity, 0.01, 1);
+    CHECK(body.solver_iterations() == 0);
+    const NodalVectors impulses = random_field(body.node_count(), 0.1, 12);
+    body.respond(impulses, 0.01);
+    CHECK(body.solver_iterations() > 0);
+    body.respond(0.5 * impulses, 0.01);
+    CHECK(body.solver_iterations() == 0);
+}
+
 TEST_CASE("elastic body: the same run twice gives the same bits")
 {
     const auto result = [] {
