@@ -20,8 +20,11 @@ struct CommandLine {
 void describe(CLI::App& app, const ChapterProgram& program, CommandLine& line)
 {
     app.add_option("experiments", line.words, "experiments to run, all when none is named (see --list)");
-    app.add_option("--scene", line.scene, "a scene file instead of the experiment's own")->type_name("FILE");
-    app.add_option("--out", line.out, "folder for tables and pictures (default build/results/" + program.folder + ")")
+    app.add_option("--scene", line.scene,
+                   program.own_scene ? "a scene of your own; with an experiment named, instead of that experiment's scene"
+                                     : "a scene file instead of the experiment's own")
+        ->type_name("FILE");
+    app.add_option("--out", line.out, "folder for tables and pictures (default build/results/" + program.folder + ", with --quick build/results-quick/...)")
         ->type_name("DIR");
     app.add_flag("--list", line.list, "name the experiments, one a line");
     app.add_flag("--quick", line.quick, "a small version: seconds instead of minutes");
@@ -58,11 +61,21 @@ std::vector<const Experiment*> chosen(const ChapterProgram& program, const std::
     return experiments;
 }
 
+/// Whether the command line asks for a scene of the reader's own, and not for an experiment.
+bool is_own_scene(const ChapterProgram& program, const CommandLine& line)
+{
+    return program.own_scene && !line.scene.empty() && line.words.empty();
+}
+
 RunOptions settle(const ChapterProgram& program, const CommandLine& line)
 {
     RunOptions options;
-    options.out = line.out.empty() ? std::filesystem::path(ENDURING_SOURCE_DIR) / "build/results" / program.folder
-                                   : std::filesystem::path(line.out);
+    options.out = line.out;
+    if (line.out.empty()) {
+        options.out = std::filesystem::path(ENDURING_SOURCE_DIR) / "build" / (line.quick ? "results-quick" : "results") / program.folder;
+        if (is_own_scene(program, line))
+            options.out /= std::filesystem::path(line.scene).stem();
+    }
     if (!line.scene.empty())
         options.scene = line.scene;
     options.quick = line.quick;
@@ -118,7 +131,10 @@ int run_chapter(int argc, char** argv, const ChapterProgram& program)
     PendingFile::cleaned_on_interrupt();
     try {
         const RunOptions options = settle(program, line);
-        if (!program.instead_of_experiments || !program.instead_of_experiments(options))
+        const Experiment own_scene{line.scene, "", program.own_scene};
+        if (is_own_scene(program, line))
+            run_experiments(program, {&own_scene}, options);
+        else if (!program.instead_of_experiments || !program.instead_of_experiments(options))
             run_experiments(program, experiments, options);
         return 0;
     } catch (const InputError& mistake) {

@@ -14,7 +14,7 @@ namespace enduring {
 
 /// What the command line of a chapter's program settled.
 struct RunOptions {
-    std::filesystem::path out;                   ///< --out, default build/results/NN_name
+    std::filesystem::path out;                   ///< --out, default build/results/NN_name; quick results never mix with full ones
     std::optional<std::filesystem::path> scene;  ///< --scene
     bool quick = false;                          ///< --quick: seconds instead of minutes, for a first look
 };
@@ -33,6 +33,9 @@ struct ChapterProgram {
     /// Adds options of this chapter alone; a callback that returns true has done the work (as --queries in chapter 2).
     std::function<void(CLI::App&)> add_options = {};
     std::function<bool(const RunOptions&)> instead_of_experiments = {};
+    /// What --scene FILE without a word means: to run that scene, into its own folder. Without this, as with a word, the
+    /// file stands for the scenes of the experiments.
+    std::function<void(const RunOptions&, Report&)> own_scene = {};
 };
 
 /// The conventional command line: experiment names, --scene FILE, --out DIR, --list, --quick, --help.

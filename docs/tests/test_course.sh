@@ -35,6 +35,15 @@ for main in chapters/[0-9][0-9]_*/main.cpp; do
     expect 2 "has no experiment 'no_such'" run "$number" no_such --no-install
 done
 
+# A scene of one's own.
+for main in chapters/06_*/main.cpp; do
+    [[ -e $main ]] || continue
+    sed 's/"density"/"densty"/' common/scenes/falling_sphere.json >"$scratch/ball.json"
+    expect 2 'ball.json: /bodies/0/densty: unknown key; did you mean "density"' run 6 --quick --no-install -- --scene "$scratch/ball.json" --out "$scratch/own"
+    expect 0 'scene.png' run 6 --quick --no-install -- --scene common/scenes/falling_sphere.json --out "$scratch/own"
+    if [[ ! -s $scratch/own/energy.svg ]]; then echo "FAILED: the own scene left no plot of its energy"; failed=1; fi
+done
+
 # A false dpkg-query that knows every package but one, and fails for it as the real one does, and a false apt-get that writes down what it is asked for.
 cat >"$scratch/dpkg-query" <<END
 #!/bin/bash

@@ -125,3 +125,25 @@ TEST_CASE("chapter program: a chapter's own option can replace the experiments")
     CHECK(queries == "q.csv");
     CHECK(folder.count() == 0);
 }
+
+TEST_CASE("chapter program: --scene without a word is a scene of one's own, with a word that experiment's scene")
+{
+    ChapterProgram program = two_experiments();
+    std::filesystem::path ran, into;
+    program.own_scene = [&](const RunOptions& options, Report& report) { ran = options.scene.value(), into = report.folder(); };
+    const TemporaryFolder folder;
+    const std::string out = folder.path.string();
+
+    CHECK(call({"--scene", "some/jelly.json", "--out", out}, program).code == 0);
+    CHECK(ran == "some/jelly.json");
+    CHECK(into == folder.path);
+    CHECK(folder.count() == 0);  // no experiment ran
+
+    ran.clear();
+    CHECK(call({"roll", "--scene", "s.json", "--out", out}, program).code == 0);
+    CHECK(ran.empty());
+    CHECK(content(folder.path / "roll.csv") == "quick,scene\n0,s.json\n");
+
+    CHECK(call({"drop", "--out", out}, program).code == 0);
+    CHECK(ran.empty());
+}

@@ -1,0 +1,129 @@
+#include "chapters/06_redefinition/experiments/chapter_solver.hpp"
+#include "chapters/06_redefinition/experiments/own_scene.hpp"
+#include "common/report/input_error.hpp"
+#include "common/report/tests/temporary_folder.hpp"
+#include "common/simulation/scene.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+using namespace enduring;
+
+namespace {
+
+/// A ball that falls 0.75 m onto the ground, from the text of the page on scenes.
+const char* const ball = R"({"name": "ball", "dt": 0.01, "duration": 0.6, "contact": {"stiffness": 500},
+    "planes": [{"name": "ground"}],
+    "bodies": [{"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25}}, "mass": 5, "position": [0, 1, 0]}]})";
+
+struct Outcome {
+    std::string said;
+    bool broke = false;
+};
+
+/// Runs a scene given as text, quickly, and keeps what it says.
+Outcome run_own(const TemporaryFolder& folder, const std::string& text, const chapter06::OwnSceneOptions& choice = {})
+{
+    write_file(folder.path / "scene.json", text);
+    RunOptions options;
+    options.scene = folder.path / "scene.json";
+    options.quick = true;
+    Report report(folder.path / "out");
+    Outcome outcome;
+    std::ostringstream out, err;
+    auto* const real_out = std::cout.rdbuf(out.rdbuf());
+    auto* const real_err = std::cerr.rdbuf(err.rdbuf());
+    try {
+        chapter06::own_scene(options, report, choice);
+    } catch (const std::runtime_error&) {
+        outcome.broke = true;
+    }
+    std::cout.rdbuf(real_out);
+    std::cerr.rdbuf(real_err);
+    outcome.said = out.str();
+    return outcome;
+}
+
+/// The rows of a CSV file below its head, as text.
+std::vector<std::vector<std::string>> rows(const std::filesystem::path& file)
+{
+    std::ifstream in(file);
+    std::vector<std::vector<std::string>> all;
+    for (std::string line; std::getline(in, line);) {
+        all.emplace_back();
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');)
+            all.back().push_back(cell);
+    }
+    REQUIRE(!all.empty());
+    all.erase(all.begin());
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("own scene: the tables hold one row a step, and the ball falls as symplectic Euler says")
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = run_own(folder, ball);
+    CHECK(!outcome.broke);
+    CHECK(outcome.said.find("60 steps of 0.01 s, solver of chapter 6") != std::string::npos);
+    for (const char* name : {"energy.csv", "motion.csv", "penetration.csv", "contacts.csv", "inverted.csv"}) {
+        CAPTURE(name);
+        CHECK(rows(folder.path / "out" / name).size() == 61);
+    }
+    const auto motion = rows(folder.path / "out/motion.csv");
+    const int n = 30;  // 0.3 s: still in the air
+    CHECK(motion[n][1] == "ball");
+    CHECK(std::stod(motion[n][3]) == doctest::Approx(1 - 9.81 * 1e-4 * n * (n + 1) / 2).epsilon(1e-12));
+    CHECK(std::stod(motion[n][6]) == doctest::Approx(-9.81 * 0.01 * n).epsilon(1e-12));
+    for (const char* name : {"energy.svg", "scene.png"})
+        CHECK(std::filesystem::file_size(folder.path / "out" / name) > 1000);
+}
+
+TEST_CASE("own scene: the contacts' kinds add up to the pairs, and their force is what slows the ball")
+{
+    const TemporaryFolder folder;
+    run_own(folder, ball);
+    const auto contacts = rows(folder.path / "out/contacts.csv"), penetration = rows(folder.path / "out/penetration.csv"),
+               motion = rows(folder.path / "out/motion.csv");
+    int touching = 0;
+    for (std::size_t i = 1; i < contacts.size(); ++i) {
+        CAPTURE(i);
+        long pairs = 0;
+        for (std::size_t kind = 1; kind <= 7; ++kind)
+            pairs += std::stol(contacts[i][kind]);
+        CHECK(pairs == std::stol(penetration[i][1]));
+        const double pushed = std::stod(motion[i][6]) - std::stod(motion[i - 1][6]) + 9.81 * 0.01;
+        CHECK(std::stod(contacts[i][9]) == doctest::Approx(5 * pushed / 0.01).epsilon(1e-9).scale(1));
+        touching += pairs > 0;
+    }
+    CHECK(touching > 3);
+}
+
+TEST_CASE("own scene: a run that breaks leaves what it saw until then, and a series of it")
+{
+    const TemporaryFolder folder;
+    const std::string between_floor_and_ceiling = R"({"name": "trap", "dt": 0.1, "duration": 60, "contact": {"stiffness": 1e12},
+        "planes": [{"name": "floor"}, {"name": "ceiling", "point": [0, 2, 0], "normal": [0, -1, 0]}],
+        "bodies": [{"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25}}, "mass": 5, "position": [0, 1, 0]}]})";
+    chapter06::OwnSceneOptions choice;
+    choice.paraview = (folder.path / "series").string();
+    const Outcome outcome = run_own(folder, between_floor_and_ceiling, choice);
+    CHECK(outcome.broke);
+    CHECK(rows(folder.path / "out/energy.csv").size() > 3);
+    CHECK(rows(folder.path / "out/energy.csv").size() < 601);
+    CHECK(std::filesystem::exists(folder.path / "series/surfaces.pvd"));
+}
+
+TEST_CASE("own scene: every chapter that answers contacts has a solver to choose, and only those")
+{
+    for (const int chapter : {1, 3, 4, 5, 6})
+        CHECK(chapter06::chapter_solver(chapter, {}).name == "chapter " + std::to_string(chapter));
+    CHECK_THROWS_WITH_AS(chapter06::chapter_solver(2, {}), "chapter 2 has no solver of its own; 1, 3, 4, 5 and 6 have", InputError);
+}
