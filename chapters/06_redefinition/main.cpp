@@ -1,14 +1,37 @@
 #include "experiments/experiments.hpp"
+#include "experiments/own_scene.hpp"
+
+#include <memory>
+
+namespace {
+
+std::function<void(const enduring::RunOptions&, enduring::Report&)> artefact(const std::string& name)
+{
+    return [name](const enduring::RunOptions& options, enduring::Report& report) { enduring::chapter06::artefact(name, options, report); };
+}
+
+}  // namespace
 
 int main(int argc, char** argv)
 {
     using namespace enduring;
+    const auto choice = std::make_shared<chapter06::OwnSceneOptions>();
     ChapterProgram program{
         "06_redefinition",
         "Chapter 6: redefinition",
         {
+            {"through_the_side", "a wedge leaves a table by its side, and the top still holds it (thesis figure 6.1)", artefact("through_the_side")},
+            {"hooked", "a cube that slides over triangles hooks in their edges (thesis figure 6.2)", artefact("hooked")},
+            {"shifted", "a spike is pushed where it came in, not where it is (thesis figure 6.3)", artefact("shifted")},
+            {"false_resolution", "a triangle turns a little, and its pair is lost (thesis figure 6.4)", artefact("false_resolution")},
+            {"step_by_step", "how a pair gets another face, step by step (thesis figures 6.10-6.13)", chapter06::step_by_step},
             {"sliding", "a cube slides over triangles and over a soft bar without friction (thesis figures 7.8-7.12)", chapter06::sliding},
+            {"deep", "a limit: a contact too deep for its category to mean anything (thesis figure 6.9)", chapter06::deep},
+            {"ledger", "every chapter's solver in every scene that called for a new one", chapter06::ledger},
+            {"own_scene", "the example of a scene of your own; any other runs with --scene FILE", chapter06::own_scene_example},
         },
     };
+    program.add_options = [choice](CLI::App& app) { chapter06::add_own_scene_options(app, *choice); };
+    program.own_scene = [choice](const RunOptions& options, Report& report) { chapter06::own_scene(options, report, *choice); };
     return run_chapter(argc, argv, program);
 }

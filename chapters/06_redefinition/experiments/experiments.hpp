@@ -4,7 +4,13 @@
 
 namespace enduring::chapter06 {
 
+/// One artefact of thesis 6.1 in its smallest scene, under the solvers of chapters 5 and 6.
+/// @param name  of a motivating scene
+void artefact(const std::string& name, const RunOptions& options, Report& report);
+void step_by_step(const RunOptions& options, Report& report);
+void deep(const RunOptions& options, Report& report);
 void sliding(const RunOptions& options, Report& report);
+void ledger(const RunOptions& options, Report& report);
 
 /// Where this chapter's gnuplot scripts lie.
 std::filesystem::path plot_script(const std::string& name);

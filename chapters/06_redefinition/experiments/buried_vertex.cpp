@@ -1,0 +1,79 @@
+#include "buried_vertex.hpp"
+
+#include "common/simulation/contact_geometry.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace enduring::chapter06 {
+namespace {
+
+/// Of a triangle as seen from the origin, positive where its outer side looks away (van Oosterom and Strackee 1983).
+double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
+}
+
+double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b)
+{
+    const double along = std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (point - a - along * (b - a)).norm();
+}
+
+double distance_to_triangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+    const Vec3 normal = (b - a).cross(c - a).normalized();
+    const auto left_of = [&](const Vec3& from, const Vec3& to) { return normal.dot((to - from).cross(point - from)) >= 0; };
+    if (left_of(a, b) && left_of(b, c) && left_of(c, a))
+        return std::abs(normal.dot(point - a));
+    return std::min({distance_to_segment(point, a, b), distance_to_segment(point, b, c), distance_to_segment(point, c, a)});
+}
+
+bool is_pushed(const Contacts& contacts, int body_a, int vertex, int body_b)
+{
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return contact.kind == ContactKind::vertex_face && !contact.held && contact.body_a == body_a &&
+               contact.feature_a == vertex && contact.body_b == body_b;
+    });
+}
+
+}  // namespace
+
+double depth_inside(const Body& body, const Vec3& point)
+{
+    double seen = 0, nearest = 1e300;
+    for (const auto& [f0, f1, f2] : body.surface().faces()) {
+        const auto corner = [&](int vertex) { return body.positions_t0()[static_cast<std::size_t>(vertex)]; };
+        const Vec3 a = corner(f0), b = corner(f1), c = corner(f2);
+        seen += solid_angle(a - point, b - point, c - point);
+        nearest = std::min(nearest, distance_to_triangle(point, a, b, c));
+    }
+    return seen > 2 * EIGEN_PI ? nearest : 0;
+}
+
+double deepest_without_pair(const World& world, const Contacts& contacts, int body_a, int body_b)
+{
+    const Body &a = *world.bodies[static_cast<std::size_t>(body_a)], &b = *world.bodies[static_cast<std::size_t>(body_b)];
+    double deepest = 0;
+    for (int vertex = 0; vertex < a.surface().vertex_count(); ++vertex)
+        if (!is_pushed(contacts, body_a, vertex, body_b))
+            deepest = std::max(deepest, depth_inside(b, a.positions_t0()[static_cast<std::size_t>(vertex)]));
+    return deepest;
+}
+
+std::optional<double> longest_lever(const World& world, const Contacts& contacts)
+{
+    std::optional<double> longest;
+    for (const Contact& contact : contacts) {
+        if (contact.kind != ContactKind::vertex_face || contact.impulse.isZero())
+            continue;
+        const ContactGeometry at = contact_geometry(world, contact, 0);
+        longest = std::max(longest.value_or(0), (at.p - at.q - at.depth * at.normal).norm());
+    }
+    return longest;
+}
+
+}  // namespace enduring::chapter06

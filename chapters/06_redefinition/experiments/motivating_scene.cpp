@@ -1,0 +1,98 @@
+#include "motivating_scene.hpp"
+
+#include "chapter_solver.hpp"
+#include "chapters/01_particle_plane/plane_contact.hpp"
+#include "chapters/03_penalty_impulses/crossing_detection.hpp"
+#include "common/report/input_error.hpp"
+#include "common/report/number_text.hpp"
+#include "common/simulation/run.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace enduring::chapter06 {
+namespace {
+
+//! [chapter_2]
+/// Chapter 1 for planes; crossings of features are found and listed. Held, as no layer answers them yet.
+Solver detection_without_response(const ContactParameters& parameters)
+{
+    const auto detection = std::make_shared<CrossingDetection>();
+    Solver solver = chapter01_solver(parameters);
+    solver.name = "chapter 2";
+    solver.detect.push_back({"crossings", [detection](World& world, Contacts& contacts, double) {
+        const std::size_t first_new = contacts.size();
+        detection->find_candidates(world);
+        detection->append_entries(world, contacts);
+        for (std::size_t i = first_new; i < contacts.size(); ++i)
+            contacts[i].held = true;
+    }});
+    return solver;
+}
+//! [chapter_2]
+
+}  // namespace
+
+const MotivatingScene& motivating_scene(const std::string& name)
+{
+    std::string known;
+    for (const MotivatingScene& scene : motivating_scenes()) {
+        if (scene.name == name)
+            return scene;
+        known += (known.empty() ? "" : ", ") + scene.name;
+    }
+    throw InputError("there is no motivating scene \"" + name + "\"; there are " + known);
+}
+
+bool passes(const MotivatingScene& scene, const std::optional<double>& value)
+{
+    return value && (scene.bound == Bound::at_least ? *value >= scene.limit : *value <= scene.limit);
+}
+
+std::string bound_text(const MotivatingScene& scene)
+{
+    return (scene.bound == Bound::at_least ? "at least " : "at most ") + readable(scene.limit, 3) + " " + scene.unit;
+}
+
+Solver solver_of(int chapter, const ContactParameters& parameters)
+{
+    return chapter == 2 ? detection_without_response(parameters) : chapter_solver(chapter, parameters);
+}
+
+Outcome try_scene(const MotivatingScene& motivating, int chapter, bool with_picture)
+{
+    Scene scene = load_scene(scene_file(motivating.file), motivating.patch);
+    Gauge gauge(motivating.reading);
+    Outcome outcome;
+    std::vector<Probe*> probes{&gauge};
+    std::unique_ptr<Renderer> renderer;
+    WatchProbe camera([&](const World& world, const Contacts& contacts, double dt) {
+        if (outcome.picture || world.time < motivating.moments.back() - 0.5 * dt)
+            return;
+        Stage stage = stage_of(world, scene);
+        mark_pairs(stage, world, contacts);
+        outcome.picture = renderer->draw(stage);
+    });
+    if (with_picture) {
+        renderer = std::make_unique<Renderer>(400, 280);
+        probes.push_back(&camera);
+    }
+    try {
+        run(scene, solver_of(chapter, scene.contact), probes);
+        outcome.value = gauge.value();
+    } catch (const std::runtime_error& error) {
+        outcome.broken = error.what();
+    }
+    return outcome;
+}
+
+void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
+{
+    for (Drawable& drawable : stage.bodies)
+        drawable.wireframe = drawable.faces.size() < 400;  // finer ones would be all lines
+    Contacts pushing;
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pushing), [](const Contact& contact) { return !contact.held; });
+    mark_contacts(stage, world, pushing);
+}
+
+}  // namespace enduring::chapter06

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "common/render/film_probes.hpp"
+#include "common/simulation/probes.hpp"
+#include "common/simulation/scene.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace enduring::chapter06 {
+
+/// Watches a run and ends with one number. None where there is nothing to measure: a body that nothing holds has no speed
+/// along the floor to keep.
+class Gauge final : public Probe {
+public:
+    using Reading = std::function<void(std::optional<double>& value, const World&, const Contacts&, double dt)>;
+    explicit Gauge(Reading reading) : reading_(std::move(reading)) {}
+    void observe(const World& world, const Contacts& contacts, double dt) override { reading_(value_, world, contacts, dt); }
+    std::optional<double> value() const { return value_; }
+
+private:
+    Reading reading_;
+    std::optional<double> value_;
+};
+
+enum class Bound { at_least, at_most };
+
+constexpr int chapters = 6;
+
+/// A scene that one chapter's solver fails and a later one passes: what is measured on it, and where the line is.
+struct MotivatingScene {
+    std::string name;      ///< of the row
+    std::string file;      ///< common/scenes/FILE.json
+    std::string patch;     ///< change to it, as text
+    std::string quantity;  ///< what the number is
+    std::string unit;
+    Bound bound;
+    double limit;
+    std::string reason;    ///< why the line is there
+    std::string expected;  ///< of the chapters 1 to 6 in order: 'p' passes, 'f' fails
+    Gauge::Reading reading;
+    std::vector<double> moments;  ///< worth a picture [s], ascending; the ledger shows the last
+};
+
+/// All of them, in the order of the chapters that they call for.
+const std::vector<MotivatingScene>& motivating_scenes();
+
+/// One of them.
+/// @throws InputError  there is none of that name; lists those there are
+const MotivatingScene& motivating_scene(const std::string& name);
+
+bool passes(const MotivatingScene& scene, const std::optional<double>& value);
+
+/// "at most 10 mm"
+std::string bound_text(const MotivatingScene& scene);
+
+/// A chapter's solver, 1 to 6. That of chapter 2 is chapter 1's and a list of all crossings, to which nothing answers.
+Solver solver_of(int chapter, const ContactParameters& parameters);
+
+/// What came of a scene under one solver.
+struct Outcome {
+    std::optional<double> value;   ///< none if there was nothing to measure, or the run broke
+    std::optional<Picture> picture;
+    std::string broken;            ///< what stopped the run, empty if nothing did
+};
+
+/// Runs a scene under a chapter's solver.
+/// @param with_picture  takes one at the last of the scene's moments, the pairs marked
+Outcome try_scene(const MotivatingScene& scene, int chapter, bool with_picture = false);
+
+/// Surfaces with their triangles, and the pairs in the thesis' colours. Held pairs, which take no impulse, are left out.
+void mark_pairs(Stage& stage, const World& world, const Contacts& contacts);
+
+}  // namespace enduring::chapter06

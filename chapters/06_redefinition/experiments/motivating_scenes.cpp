@@ -1,0 +1,154 @@
+#include "motivating_scene.hpp"
+
+#include "buried_vertex.hpp"
+#include "common/simulation/contact_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enduring::chapter06 {
+namespace {
+
+using Value = std::optional<double>;
+
+Vec3 middle_of(const Body& body)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& x : body.positions_t0())
+        sum += x;
+    return sum / static_cast<double>(body.positions_t0().size());
+}
+
+int index_of(const World& world, const std::string& name)
+{
+    const auto found = std::find_if(world.bodies.begin(), world.bodies.end(), [&](const auto& body) { return body->name() == name; });
+    return static_cast<int>(found - world.bodies.begin());
+}
+
+double speed_along_x(const Body& body) { return body.linear_momentum().x() / body.mass(); }
+
+/// How far the lowest vertex of all bodies is below the ground at the end [mm].
+void below_ground(Value& value, const World& world, const Contacts&, double)
+{
+    value.reset();
+    for (const auto& body : world.bodies)
+        for (const Vec3& x : body->positions_t0())
+            value = std::max(value.value_or(-1e9), -1000 * x.y());
+}
+
+/// Most pairs of features that were in the list after a step.
+void most_pairs(Value& value, const World&, const Contacts& contacts, double)
+{
+    const auto pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane; });
+    value = std::max(value.value_or(0), static_cast<double>(pairs));
+}
+
+/// Height of a body's middle at the end [m].
+Gauge::Reading height_of(std::string body)
+{
+    return [body](Value& value, const World& world, const Contacts&, double) { value = middle_of(body_named(world, body)).y(); };
+}
+
+/// The same for a body that has to be held up at first: none if it is below a height [m] before a time [s].
+Gauge::Reading height_after_being_held(std::string body, double above, double until)
+{
+    return [body, above, until, fell = false](Value& value, const World& world, const Contacts&, double) mutable {
+        const double height = middle_of(body_named(world, body)).y();
+        fell = fell || (world.time <= until && height < above);
+        value = fell ? Value() : Value(height);
+    };
+}
+
+//! [label_truth]
+/// Share of pairs that are labelled as they should be, over the whole run [%]. On a flat floor it is known how: a pair that
+/// pushes along the floor is hooked, one that pushes upwards is regular.
+Gauge::Reading right_labels()
+{
+    return [right = 0L, all = 0L](Value& value, const World& world, const Contacts& contacts, double) mutable {
+        for (const Contact& contact : contacts) {
+            if (contact.kind == ContactKind::vertex_plane || !contact.handled)
+                continue;
+            const bool sideways = std::abs(contact_geometry(world, contact, 0).normal.y()) < std::sqrt(0.5);
+            right += contact.category == (sideways ? ContactCategory::hooked : ContactCategory::regular);
+            ++all;
+        }
+        if (all > 0)
+            value = 100.0 * static_cast<double>(right) / static_cast<double>(all);
+    };
+}
+//! [label_truth]
+
+/// Longest lever of a pushing pair over the run [mm].
+void longest_of_levers(Value& value, const World& world, const Contacts& contacts, double)
+{
+    if (const Value lever = longest_lever(world, contacts))
+        value = std::max(value.value_or(0), 1000 * *lever);
+}
+
+/// Deepest vertex over the run that nothing pushes out [mm].
+Gauge::Reading deepest_unpushed(std::string of, std::string in)
+{
+    return [of, in](Value& value, const World& world, const Contacts& contacts, double) {
+        const double depth = deepest_without_pair(world, contacts, index_of(world, of), index_of(world, in));
+        value = std::max(value.value_or(0), 1000 * depth);
+    };
+}
+
+/// A body's speed along x at the end [m/s], unless it has fallen through the floor.
+Gauge::Reading speed_on_floor(std::string body)
+{
+    return [body](Value& value, const World& world, const Contacts&, double) {
+        value.reset();
+        if (middle_of(body_named(world, body)).y() > 0)
+            value = speed_along_x(body_named(world, body));
+    };
+}
+
+/// Kinetic energy at the end over that at the start, once it has bounced back.
+Gauge::Reading energy_after_bounce(std::string body)
+{
+    return [body, before = 0.0](Value& value, const World& world, const Contacts&, double) mutable {
+        const Body& mover = body_named(world, body);
+        if (world.step == 0)
+            before = mover.energy(world.gravity).kinetic;
+        value.reset();
+        if (speed_along_x(mover) < 0)
+            value = mover.energy(world.gravity).kinetic / before;
+    };
+}
+
+//! [expectations]
+std::vector<MotivatingScene> all_scenes()
+{
+    return {
+        {"ground", "ground", R"({"duration": 2})", "lowest vertex below the ground", "mm", Bound::at_most, 50,
+         "their weight on four springs alone presses them in by less", "pppppp", below_ground, {2}},
+        {"fast_plate", "fast_plate", "", "pairs of features reported", "", Bound::at_least, 1,
+         "it passes a plate, so there is something to report", "fppppp", most_pairs, {0.03}},
+        {"bar_on_cube", "bar_on_cube", R"({"duration": 1.2})", "height of the bar", "m", Bound::at_least, 1,
+         "a bar of 0.4 m on a cube of 1 m has its middle at 1.2 m", "ffpppp", height_of("bar"), {1.2}},
+        {"labels", "hooked", "", "pairs labelled rightly", "%", Bound::at_least, 98, "on a flat floor a pair either lifts or hooks; a few turn within the step that they are labelled in",
+         "ffffpp", right_labels(), {0.3}},
+        {"through_the_side", "through_the_side", "", "height of the wedge", "m", Bound::at_most, -0.5,
+         "free fall from the table's edge ends below -1 m", "fffffp", height_after_being_held("wedge", 0.03, 0.08), {0.05, 0.1, 0.15, 0.25}},
+        {"shifted", "shifted", "", "distance from vertex to push", "mm", Bound::at_most, 10, "in a step the tip moves by 6 mm", "fffffp",
+         longest_of_levers, {0.1, 0.25, 0.5}},
+        {"false_resolution", "false_resolution", "", "deepest vertex that nothing pushes out", "mm", Bound::at_most, 1,
+         "before its first push the tip comes in by 0.2 mm", "fffffp", deepest_unpushed("spike", "slab"), {0.1, 0.3, 0.5}},
+        {"hooked", "hooked", "", "speed at the end", "m/s", Bound::at_least, 1.485, "99 % of 1.5 m/s: nothing rubs", "fffffp",
+         speed_on_floor("cube"), {0.1, 0.3, 0.6}},
+        {"deep", "deep", "", "energy after the bounce over that before", "", Bound::at_most, 1.1, "nothing is there to add any", "ffpppf",
+         energy_after_bounce("cube"), {0.03, 0.06, 0.15}},
+    };
+}
+//! [expectations]
+
+}  // namespace
+
+const std::vector<MotivatingScene>& motivating_scenes()
+{
+    static const std::vector<MotivatingScene> scenes = all_scenes();
+    return scenes;
+}
+
+}  // namespace enduring::chapter06
