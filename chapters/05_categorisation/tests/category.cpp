@@ -1,6 +1,6 @@
 #include "../category.hpp"
 
-#include "corner_shapes.hpp"
+#include "../experiments/corner.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 using namespace enduring;
-using namespace enduring::testing;
+using namespace enduring::chapter05;
 
 namespace {
 
