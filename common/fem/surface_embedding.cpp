@@ -34,7 +34,7 @@ SurfaceEmbedding::SurfaceEmbedding(const TetrahedralMesh& mesh, std::span<const 
     for (int node : surface_nodes) {
         demand_node(node, mesh.nodes.size());
         weights_.push_back({node, 1});
-        offsets_.push_back(static_cast<int>(weights_.size()));
+        end_vertex();
     }
 }
 
@@ -50,8 +50,15 @@ SurfaceEmbedding::SurfaceEmbedding(const QuadraticTetrahedralMesh& mesh, std::sp
             weights_.push_back({node, 1});
         else
             weights_.insert(weights_.end(), {{a, 0.25}, {node, 0.5}, {b, 0.25}});
-        offsets_.push_back(static_cast<int>(weights_.size()));
+        end_vertex();
     }
+}
+
+void SurfaceEmbedding::end_vertex()
+{
+    offsets_.push_back(static_cast<int>(weights_.size()));
+    for (std::size_t i = numbers_.size(); i < weights_.size(); ++i)
+        numbers_.push_back(weights_[i].node);
 }
 
 Vec3 SurfaceEmbedding::at(int vertex, const NodalVectors& field) const

@@ -30,6 +30,11 @@ public:
     {
         return std::span(weights_).subspan(offsets_[vertex], offsets_[vertex + 1] - offsets_[vertex]);
     }
+    /// The same nodes without their shares.
+    std::span<const int> node_numbers_of(int vertex) const
+    {
+        return std::span(numbers_).subspan(offsets_[vertex], offsets_[vertex + 1] - offsets_[vertex]);
+    }
 
     /// Value of a nodal field (positions, velocities) at a vertex.
     Vec3 at(int vertex, const NodalVectors& field) const;
@@ -42,8 +47,11 @@ public:
     double inverse_mass(int vertex, const Eigen::VectorXd& inverse_masses) const;
 
 private:
+    void end_vertex();
+
     std::vector<int> offsets_{0};
     std::vector<NodeWeight> weights_;
+    std::vector<int> numbers_;  ///< the nodes of weights_
 };
 
 }  // namespace enduring

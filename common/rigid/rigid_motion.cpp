@@ -138,9 +138,13 @@ Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
     const Vec3 r = point - pose().position;
     Mat3 lever;
     lever << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+    return Mat3::Identity() / mass_ + lever * inverse_inertia() * lever.transpose();
+}
+
+Mat3 RigidMotion::inverse_inertia() const
+{
     const Mat3 axes = pose().orientation.toRotationMatrix();
-    const Mat3 inverse_inertia = axes * principal_inertia_.cwiseInverse().asDiagonal() * axes.transpose();
-    return Mat3::Identity() / mass_ + lever * inverse_inertia * lever.transpose();
+    return axes * principal_inertia_.cwiseInverse().asDiagonal() * axes.transpose();
 }
 
 Vec3 RigidMotion::angular_momentum(const Vec3& about) const

@@ -55,6 +55,8 @@ public:
     /// Velocity change at `point` per impulse there [1/kg]: 1/m + [r]x J^-1 [r]x^T with r from the centre to the point.
     Mat3 inverse_mass_at(const Vec3& point) const;
 
+    Mat3 inverse_inertia() const;   ///< about the centre, world axes, of the committed pose [1/(kg m^2)]
+
     double mass() const { return mass_; }
     Vec3 linear_momentum() const { return mass_ * velocity(); }   ///< [kg m/s]
     Vec3 angular_momentum(const Vec3& about) const;               ///< orbital and own [kg m^2/s]

@@ -54,6 +54,20 @@ public:
     /// Velocity change at a surface vertex per impulse there [1/kg]; zero for what does not move.
     virtual Mat3 inverse_mass(int vertex) const = 0;
 
+    /// Impulses may be tried out on a copy of the predicted velocities before any is applied: friction is worth no more than
+    /// what all its pairs do together. begin_trial() makes the copy; a body that does not answer trials, because it does not
+    /// move or because its answer costs a solve, keeps the velocities that it has.
+    virtual bool answers_trials() const { return false; }
+    virtual void begin_trial() {}
+    virtual void try_impulse(int, const Vec3&) {}
+    virtual Vec3 tried_velocity(int vertex) const { return velocity(vertex); }
+
+    /// Parts of the body, each moved as one by an impulse on it within a step: pairs that push on the same part share its
+    /// mass. A rigid body is one part, and so is a deformable one that answers implicitly; else every node is its own.
+    virtual int part_count() const { return 1; }
+    /// The parts that an impulse at a surface vertex moves.
+    virtual std::span<const int> moved_parts(int) const { return {&whole, 1}; }
+
     virtual bool is_static() const { return false; }
     virtual double mass() const = 0;                                  ///< [kg]; 0 for a static body
     virtual Energy energy(const Vec3& gravity) const = 0;             ///< of the committed state
@@ -65,6 +79,8 @@ protected:
     std::vector<Vec3> positions_t0_, positions_t1_;
 
 private:
+    static constexpr int whole = 0;
+
     std::string name_;
     SurfaceTopology surface_;
 };

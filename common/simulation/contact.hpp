@@ -33,6 +33,7 @@ struct Contact {
 
     Vec3 friction = Vec3::Zero();  ///< friction impulse on A in this step [N s], chapter 4
     Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m], chapter 4
+    double slip = 0;               ///< speed at which friction lets go in this step [m/s], 0 while it holds, chapter 4
     ContactCategory category = ContactCategory::unknown;  ///< chapter 5
     bool held = false;             ///< stays in the list but takes no impulse, chapter 6
     bool resolved = false;         ///< separated in this step: seen by the probes, gone with the next, chapter 6

@@ -87,6 +87,28 @@ Mat3 DeformableBody::inverse_mass(int vertex) const
     return embedding_.inverse_mass(vertex, elastic_.inverse_masses()) * Mat3::Identity();
 }
 
+void DeformableBody::begin_trial()
+{
+    if (answers_trials())
+        tried_velocities_ = elastic_.velocities();
+}
+
+void DeformableBody::try_impulse(int vertex, const Vec3& impulse)
+{
+    if (answers_trials())
+        embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), tried_velocities_);
+}
+
+Vec3 DeformableBody::tried_velocity(int vertex) const
+{
+    return answers_trials() ? embedding_.at(vertex, tried_velocities_) : velocity(vertex);
+}
+
+std::span<const int> DeformableBody::moved_parts(int vertex) const
+{
+    return impulse_response_ == ImpulseResponse::implicit ? Body::moved_parts(vertex) : embedding_.node_numbers_of(vertex);
+}
+
 Energy DeformableBody::energy(const Vec3& gravity) const
 {
     Energy energy;

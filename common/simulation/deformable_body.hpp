@@ -41,6 +41,14 @@ public:
     Vec3 velocity(int vertex) const override { return embedding_.at(vertex, elastic_.velocities()); }
     Mat3 inverse_mass(int vertex) const override;
 
+    bool answers_trials() const override { return impulse_response_ == ImpulseResponse::lumped; }
+    void begin_trial() override;
+    void try_impulse(int vertex, const Vec3& impulse) override;
+    Vec3 tried_velocity(int vertex) const override;
+
+    int part_count() const override { return impulse_response_ == ImpulseResponse::implicit ? 1 : elastic_.node_count(); }
+    std::span<const int> moved_parts(int vertex) const override;
+
     double mass() const override { return elastic_.mass(); }
     Energy energy(const Vec3& gravity) const override;
     Vec3 linear_momentum() const override { return elastic_.linear_momentum(); }
@@ -58,6 +66,7 @@ private:
     SurfaceEmbedding embedding_;
     ImpulseResponse impulse_response_;
     NodalVectors waiting_impulses_;  ///< on the nodes, until the next update_prediction; only for the implicit response
+    NodalVectors tried_velocities_;  ///< of the nodes; only for the lumped response
 };
 
 }  // namespace enduring

@@ -24,6 +24,14 @@ public:
     Vec3 velocity(int vertex) const override { return velocities_[static_cast<std::size_t>(vertex)]; }
     Mat3 inverse_mass(int) const override { return Mat3::Identity() / mass_; }
 
+    bool answers_trials() const override { return true; }
+    void begin_trial() override { tried_velocities_ = velocities_; }
+    void try_impulse(int vertex, const Vec3& impulse) override { tried_velocities_[static_cast<std::size_t>(vertex)] += impulse / mass_; }
+    Vec3 tried_velocity(int vertex) const override { return tried_velocities_[static_cast<std::size_t>(vertex)]; }
+
+    int part_count() const override { return static_cast<int>(velocities_.size()); }
+    std::span<const int> moved_parts(int vertex) const override { return std::span(numbers_).subspan(static_cast<std::size_t>(vertex), 1); }
+
     double mass() const override { return mass_ * static_cast<double>(velocities_.size()); }
     Energy energy(const Vec3& gravity) const override;
     Vec3 linear_momentum() const override;
@@ -31,7 +39,8 @@ public:
 
 private:
     double mass_;
-    std::vector<Vec3> velocities_;
+    std::vector<Vec3> velocities_, tried_velocities_;
+    std::vector<int> numbers_;  ///< 0, 1, 2 ...: each point is a part of its own
 };
 
 }  // namespace enduring

@@ -46,6 +46,22 @@ Vec3 RigidBody::velocity(int vertex) const { return motion_.velocity_at(start_of
 
 Mat3 RigidBody::inverse_mass(int vertex) const { return motion_.inverse_mass_at(start_of(vertex)); }
 
+void RigidBody::begin_trial()
+{
+    trial_ = {motion_.pose().position, motion_.velocity(), motion_.angular_velocity(), motion_.inverse_inertia()};
+}
+
+void RigidBody::try_impulse(int vertex, const Vec3& impulse)
+{
+    trial_.velocity += impulse / mass();
+    trial_.angular_velocity += trial_.inverse_inertia * (start_of(vertex) - trial_.centre).cross(impulse);
+}
+
+Vec3 RigidBody::tried_velocity(int vertex) const
+{
+    return trial_.velocity + trial_.angular_velocity.cross(start_of(vertex) - trial_.centre);
+}
+
 Energy RigidBody::energy(const Vec3& gravity) const
 {
     Energy energy;

@@ -27,6 +27,11 @@ public:
     Vec3 velocity(int vertex) const override;
     Mat3 inverse_mass(int vertex) const override;
 
+    bool answers_trials() const override { return true; }
+    void begin_trial() override;
+    void try_impulse(int vertex, const Vec3& impulse) override;
+    Vec3 tried_velocity(int vertex) const override;
+
     double mass() const override { return motion_.mass(); }
     Energy energy(const Vec3& gravity) const override;
     Vec3 linear_momentum() const override { return motion_.linear_momentum(); }
@@ -35,9 +40,16 @@ public:
     const RigidMotion& motion() const { return motion_; }
 
 private:
+    /// A copy of what an impulse changes, and what it takes to change it.
+    struct Trial {
+        Vec3 centre, velocity, angular_velocity;
+        Mat3 inverse_inertia;
+    };
+
     const Vec3& start_of(int vertex) const { return positions_t0_[static_cast<std::size_t>(vertex)]; }
 
     RigidMotion motion_;
+    Trial trial_{};
     std::vector<Vec3> body_points_;  ///< surface vertices in body coordinates [m]
 };
 

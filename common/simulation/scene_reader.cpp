@@ -1,6 +1,7 @@
 #include "common/simulation/scene_reader.hpp"
 
 #include "common/simulation/body_reader.hpp"
+#include "common/simulation/friction_reader.hpp"
 #include "common/simulation/json_value.hpp"
 #include "common/simulation/mistakes.hpp"
 
@@ -14,7 +15,7 @@ constexpr std::size_t most_planes = 100;
 
 ContactParameters read_contact(const JsonValue& value)
 {
-    value.require_keys({"method", "stiffness"});
+    value.require_keys({"method", "stiffness", "friction"});
     ContactParameters contact;
     Mistakes mistakes;
     mistakes.gather([&] {
@@ -22,6 +23,10 @@ ContactParameters read_contact(const JsonValue& value)
             contact.method = method->choice({"dpf", "cpf"}) == 0 ? PenaltyMethod::discrete : PenaltyMethod::continuous;
     });
     mistakes.gather([&] { contact.stiffness = value.number_or("stiffness", {0, 1e12, false, true, "N/m"}, contact.stiffness); });
+    mistakes.gather([&] {
+        if (const std::optional<JsonValue> friction = value.find("friction"))
+            contact.friction = read_friction(*friction, contact.stiffness);
+    });
     mistakes.complain();
     return contact;
 }

@@ -1,0 +1,121 @@
+#include "friction_contact.hpp"
+
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "mended_friction.hpp"
+
+namespace enduring {
+namespace {
+
+/// Velocity of p against q as the bodies predict it, each at its fixed place on its feature.
+Vec3 relative_velocity(const World& world, const Contact& contact)
+{
+    Vec3 velocity = Vec3::Zero();
+    for (int i = 0; i < contact.vertex_count(); ++i)
+        velocity += contact.weights[static_cast<std::size_t>(i)]
+                    * body_of_vertex(world, contact, i).velocity(contact.vertices[static_cast<std::size_t>(i)]);
+    return velocity;
+}
+
+/// How far p has moved against q from the pair's start to the end of the step: two points of matter, so a turn of the
+/// whole world or a slide of the features past each other is all in it.
+Vec3 relative_motion(const World& world, const Contact& contact)
+{
+    Vec3 motion = Vec3::Zero();
+    for (int i = 0; i < contact.vertex_count(); ++i)
+        motion += contact.weights[static_cast<std::size_t>(i)]
+                  * (contact_vertex(world, contact, i, 1) - contact_vertex(world, contact, i, 0));
+    return (1 - contact.start) * motion;
+}
+
+void rub_each(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+{
+    for (Contact& contact : contacts) {
+        if (!pushes_now(contact))
+            continue;
+        const double normal_impulse = contact.impulse.norm();
+        const TangentPlane plane(contact.impulse / normal_impulse);
+        const FrictionImpulse answer = yamane_nakamura(
+            {plane.of(contact.stretch), plane.of(relative_velocity(world, contact)), normal_impulse}, friction, dt);
+        contact.friction = plane.in_space(answer.impulse);
+        contact.slip = answer.slip;
+    }
+}
+
+//! [after_slip]
+/// Where p lies against its anchor when the pair has let go: on it (p_ref := p, below 5.22), or as far from it as the pull
+/// that is left can hold, and the less the faster it slips.
+Vec3 after_slip(const Contact& contact, const Vec3& stretch, const FrictionParameters& friction, double dt)
+{
+    if (friction.model == FrictionModel::yamane_nakamura)
+        return Vec3::Zero();
+    const double kept = 1 - slip_weight(friction.weighting, contact.slip);
+    const double longest = kept * contact.friction.norm() / (dt * friction.spring), length = stretch.norm();
+    return length > longest ? Vec3(stretch * (longest / length)) : stretch;
+}
+//! [after_slip]
+
+}  // namespace
+
+//! [rub_pairs]
+void rub_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+{
+    for (Contact& contact : contacts)
+        if (contact.waiting())
+            contact.slip = 0;
+    if (friction.model == FrictionModel::mended)
+        rub_together(world, contacts, friction, dt);
+    else
+        rub_each(world, contacts, friction, dt);
+}
+//! [rub_pairs]
+
+//! [move_anchors]
+void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+{
+    for (Contact& contact : contacts) {
+        if (contact.held)
+            continue;
+        const double normal_impulse = contact.impulse.norm();
+        if (normal_impulse <= least_impulse) {
+            contact.stretch.setZero();
+            continue;
+        }
+        const TangentPlane plane(contact.impulse / normal_impulse);
+        const Vec3 stretch = plane.projected(contact.stretch + relative_motion(world, contact));
+        contact.stretch = contact.slip > 0 ? after_slip(contact, stretch, friction, dt) : stretch;
+    }
+}
+//! [move_anchors]
+
+double friction_spring_energy(const Contacts& contacts, const FrictionParameters& friction)
+{
+    double sum = 0;
+    for (const Contact& contact : contacts)
+        sum += 0.5 * friction.spring * contact.stretch.squaredNorm();
+    return sum;
+}
+
+//! [solver]
+void add_friction(Solver& solver, const FrictionParameters& friction)
+{
+    if (friction.model == FrictionModel::none)
+        return;
+    solver.respond.push_back({"friction", [friction](World& world, Contacts& contacts, double dt) {
+        rub_pairs(world, contacts, friction, dt);
+    }});
+    solver.finish.push_back({"move friction anchors", [friction](World& world, Contacts& contacts, double dt) {
+        move_friction_anchors(world, contacts, friction, dt);
+    }});
+}
+
+Solver chapter04_solver(const ContactParameters& parameters)
+{
+    Solver solver = chapter03_solver(parameters);
+    solver.name = "chapter 4";
+    add_friction(solver, parameters.friction);
+    return solver;
+}
+//! [solver]
+
+}  // namespace enduring

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "common/simulation/scene.hpp"
+
+namespace enduring {
+
+/// Response, after the normal impulses: gives every waiting pair that pushes its friction impulse. All come from the same
+/// prediction, and the step applies them together with the normal ones.
+/// @param dt  length of the step [s], positive
+/// @see thesis 5.3
+void rub_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);
+
+/// Finish, from the last prediction: every anchor stays where it is, and the point that it holds moves on along the
+/// surface by sum_i w_i (x_i(t1) - x_i(t0)), a new pair's from its time of impact. A pair that no longer pushes has no anchor;
+/// one that is held keeps its own untouched.
+/// @param dt  length of the step [s], positive
+void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);
+
+/// What the springs of mended or yamane_nakamura friction hold at the end of a step [J].
+double friction_spring_energy(const Contacts& contacts, const FrictionParameters& friction);
+
+/// This chapter's solver: chapter 3 and friction. It keeps the trees of one world, so make one for each run.
+Solver chapter04_solver(const ContactParameters& parameters);
+
+/// Appends this chapter's passes to a solver whose last response passes give the normal impulses.
+void add_friction(Solver& solver, const FrictionParameters& friction);
+
+}  // namespace enduring
