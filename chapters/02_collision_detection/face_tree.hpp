@@ -2,6 +2,7 @@
 
 #include "chapters/02_collision_detection/swept_box.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace enduring {
@@ -37,6 +38,16 @@ public:
             descend(0, box, visit);
     }
 
+    /// Calls visit(face) for the faces whose boxes are nearer to a point than the square root of `bound`, the nearer half of
+    /// the tree first. A visit may lower the bound: a search for the nearest face.
+    /// @param bound  squared distance [m^2]
+    template <class Visit>
+    void visit_near(const Vec3& point, const double& bound, Visit&& visit) const
+    {
+        if (!nodes_.empty() && squared_distance(nodes_[0].box, point) < bound)
+            approach(0, point, bound, visit);
+    }
+
     const SweptBox& vertex_box(int vertex) const { return vertex_boxes_[static_cast<std::size_t>(vertex)]; }
     const SweptBox& edge_box(int edge) const { return edge_boxes_[static_cast<std::size_t>(edge)]; }
     const SweptBox& face_box(int face) const { return nodes_[static_cast<std::size_t>(leaf_of_face_[static_cast<std::size_t>(face)])].box; }
@@ -59,6 +70,30 @@ private:
     };
 
     void build(std::span<int> faces, std::span<const Vec3> middles);
+    static double squared_distance(const SweptBox& box, const Vec3& point)
+    {
+        return (box.low - point).cwiseMax(point - box.high).cwiseMax(0).squaredNorm();
+    }
+
+    template <class Visit>
+    void approach(int i, const Vec3& point, const double& bound, Visit& visit) const
+    {
+        const Node& node = nodes_[static_cast<std::size_t>(i)];
+        if (node.is_leaf())
+            return visit(node.face());
+        int near = i + 1, far = node.second_child;
+        double to_near = squared_distance(nodes_[static_cast<std::size_t>(near)].box, point);
+        double to_far = squared_distance(nodes_[static_cast<std::size_t>(far)].box, point);
+        if (to_far < to_near) {
+            std::swap(near, far);
+            std::swap(to_near, to_far);
+        }
+        if (to_near < bound)
+            approach(near, point, bound, visit);
+        if (to_far < bound)
+            approach(far, point, bound, visit);
+    }
+
     static std::span<const int> owned(const std::vector<Owned>& all, int face)
     {
         const Owned& one = all[static_cast<std::size_t>(face)];
