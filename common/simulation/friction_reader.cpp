@@ -3,6 +3,7 @@
 #include "common/simulation/mistakes.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace enduring {
 namespace {

@@ -128,7 +128,7 @@ TEST_CASE("scene: wrong types are named with what was expected")
     CHECK(complaint(R"({"bodies": []})") == "ball.json: /bodies: expected a list of 1 to 1000 entries, found the list []");
     CHECK(complaint(R"({"gravity": [0, 1]})") == "ball.json: /gravity: expected a list of three numbers, found the list [0,1]");
     CHECK(complaint(R"({"contact": {"method": "cpg"}})") == "ball.json: /contact/method: expected one of \"dpf\", \"cpf\", found \"cpg\"");
-    CHECK(complaint(R"({"contact": 5})") == "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", found 5");
+    CHECK(complaint(R"({"contact": 5})") == "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", found 5");
     CHECK(complaint(R"({"/bodies/0/look/smooth": 1})") == "ball.json: /bodies/0/look/smooth: expected true or false, found 1");
     CHECK(complaint(R"({"/bodies/0/type": 7})") == "ball.json: /bodies/0/type: expected one of \"static\", \"rigid\", \"deformable\", found 7");
     CHECK(complaint(R"({"/bodies/1/shape/plane_grid/cells": [1.5, 1]})") ==
