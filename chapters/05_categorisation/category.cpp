@@ -1,7 +1,7 @@
 #include "category.hpp"
 
 #include "chapters/03_penalty_impulses/contact_normal.hpp"
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
 
 namespace enduring {
 namespace {
@@ -87,7 +87,7 @@ void label_new_contacts(const World& world, Contacts& contacts, EdgeRule rule)
 //! [solver]
 Solver chapter05_solver(const ContactParameters& parameters)
 {
-    Solver solver = chapter03_solver(parameters);
+    Solver solver = chapter04_solver(parameters);
     solver.name = "chapter 5";
     solver.enduring.push_back({"categorise", [](World& world, Contacts& contacts, double) {
         label_contacts(world, contacts);

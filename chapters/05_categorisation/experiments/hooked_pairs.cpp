@@ -1,6 +1,6 @@
 #include "hooked_pairs.hpp"
 
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ void treat(Contacts& contacts, HookedPairs treatment)
 
 Solver solver_that(HookedPairs treatment, EdgeRule rule, const ContactParameters& parameters)
 {
-    Solver solver = chapter03_solver(parameters);
+    Solver solver = chapter04_solver(parameters);
     solver.name = "chapter 5, hooked pairs treated";
     solver.enduring.push_back({"categorise", [rule, treatment](World& world, Contacts& contacts, double) {
         label_contacts(world, contacts, rule);

@@ -1,6 +1,7 @@
 #include "experiments.hpp"
 
 #include "../category.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
 #include "common/render/film_probes.hpp"
 #include "common/simulation/run.hpp"
 #include "known_truth.hpp"
@@ -11,6 +12,25 @@
 
 namespace enduring::chapter05 {
 namespace {
+
+/// Chapter 4's solver on the same cube: on a plane and on triangles that form it, without friction and with a little.
+void chapter_4_defeated(const std::filesystem::path& file, Report& report)
+{
+    const std::string plane = R"({"planes": [{"name": "floor"}], "bodies": [{"name": "cube", "type": "rigid", "mass": 20,
+        "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "position": [0, 0.255, 0.03], "velocity": [1.5, 0, 0]}])";
+    const std::string rough = R"("contact": {"friction": {"model": "mended", "mu_s": 0.1, "mu_d": 0.05}})";
+    Table table({"floor", "mu_d", "way_m", "speed after 1.5 s [m/s]"});
+    for (const bool triangles : {false, true})
+        for (const bool friction : {false, true}) {
+            const std::string patch = triangles ? (friction ? "{" + rough + "}" : "") : plane + (friction ? ", " + rough : "") + "}";
+            Scene scene = load_scene(file, patch);
+            CensusProbe probe("cube");
+            run(scene, chapter04_solver(scene.contact), {&probe});
+            table.add({std::string(triangles ? "triangles" : "plane"), friction ? 0.05 : 0.0, probe.way(), probe.last_speed()});
+        }
+    report.table("defeat", table);
+    report.page_table("defeat", table);
+}
 
 void slide(const std::filesystem::path& file, Report& report)
 {
@@ -34,6 +54,7 @@ Cell share(long part, long all) { return all > 0 ? Cell(100.0 * double(part) / d
 /// The scene of thesis 6.1.2 labelled, and the labels against the truth where it is known.
 void sliding_categories(const RunOptions& options, Report& report)
 {
+    chapter_4_defeated(options.scene.value_or(scene_file("hooked")), report);
     slide(options.scene.value_or(scene_file("hooked")), report);
 
     Table table({"scene", "true pairs", "labelled regular [%]", "artefacts", "labelled hooked [%]", "at 45°"});
