@@ -17,7 +17,7 @@ if(BASH AND NOT ENDURING_SANITIZE AND NOT ENDURING_FUZZ)
     LABELS course ENVIRONMENT "ENDURING_BUILD=${CMAKE_BINARY_DIR}")
   if(Python3_FOUND)
     add_test(NAME "book: what the weaver brings and what stops it"
-             COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/docs/tests/test_weave.py)
+             COMMAND ${Python3_EXECUTABLE} -m unittest discover -s ${PROJECT_SOURCE_DIR}/docs/tests)
     set_tests_properties("book: what the weaver brings and what stops it" PROPERTIES LABELS course)
   endif()
 endif()

@@ -58,7 +58,7 @@ def leftovers(book):
                 yield f"{page.name}: {place} is missing"
         body = re.sub(r"<(code|pre)\b.*?</\1>", "", text, flags=re.S)
         yield from (f"{page.name}: left in the text: {found}"
-                    for found in re.findall(r"@(?:fact|figure|table|figref|tabref|test)\{[^}]*\}|\\f[$\[].{0,40}", body))
+                    for found in re.findall(r"@(?:fact|figure|table|figref|tabref|test|concordance)\{[^}]*\}|\\f[$\[].{0,40}", body))
 
 
 def keep_together(book):

@@ -14,6 +14,8 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from concordance import KINDS, Concordance, heading_of
+
 QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run (`./course docs --quick`)."
 
 
@@ -205,13 +207,16 @@ def reference(pages, page, kind, name):
 def test_names(root):
     """The names of all tests, as CTest shows them."""
     sources = [path for top in ("common", "chapters") for path in sorted((root / top).glob("*/tests/*.cpp"))]
-    return {name for path in sources for name in re.findall(r'TEST_CASE\("([^"]+)"', path.read_text(encoding="utf-8"))}
+    return {name.replace('\\"', '"') for path in sources
+            for name in re.findall(r'TEST_CASE\("((?:[^"\\]|\\.)+)"', path.read_text(encoding="utf-8"))}
 
 
 # ------------------------------------------------------------------------------------------------------------ weaving
 class Weaver:
     def __init__(self, root, pages, results):
         self.root, self.pages, self.results, self.tests = root, pages, results, test_names(root)
+        self.concordance, self.by_label = Concordance(root), {page.label: page for page in pages}
+        self.orphans = self.concordance.check(self.tests, self.by_label)
 
     def test(self, name):
         if name not in self.tests:
@@ -228,7 +233,7 @@ class Weaver:
             return reference(self.pages, page, match[1], match[2].strip())
         parts = re.split(r"(`[^`]*`)", text)
         parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about)\b.*", part)),
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance)\b.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")
@@ -241,6 +246,12 @@ class Weaver:
             return table_block(page, match[1], self.inline(page, match[2] or ""), self.results)
         if match := re.match(r"^@pages\{(\w+)\}\s*$", line):
             return link_block(self, match[1])
+        if match := re.match(r"^@concordance\{(\w+)\}\s*$", line):
+            if match[1] not in KINDS:
+                raise Mistake(f"@concordance{{{match[1]}}}: one of {', '.join(KINDS)}")
+            return "" if self.orphans else self.concordance.table(match[1], self.by_label, self.test)
+        if anchor := self.concordance.anchors(page.label).get(heading_of(line)):
+            return line if "{#" in line else f"{line} {{#{anchor}}}"
         if match := re.match(r"^\s*[\\@]snippet(\{\w+\})?\s+(\S+)\s+(.+?)\s*$", line):
             return snippet_block(self.root, page, match[1] or "", match[2], match[3])
         return self.inline(page, line)
@@ -284,6 +295,7 @@ def weave(root, results_root, out, quick):
     mistakes = [mistake for page in pages for mistake in number_figures(page, results)]
     weaver, texts = Weaver(root, pages, results), {}
     mistakes += unlisted_errata(root, weaver.tests)
+    mistakes += weaver.orphans
     for page in pages:
         texts[page.label], found = weaver.page(page, quick)
         mistakes += found
