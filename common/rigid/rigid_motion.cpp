@@ -107,7 +107,7 @@ Pose RigidMotion::predicted_pose(double dt) const
 //! [apply_impulse]
 void RigidMotion::apply_impulse(const Vec3& impulse, const Vec3& point)
 {
-    const Vec3 lever = point - pose().position;
+    const Vec3 lever = point - centre();
     body_->applyImpulse(to_bullet(impulse), to_bullet(lever));
     spin_momentum_ += lever.cross(impulse);
 }
@@ -125,17 +125,18 @@ void RigidMotion::commit(double dt)
 //! [commit]
 
 Pose RigidMotion::pose() const { return from_bullet(body_->getCenterOfMassTransform()); }
+Vec3 RigidMotion::centre() const { return from_bullet(body_->getCenterOfMassPosition()); }
 Vec3 RigidMotion::velocity() const { return from_bullet(body_->getLinearVelocity()); }
 Vec3 RigidMotion::angular_velocity() const { return from_bullet(body_->getAngularVelocity()); }
 
 Vec3 RigidMotion::velocity_at(const Vec3& point) const
 {
-    return velocity() + angular_velocity().cross(point - pose().position);
+    return velocity() + angular_velocity().cross(point - centre());
 }
 
 Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
 {
-    const Vec3 r = point - pose().position;
+    const Vec3 r = point - centre();
     Mat3 lever;
     lever << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
     return Mat3::Identity() / mass_ + lever * inverse_inertia() * lever.transpose();
@@ -143,13 +144,15 @@ Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
 
 Mat3 RigidMotion::inverse_inertia() const
 {
-    const Mat3 axes = pose().orientation.toRotationMatrix();
+    const btMatrix3x3& basis = body_->getCenterOfMassTransform().getBasis();
+    Mat3 axes;
+    axes << basis[0][0], basis[0][1], basis[0][2], basis[1][0], basis[1][1], basis[1][2], basis[2][0], basis[2][1], basis[2][2];
     return axes * principal_inertia_.cwiseInverse().asDiagonal() * axes.transpose();
 }
 
 Vec3 RigidMotion::angular_momentum(const Vec3& about) const
 {
-    return (pose().position - about).cross(linear_momentum()) + spin_momentum_;
+    return (centre() - about).cross(linear_momentum()) + spin_momentum_;
 }
 
 double RigidMotion::kinetic_energy() const

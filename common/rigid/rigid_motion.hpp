@@ -48,6 +48,7 @@ public:
     void commit(double dt);
 
     Pose pose() const;              ///< committed
+    Vec3 centre() const;            ///< its position alone, which costs less [m]
     Vec3 velocity() const;          ///< of the centre of mass [m/s]
     Vec3 angular_velocity() const;  ///< in world axes [rad/s]
     /// Velocity [m/s] of the material point that is at `point` in the committed pose.

@@ -1,0 +1,125 @@
+// What one resting pair costs in each stage and altogether: passes over the pairs under a cube that rests on a triangulated
+// floor, of one kind or of both, divided by their number. The column that counts is "per_pair" [s].
+//
+// The mended friction solves all pairs together. With half of them taken away the cube no longer rests, and it takes more
+// rounds: "both" is the number to read there.
+
+#include "../edge_edge_dismissal.hpp"
+#include "../redefinition_solver.hpp"
+#include "../resolution.hpp"
+#include "../vertex_face_redefinition.hpp"
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/05_categorisation/category.hpp"
+#include "common/simulation/run.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <optional>
+
+namespace {
+
+using namespace enduring;
+
+/// The cube at rest, held by friction, and its next step predicted.
+struct Resting {
+    Resting(std::optional<ContactKind> only, FrictionModel model)
+        : kind(only),
+          scene(load_scene(scene_file("hooked"), model == FrictionModel::mended
+                               ? R"({"/bodies/cube/velocity": [0, 0, 0], "contact": {"friction": {"model": "mended", "mu_s": 0.5, "mu_d": 0.4}}})"
+                               : R"({"/bodies/cube/velocity": [0, 0, 0], "contact": {"friction": {"model": "yamane_nakamura", "mu_s": 0.5, "mu_d": 0.4}}})"))
+    {
+        RunLimits limits;
+        limits.steps = 300;
+        all = run(scene, chapter06_solver(scene.contact), {}, limits).contacts;
+        for (Contact& contact : all) {
+            contact.handled = false;
+            contact.start = 0;
+            if (contact.kind == kind.value_or(contact.kind) && !contact.held)
+                pairs.push_back(contact);
+        }
+        for (const auto& body : scene.world.bodies)
+            body->predict(scene.world.gravity, scene.dt);
+        detection.find_candidates(scene.world);
+    }
+
+    bool has(ContactKind one) const { return kind.value_or(one) == one; }
+
+    std::optional<ContactKind> kind;
+    Scene scene;
+    Contacts all;    ///< of both kinds: whether an edge pair is resolved is decided by the vertex pairs
+    Contacts pairs;  ///< those asked for, if they push
+    CrossingDetection detection;
+    Redefinitions redefinitions;
+};
+
+using Stage = void (*)(Resting&);
+
+void resolve(Resting& at)
+{
+    if (at.has(ContactKind::vertex_face))
+        resolve_vertices_that_left(at.scene.world, at.detection, at.all, at.redefinitions);
+    if (at.has(ContactKind::edge_edge))
+        resolve_edges_that_left(at.scene.world, at.detection, at.all);
+}
+
+void categorise_only(Resting& at) { label_contacts(at.scene.world, at.pairs); }
+
+/// Categorises on its way.
+void follow(Resting& at)
+{
+    if (at.has(ContactKind::vertex_face))
+        redefine_enduring_vertices(at.scene.world, at.pairs, at.redefinitions);
+    if (at.has(ContactKind::edge_edge))
+        dismiss_enduring_edges(at.scene.world, at.pairs);
+}
+
+void push(Resting& at, PenaltyMethod method) { push_pairs_apart(at.scene.world, at.pairs, method, at.scene.contact.stiffness, at.scene.dt); }
+void push_continuous(Resting& at) { push(at, PenaltyMethod::continuous); }
+void push_discrete(Resting& at) { push(at, PenaltyMethod::discrete); }
+
+void rub(Resting& at) { rub_pairs(at.scene.world, at.pairs, at.scene.contact.friction, at.scene.dt); }
+
+template <Stage impulse>
+void altogether(Resting& at)
+{
+    follow(at);
+    impulse(at);
+    rub(at);
+    resolve(at);
+}
+
+void run_stage(benchmark::State& state, std::optional<ContactKind> kind, Stage stage, FrictionModel model = FrictionModel::mended)
+{
+    Resting at(kind, model);
+    push_continuous(at);  // friction needs a normal impulse
+    for (auto _ : state) {
+        stage(at);
+        benchmark::ClobberMemory();
+    }
+    state.counters["pairs"] = static_cast<double>(at.pairs.size());
+    state.counters["per_pair"] = benchmark::Counter(static_cast<double>(at.pairs.size()),
+                                                    benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+constexpr ContactKind VF = ContactKind::vertex_face, EE = ContactKind::edge_edge;
+constexpr FrictionModel thesis = FrictionModel::yamane_nakamura;
+
+#define EACH_KIND(name, ...)                                              \
+    BENCHMARK_CAPTURE(run_stage, name##_VF, VF, __VA_ARGS__);             \
+    BENCHMARK_CAPTURE(run_stage, name##_EE, EE, __VA_ARGS__);             \
+    BENCHMARK_CAPTURE(run_stage, name##_both, std::nullopt, __VA_ARGS__)
+
+EACH_KIND(resolve, resolve);
+EACH_KIND(categorise, categorise_only);
+EACH_KIND(follow, follow);
+EACH_KIND(impulse_cpf, push_continuous);
+EACH_KIND(impulse_dpf, push_discrete);
+EACH_KIND(friction_thesis, rub, thesis);
+EACH_KIND(friction_mended, rub);
+EACH_KIND(altogether_cpf_thesis, altogether<push_continuous>, thesis);
+EACH_KIND(altogether_dpf_thesis, altogether<push_discrete>, thesis);
+EACH_KIND(altogether_cpf_mended, altogether<push_continuous>);
+EACH_KIND(altogether_dpf_mended, altogether<push_discrete>);
+
+}  // namespace
