@@ -23,7 +23,7 @@ WorkedStep worked_step()
 {
     const std::vector<Vec3> triangle{{0.5, 0.1, 0.5}, {0.5, -0.1, 1}, {1.5, -0.2, 1.5}};
     const std::vector<Vec3> sheet{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}, {2, 0, 2}};
-    const std::vector<Face> one_face{{0, 1, 2}}, two_faces{{0, 1, 2}, {3, 2, 1}};
+    const std::vector<Face> one_face{{0, 2, 1}}, two_faces{{0, 1, 2}, {3, 2, 1}};
     const double mass = 1;  // of each point
     auto above = std::make_unique<PointMasses>("above", triangle, one_face, mass);
     auto below = std::make_unique<PointMasses>("below", sheet, two_faces, mass);

@@ -8,23 +8,43 @@
 namespace enduring::chapter06 {
 namespace {
 
-Contacts those(const Contacts& contacts, bool (*wanted)(const Contact&))
+template <typename Wanted>
+Contacts those(const Contacts& contacts, const Wanted& wanted)
 {
     Contacts some;
     std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(some), wanted);
     return some;
 }
 
-/// Angle between a face normal that was upright at first and the vertical: the steepest of all face normals.
-double tilt_of(const Body& cube)
+/// Those of one kind that push, the hooked ones in orange.
+void mark_pushing(Stage& stage, const World& world, const Contacts& contacts, ContactKind kind)
 {
-    double steepest = 0;
-    const auto x = cube.positions_t0();
-    for (const auto& [f0, f1, f2] : cube.surface().faces()) {
-        const Vec3 &corner = x[static_cast<std::size_t>(f0)], &second = x[static_cast<std::size_t>(f1)], &third = x[static_cast<std::size_t>(f2)];
-        steepest = std::max(steepest, std::abs((second - corner).cross(third - corner).normalized().y()));
-    }
-    return std::acos(std::min(1.0, steepest));
+    const auto push = [&](bool hooked) {
+        return those(contacts, [&](const Contact& c) {
+            return c.kind == kind && c.handled && (c.category == ContactCategory::hooked) == hooked;
+        });
+    };
+    mark_contacts(stage, world, push(false));
+    mark_artefacts(stage, world, push(true));
+}
+
+/// Unit normal of one face.
+Vec3 face_normal(const Body& body, std::size_t face)
+{
+    const auto x = body.positions_t0();
+    const auto [f0, f1, f2] = body.surface().faces()[face];
+    const Vec3& corner = x[static_cast<std::size_t>(f0)];
+    return (x[static_cast<std::size_t>(f1)] - corner).cross(x[static_cast<std::size_t>(f2)] - corner).normalized();
+}
+
+/// The face that looks up most.
+std::size_t top_face(const Body& body)
+{
+    std::size_t top = 0;
+    for (std::size_t face = 0; face < body.surface().faces().size(); ++face)
+        if (face_normal(body, face).y() > face_normal(body, top).y())
+            top = face;
+    return top;
 }
 
 /// The contacts lie under the cube: let it be seen through.
@@ -51,8 +71,10 @@ void BarSlideProbe::observe(const World& world, const Contacts& contacts, double
     for (const Vec3& x : cube.positions_t0())
         middle += x / static_cast<double>(cube.positions_t0().size());
     const double speed = cube.linear_momentum().x() / cube.mass(), force = std::get<double>(force_.table().rows().back()[2]);
+    if (moments_.empty())
+        top_ = top_face(cube);
     weight_ = -cube.mass() * world.gravity.y();
-    moments_.push_back({world.time, middle.x(), speed, force, tilt_of(cube)});
+    moments_.push_back({world.time, middle.x(), speed, force, std::acos(std::clamp(face_normal(cube, top_).y(), -1.0, 1.0))});
     const long pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.handled; }),
                held = std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.held; });
     table_.add({solver_, world.time, middle.x(), speed, force, pairs, held});
@@ -87,7 +109,7 @@ BarSlideOutcome outcome_of(const BarSlideProbe& probe, double settled, double en
 void mark_vertex_pairs(Stage& stage, const World& world, const Contacts& contacts)
 {
     open_up(stage);
-    mark_contacts(stage, world, those(contacts, [](const Contact& c) { return c.kind == ContactKind::vertex_face && c.handled; }));
+    mark_pushing(stage, world, contacts, ContactKind::vertex_face);
 }
 
 void mark_edge_pairs(Stage& stage, const World& world, const Contacts& contacts)
@@ -97,7 +119,7 @@ void mark_edge_pairs(Stage& stage, const World& world, const Contacts& contacts)
         for (const int first : {0, 2})
             stage.segments.push_back({contact_vertex(world, contact, first, 0), contact_vertex(world, contact, first + 1, 0),
                                       palette::colliding_vertex, 2});
-    mark_contacts(stage, world, those(contacts, [](const Contact& c) { return c.kind == ContactKind::edge_edge && c.handled; }));
+    mark_pushing(stage, world, contacts, ContactKind::edge_edge);
 }
 
 }  // namespace enduring::chapter06

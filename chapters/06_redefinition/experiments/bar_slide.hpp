@@ -17,7 +17,7 @@ public:
     /// One step of the cube.
     struct Moment {
         double time, x, speed, force;
-        double tilt;  ///< of the cube's upright edges against the vertical [rad]
+        double tilt;  ///< of the side that was up at first [rad]
     };
     const std::vector<Moment>& moments() const { return moments_; }
     double weight() const { return weight_; }  ///< of the cube [N]
@@ -26,6 +26,7 @@ private:
     std::string solver_;
     ForceProbe force_;
     std::vector<Moment> moments_;
+    std::size_t top_ = 0;  ///< the cube's face that was up at first
     double weight_ = 0;
 };
 
@@ -43,7 +44,7 @@ struct BarSlideOutcome {
 /// @param end      x of the cube's middle where its front reaches the bar's end [m]
 BarSlideOutcome outcome_of(const BarSlideProbe& probe, double settled, double end);
 
-/// Marks the pairs of vertices that push, vertices red and faces blue (thesis figures 7.8, 7.9).
+/// Marks the pairs of vertices that push, vertices red and faces blue, hooked ones orange (thesis figures 7.8, 7.9).
 void mark_vertex_pairs(Stage& stage, const World& world, const Contacts& contacts);
 /// Marks edge pairs: those that push green, those that are held red (thesis figures 7.10, 7.11).
 void mark_edge_pairs(Stage& stage, const World& world, const Contacts& contacts);

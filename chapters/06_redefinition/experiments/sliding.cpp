@@ -22,7 +22,7 @@ void over_planes(bool quick, Report& report)
     Table table({"diagonals", "direction_deg", "on_lattice", "speed_change_percent", "sideways_percent", "pairs", "sag_m"});
     double worst = 0, sideways = 0, sag = 0;
     for (const GridDiagonals diagonals : all_diagonals)
-        for (int direction = 0; direction < 8; direction += quick ? 3 : 1)
+        for (int direction = quick ? 1 : 0; direction < 8; direction += quick ? 8 : 1)
             for (const bool on_lattice : {false, true}) {
                 const PlaneSlide slide{diagonals, direction, on_lattice};
                 if (quick && on_lattice)
@@ -48,7 +48,7 @@ void over_stiffness(bool quick, Report& report)
     Table table({"stiffness_n_per_m", "pairs", "nk_n_per_m", "stable_step_s", "dt_s", "sag_m", "rise_m", "speed_change_percent"});
     std::vector<double> all{3e3, 1e4, 3e4, 1e5, 3e5, 1e6, 3e6};
     if (quick)
-        all = {3e4, 1e6};
+        all = {3e6};
     for (const double stiffness : all) {
         PlaneSlide slide;
         slide.direction = 1;
@@ -68,6 +68,8 @@ void with_omissions(bool quick, Report& report)
 {
     Table table({"left_out", "pairs", "speed_change_percent", "sideways_percent", "rise_m"});
     for (const Omission omission : all_omissions) {
+        if (quick && omission != Omission::edges_behind_exits)
+            continue;
         PlaneSlide slide;
         slide.direction = quick ? 0 : 1;
         const SlideOutcome outcome = slide_over_plane(slide, solver_without(omission, scene_of(slide).contact));
@@ -96,7 +98,7 @@ BarSlideOutcome along_bar(const std::filesystem::path& file, const std::string& 
     StripProbe vertices(scene, times, mark_vertex_pairs), edges(scene, times, mark_edge_pairs);
     RunLimits limits;
     if (options.quick)
-        limits.steps = 350;
+        limits.steps = 310;
     run(scene, redefined ? chapter06_solver(scene.contact) : chapter05_solver(scene.contact), {&probe, &vertices, &edges}, limits);
     if (!options.quick) {
         write_png(vertices.all(2), report.file(redefined ? "sliding_vertices.png" : "sliding_vertices_without.png"));

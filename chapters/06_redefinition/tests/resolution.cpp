@@ -1,0 +1,116 @@
+#include "../resolution.hpp"
+#include "chapters/05_categorisation/category.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "small_worlds.hpp"
+
+#include <algorithm>
+
+using namespace enduring;
+using namespace enduring::small_worlds;
+
+namespace {
+
+/// An open surface of two ridges along z: over x from -2 to 2 its height goes 0, 0.8, 0, 0.8, 0.
+SurfaceMesh two_ridges()
+{
+    SurfaceMesh mesh = plane_grid(4, 2, {4, 1});
+    for (Vec3& x : mesh.vertices)
+        x.y() = std::abs(std::abs(x.x()) - 1) < 0.5 ? 0.8 : 0;
+    return mesh;
+}
+
+double middle_x(const World& world, const Contact& contact)
+{
+    double sum = 0;
+    for (const std::size_t i : {1u, 2u, 3u})
+        sum += world.bodies[0]->positions_t0()[static_cast<std::size_t>(contact.vertices[i])].x() / 3;
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("resolution: a vertex that enters by the top of a box and leaves by its side is let go; chapter 5 still pushes it")
+{
+    // In at (0.4, 0.5), out at x = 0.5 after 0.05 s, 5 mm below the top.
+    for (const bool redefined : {true, false}) {
+        CAPTURE(redefined);
+        const double dt = 0.02;
+        World world = tip_and(box({1, 1, 1}), {0.38, 0.502, 0.1}, {2, -0.1, 0});
+        Contacts contacts;
+        const ContactParameters weak{PenaltyMethod::continuous, 1e-6};
+        const Solver solver = redefined ? chapter06_solver(weak) : chapter05_solver(weak);
+        std::vector<std::size_t> alive;
+        double pushed_outside = 0;
+        for (int step = 0; step < 8; ++step) {
+            const bool outside = tip_place(world).x() > 0.5;
+            advance(world, contacts, solver, dt);
+            alive.push_back(of_tip(contacts).size());
+            for (const Contact& contact : of_tip(contacts))
+                pushed_outside += outside ? contact.impulse.norm() : 0;
+        }
+        CHECK(alive[2] == 1);
+        CHECK(alive[7] == (redefined ? 0 : 1));
+        CHECK((pushed_outside == 0) == redefined);
+    }
+}
+
+TEST_CASE("resolution: a vertex whose entry impulses have undone has no pair in the next step")
+{
+    const double dt = 0.1;
+    World world = tip_and(plane_grid(2, 2, {2, 2}), {0.3, 1e-3, 0.2}, {0, -0.02, 0});
+    Contacts contacts;
+    const Solver solver = weak_solver(5000);  // k dt^2 / m = 50: thrown back within the step
+    advance(world, contacts, solver, dt);
+    REQUIRE(tip_place(world).y() > 0);
+    contacts = of_tip(contacts);
+    REQUIRE(contacts.size() == 1);
+    CHECK(contacts[0].impulse.y() > 0);  // the probes see what it gave
+    CHECK(contacts[0].resolved);
+    advance(world, contacts, solver, dt);
+    CHECK(of_tip(contacts).empty());
+}
+
+TEST_CASE("resolution: a vertex that leaves one ridge and enters the next in one step has a pair with the next")
+{
+    World world = tip_and(two_ridges(), {-1.2, 0.4, 0.1}, {20, 0, 0});
+    Contacts contacts;
+    for (int face = 0; face < 8; ++face)
+        if (contacts.empty()) {
+            Contacts trial{on_face(world, face)};
+            Redefinitions redefinitions;
+            redefine_enduring_vertices(world, trial, redefinitions);
+            if (redefinitions.empty() && !trial[0].resolved)
+                contacts = trial;
+        }
+    REQUIRE(contacts.size() == 1);
+    REQUIRE(middle_x(world, contacts[0]) < 0);
+
+    advance(world, contacts, weak_solver(), 0.1);  // from x = -1.2 to 0.8
+    contacts = of_tip(contacts);
+    const auto alive = [](const Contact& c) { return !c.resolved; };
+    REQUIRE(std::count_if(contacts.begin(), contacts.end(), alive) == 1);
+    const Contact& contact = *std::find_if(contacts.begin(), contacts.end(), alive);
+    CHECK(middle_x(world, contact) > 0);
+    CHECK(contact_geometry(world, contact, 0).depth < 0);
+}
+
+TEST_CASE("resolution: a vertex that leaves through its own face is let go at once, one that stays is not")
+{
+    for (const double speed : {0.5, 2.0}) {
+        CAPTURE(speed);
+        World world = tip_and(box({1, 1, 1}), {0.1, 0.4, 0.15}, {0, speed, 0});
+        Contacts contacts;
+        for (int face = 0; face < 12 && contacts.empty(); ++face) {
+            Contacts trial{on_face(world, face)};
+            Redefinitions redefinitions;
+            redefine_enduring_vertices(world, trial, redefinitions);
+            if (redefinitions.empty() && contact_geometry(world, trial[0], 0).normal.y() > 0.9)
+                contacts = trial;
+        }
+        REQUIRE(contacts.size() == 1);
+        advance(world, contacts, weak_solver(), 0.1);
+        contacts = of_tip(contacts);
+        REQUIRE(contacts.size() == 1);
+        CHECK(contacts[0].resolved == (speed > 1));
+    }
+}

@@ -1,0 +1,57 @@
+#include "../experiments/plane_slide.hpp"
+#include "../redefinition_solver.hpp"
+#include "chapters/05_categorisation/category.hpp"
+#include "common/simulation/run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace enduring;
+using namespace enduring::chapter06;
+
+TEST_CASE("sliding: over 20 cells of every triangulation, in eight directions, no speed is lost or won")
+{
+    for (const GridDiagonals diagonals : all_diagonals)
+        for (int direction = 0; direction < 8; ++direction) {
+            PlaneSlide slide{diagonals, direction};
+            slide.on_lattice = direction % 3 == 0;
+            slide.dt = 0.002;
+            CAPTURE(name_of(diagonals));
+            CAPTURE(direction);
+            const SlideOutcome outcome = slide_over_plane(slide, chapter06_solver(scene_of(slide).contact));
+            CHECK(std::abs(outcome.speed_change) < 0.001);
+            CHECK(outcome.sideways_speed < 0.001);
+            CHECK(outcome.sag < 1e-4);
+            CHECK(outcome.lowest < -0.2 * outcome.sag);  // it lies in the floor all the way
+            CHECK(outcome.highest < 0);
+            CHECK(outcome.lowest > -4e-4);
+        }
+}
+
+TEST_CASE("sliding: chapter 5 stops on the same floor")
+{
+    PlaneSlide slide;
+    slide.dt = 0.002;
+    CHECK(slide_over_plane(slide, chapter05_solver(scene_of(slide).contact)).speed_change < -0.9);
+}
+
+TEST_CASE("sliding: past the stable step sqrt(2m / (n k)) the cube hops")
+{
+    PlaneSlide slide;
+    slide.direction = 1;
+    slide.stiffness = 3e6;
+    const SlideOutcome outcome = slide_over_plane(slide, chapter06_solver(scene_of(slide).contact));
+    CHECK(outcome.highest > 10 * outcome.sag);
+}
+
+TEST_CASE("sliding: on the soft bar the cube keeps its speed with redefinition, and stops without")
+{
+    for (const bool redefined : {true, false}) {
+        Scene scene = load_scene(scene_file("sliding"));
+        run(scene, redefined ? chapter06_solver(scene.contact) : chapter05_solver(scene.contact), {}, {350, {}});
+        const Body& cube = body_named(scene.world, "cube");
+        CHECK((cube.linear_momentum().x() / cube.mass() > 0.95 * 1.2) == redefined);
+        CHECK((cube.linear_momentum().x() / cube.mass() < 0.5 * 1.2) == !redefined);
+    }
+}
