@@ -2,21 +2,25 @@
 
 #include "hooked_pairs.hpp"
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 namespace enduring::chapter05 {
 
-/// A scene whose static bodies are flat where they are touched, so that every pair's normal has one right direction.
+/// Out of a static body at a point of its surface, unit length, as the smooth shape has it that the triangles stand for.
+using Outwards = std::function<Vec3(const Vec3& point)>;
+
+/// A scene whose static bodies stand for planes and spheres, so that every pair's normal has one right direction.
 struct TruthScene {
     std::string name;
     std::string patch;                      ///< a change to the scene `hooked`
-    std::map<std::string, Vec3> outwards{};  ///< of each static body, unit length
+    std::map<std::string, Outwards> outwards{};  ///< of each static body
     HookedPairs treatment = HookedPairs::held;
 };
 
-/// A cube that slides straight, slides turned, meets a wall; a ball; a tetrahedron on its tip.
+/// A cube that slides straight, slides turned, meets a wall, slides through a bowl; a ball; a tetrahedron on its tip.
 std::vector<TruthScene> truth_scenes();
 
 /// Labels against the truth: a pair is an artefact when its normal is farther than 45 degrees from the right direction.
