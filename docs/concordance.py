@@ -164,7 +164,8 @@ def paragraph_cell(entry, pages):
     if not heading:
         return f"\\ref {label}"
     own = next((re.search(r"\{#(\w+)\}\s*$", line) for line in pages[label].lines if heading_of(line) == heading), None)
-    return f'\\ref {own[1] if own else anchor_of(label, heading)} "{pages[label].title}: {heading}"'
+    shown = re.sub(r'"([^"]*)"', r"“\1”", f"{pages[label].title}: {heading}")  # straight quotes would end the link's text
+    return f'\\ref {own[1] if own else anchor_of(label, heading)} "{shown}"'
 
 
 def code_of(path):

@@ -39,6 +39,11 @@ class WhatItBinds(unittest.TestCase):
         self.assertIn('\\ref deep "', woven.page("page_concordance"))
         self.assertIn("## How deep? {#deep}\n", woven.page())
 
+    def test_quotes_in_a_heading_do_not_end_the_link(self):
+        woven = book(dict(BOUND, paragraph='chapter_01: "How" deep?'), DRAWING, chapter='# The drop\n\n## "How" deep?\nNot far.\n')
+        self.assertEqual(woven.weave().returncode, 0)
+        self.assertIn('\\ref at_chapter_01_how_deep "Chapter 1: The drop: “How” deep?"', woven.page("page_concordance"))
+
     def test_an_entry_binds_several_numbers_and_ranges(self):
         several = dict(BOUND, of="equation 1.1; 1.3-1.5")
         self.assertEqual(book(several, DRAWING, numbers={"equation": ["1.1", "1.3-1.5"], "figure": ["1.1"]}).weave().returncode, 0)

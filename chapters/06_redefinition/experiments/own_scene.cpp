@@ -8,6 +8,7 @@
 #include "common/simulation/run.hpp"
 #include "contact_census.hpp"
 #include "experiments.hpp"
+#include "motivating_scene.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -55,7 +56,7 @@ private:
 class Observers {
 public:
     Observers(const Scene& scene, const RunOptions& options, const OwnSceneOptions& choice, Report& report)
-        : motion_(scene.world), penetration_(scene.contact.stiffness), strip_(scene, picture_times(scene.duration), mark_contacts, 560, 400)
+        : motion_(scene.world), penetration_(scene.contact.stiffness), strip_(scene, picture_times(scene.duration), mark_pairs, 560, 400)
     {
         if (!options.quick)
             clip_ = std::make_unique<ClipProbe>(scene, report.file("scene.webp"));
