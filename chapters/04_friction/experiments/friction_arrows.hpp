@@ -1,0 +1,12 @@
+#pragma once
+
+#include "common/render/film_probes.hpp"
+
+namespace enduring::chapter04 {
+
+/// At every pair that rubs, the mean friction on body A over the step just done, in red.
+/// @param metres_per_newton  of the arrows
+/// @param dt                 [s]
+MarkContacts friction_arrows(double metres_per_newton, double dt);
+
+}  // namespace enduring::chapter04
