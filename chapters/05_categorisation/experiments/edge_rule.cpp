@@ -18,7 +18,8 @@ void edge_rule(const RunOptions& options, Report& report)
             run(scene, solver_that(treatment, rule, scene.contact), {&probe});
             const double steps = probe.steps();
             const std::string name = rule == EdgeRule::both ? "both" : "either", done = treatment == HookedPairs::held ? "held" : "pushed";
-            table.add({name, done, double(probe.total().edge_edge_regular) / steps, double(probe.total().edge_edge_hooked) / steps, probe.way(), probe.last_speed()});
+            table.add({name, done, double(probe.total().edge_edge_regular) / steps,
+                       double(probe.total().edge_edge_hooked) / steps, probe.way(), probe.last_speed()});
             report.fact("edge_rule", name + "_" + done + "_way", probe.way(), 3);
             report.fact("edge_rule", name + "_" + done + "_speed", probe.last_speed(), 3);
         }

@@ -58,7 +58,8 @@ std::vector<IntrusionScene> intrusion_scenes()
         {"cube slides", "", "cube", "floor", Vec3::UnitY(), unbounded},
         {"ball falls on soft contacts", R"({"duration": 0.6, "contact": {"stiffness": 200}, "bodies": [
             {"name": "floor", "type": "static", "shape": {"plane_grid": {"size": [2, 2], "cells": [5, 5]}}, "look": {"color": [0.45, 0.43, 0.38]}},
-            {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25, "subdivisions": 2}}, "mass": 20, "position": [0.03, 0.6, 0.02]}]})",
+            {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25, "subdivisions": 2}}, "mass": 20,
+             "position": [0.03, 0.6, 0.02]}]})",
          "ball", "floor", Vec3::UnitY(), unbounded},
         {"plate runs into a wall", R"({"duration": 0.3, "gravity": [0, 0, 0], "contact": {"stiffness": 100}, "bodies": [
             {"name": "wall", "type": "static", "shape": {"box": {"size": [0.18, 0.7, 0.9], "cells": [2, 5, 6]}}, "position": [0.09, 0.05, 0.03],

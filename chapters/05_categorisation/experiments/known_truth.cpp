@@ -77,16 +77,18 @@ std::vector<TruthScene> truth_scenes()
     const Outwards up = [](const Vec3&) { return Vec3(Vec3::UnitY()); };
     const Outwards to_the_cube = [](const Vec3&) { return Vec3(-Vec3::UnitX()); };
     const Outwards to_the_centre = [](const Vec3& point) { return Vec3(-point.normalized()); };
-    const std::string crossed = R"({"name": "floor", "type": "static", "shape": {"plane_grid": {"size": [4, 2], "cells": [10, 5], "diagonals": "crossed"}},
-        "position": [1, 0, 0]})";
+    const std::string crossed = R"({"name": "floor", "type": "static", "shape": {"plane_grid":
+        {"size": [4, 2], "cells": [10, 5], "diagonals": "crossed"}}, "position": [1, 0, 0]})";
     const std::string cube = R"("name": "cube", "type": "rigid", "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "mass": 20, "velocity": [1.5, 0, 0])";
     const auto bodies = [&](const std::string& rest) { return R"({"bodies": [)" + crossed + ", " + rest + "]}"; };
     return {
         {"cube, pushed as ever", "", {{"floor", up}}, HookedPairs::pushed},
         {"cube", "", {{"floor", up}}},
-        {"cube, turned by 27°", bodies("{" + cube + R"(, "position": [0, 0.255, 0.03], "rotation": {"axis": [0, 1, 0], "angle_deg": 27}})"), {{"floor", up}}},
+        {"cube, turned by 27°", bodies("{" + cube + R"(, "position": [0, 0.255, 0.03], "rotation": {"axis": [0, 1, 0], "angle_deg": 27}})"),
+            {{"floor", up}}},
         {"cube meets a wall", bodies("{" + cube + R"(, "position": [0, 0.255, 0.03]}, {"name": "wall", "type": "static",
-            "shape": {"box": {"size": [0.4, 1.5, 1.5], "cells": [1, 6, 6]}}, "position": [0.91, 0.2, 0.07]})"), {{"floor", up}, {"wall", to_the_cube}}},
+            "shape": {"box": {"size": [0.4, 1.5, 1.5], "cells": [1, 6, 6]}}, "position": [0.91, 0.2, 0.07]})"),
+            {{"floor", up}, {"wall", to_the_cube}}},
         {"cube in a bowl", R"({"bodies": [{"name": "bowl", "type": "static", "shape": {"bowl": {"inner_radius": 1.0, "thickness": 0.12,
             "rim_angle_deg": 80, "segments_around": 20, "segments_along": 8, "segments_rim": 2}}}, {"name": "cube", "type": "rigid",
             "shape": {"box": {"size": [0.3, 0.3, 0.3], "cells": [3, 3, 3]}}, "mass": 20, "position": [0.45, -0.45, 0.03], "velocity": [0, 0, 1],

@@ -3,8 +3,8 @@ height = 380
 load style
 set xlabel "time [s]"
 set ylabel "foremost vertex [m]"
-set yrange [-0.15:0.25]
-set key bottom center
+set yrange [-0.15:0.35]
+set key top right
 set xrange [0:0.3]
 depth(w) = strcol("hooked_pairs") eq w ? column("depth_m") : NaN
 plot 0 linetype 10, 0.18 linetype 10 title "the wall's two sides", \

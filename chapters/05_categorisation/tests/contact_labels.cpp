@@ -110,7 +110,8 @@ TEST_CASE("labels: exchanging the two bodies of an edge pair changes no label")
 TEST_CASE("labels: parallel edges and a face without area have no normal and stay unknown, also in rotated axes")
 {
     const World world = cube_in_floor();
-    const int along = lowest_edge_along(*world.bodies[cube_body], Vec3::UnitX()), beside = lowest_edge_along(*world.bodies[floor_body], Vec3::UnitX());
+    const int along = lowest_edge_along(*world.bodies[cube_body], Vec3::UnitX());
+    const int beside = lowest_edge_along(*world.bodies[floor_body], Vec3::UnitX());
     CHECK(categorise(world, {ContactKind::edge_edge, cube_body, floor_body, along, beside}, 0) == unknown);
 
     const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
@@ -135,7 +136,8 @@ TEST_CASE("labels: a label is taken when the pair begins to push, and a new pair
     world.bodies.push_back(still(plane_grid(4, 4, {4, 4}), Vec3::Zero()));
     const SurfaceMesh mesh = box({1, 1, 1});
     // Turns by 80 degrees about z in one step of 1 s: the face below becomes one that looks to the side.
-    world.bodies.push_back(std::make_unique<RigidBody>("cube", mesh, with_mass(mass_properties(mesh, 1.0), 1.0), Vec3::Zero(), Vec3(0, 0, 80 * std::numbers::pi / 180)));
+    const Vec3 spin(0, 0, 80 * std::numbers::pi / 180);
+    world.bodies.push_back(std::make_unique<RigidBody>("cube", mesh, with_mass(mass_properties(mesh, 1.0), 1.0), Vec3::Zero(), spin));
     world.bodies[cube_body]->predict(Vec3::Zero(), 1.0);
     int below = -1;
     for (int face = 0; face < 12; ++face)
