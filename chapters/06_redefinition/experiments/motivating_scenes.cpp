@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace enduring::chapter06 {
 namespace {
 
 using Value = std::optional<double>;
+
+constexpr double pi = std::numbers::pi;
 
 Vec3 middle_of(const Body& body)
 {
@@ -117,6 +120,30 @@ Gauge::Reading energy_after_bounce(std::string body)
     };
 }
 
+/// How far a body moves in the last second [mm].
+Gauge::Reading drift_after(std::string body, double time)
+{
+    return [body, time, place = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&, double) mutable {
+        const Vec3 middle = middle_of(body_named(world, body));
+        if (world.time <= time)
+            place = middle;
+        value = 1000 * (middle - place).norm();
+    };
+}
+
+/// How far the way that a block comes up a slope departs from v^2 / (2 g (sin + mu_d cos)) [%], once it lies still.
+Gauge::Reading error_of_way(std::string body, double exact)
+{
+    return [body, exact, start = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&, double) mutable {
+        const Body& block = body_named(world, body);
+        if (world.step == 0)
+            start = middle_of(block);
+        value.reset();
+        if (block.linear_momentum().norm() / block.mass() < 0.001)
+            value = 100 * std::abs((middle_of(block) - start).norm() / exact - 1);
+    };
+}
+
 //! [expectations]
 std::vector<MotivatingScene> all_scenes()
 {
@@ -127,6 +154,8 @@ std::vector<MotivatingScene> all_scenes()
          "it passes a plate, so there is something to report", "fppppp", most_pairs, {0.03}},
         {"bar_on_cube", "bar_on_cube", R"({"duration": 1.2})", "height of the bar", "m", Bound::at_least, 1,
          "a bar of 0.4 m on a cube of 1 m has its middle at 1.2 m", "ffpppp", height_of("bar"), {1.2}},
+        {"slope", "block_on_slope", "", "way in the last second", "mm", Bound::at_most, 1, "0.3 is more than tan 10 deg = 0.176: it holds",
+         "fffppp", drift_after("block", 3), {4}},
         {"labels", "hooked", "", "pairs labelled rightly", "%", Bound::at_least, 98, "on a flat floor a pair either lifts or hooks; a few turn within the step that they are labelled in",
          "ffffpp", right_labels(), {0.3}},
         {"through_the_side", "through_the_side", "", "height of the wedge", "m", Bound::at_most, -0.5,
@@ -137,6 +166,9 @@ std::vector<MotivatingScene> all_scenes()
          "before its first push the tip comes in by 0.2 mm", "fffffp", deepest_unpushed("spike", "slab"), {0.1, 0.3, 0.5}},
         {"hooked", "hooked", "", "speed at the end", "m/s", Bound::at_least, 1.485, "99 % of 1.5 m/s: nothing rubs", "fffffp",
          speed_on_floor("cube"), {0.1, 0.3, 0.6}},
+        {"mesh_slope", "block_on_triangles", "", "error of the way up", "%", Bound::at_most, 2,
+         "chapter 4 stops it where it should; here it first has to land", "fffffp",
+         error_of_way("block", 9 / (2 * 9.81 * (std::sin(pi / 18) + 0.09 * std::cos(pi / 18)))), {0.5, 1.5, 3}},
         {"deep", "deep", "", "energy after the bounce over that before", "", Bound::at_most, 1.1, "nothing is there to add any", "ffpppf",
          energy_after_bounce("cube"), {0.03, 0.06, 0.15}},
     };
