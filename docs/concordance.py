@@ -123,10 +123,11 @@ class Concordance:
     def table(self, kind, pages, test_cell):
         """The entries of one kind as a Markdown table.
         @param test_cell  makes the name of a test what a page shows"""
-        rows = ["| | What it says | In the code | Shown by | Read |", "|:--|:--|:--|:--|:--|"]
+        rows = ["| | What it says, and where to read it | In the code, and shown by |", "|:--|:--|:--|"]
         for entry in sorted((entry for entry in self.entries if entry.kind == kind), key=lambda entry: key_of(entry.numbers[0])):
             numbers = ", ".join(f"({number})" if kind == "equation" else number for number in entry.numbers)
-            cells = [numbers, entry.says, self._function_cell(entry), self._test_cell(entry, test_cell), paragraph_cell(entry, pages)]
+            cells = [numbers, f"{entry.says} <br>{paragraph_cell(entry, pages)}",
+                     f"{self._function_cell(entry)} <br>{self._test_cell(entry, test_cell)}"]
             rows.append("| " + " | ".join(cells) + " |")
         return '<div class="data">\n\n' + "\n".join(rows) + "\n\n</div>"
 
@@ -135,11 +136,11 @@ class Concordance:
         if not entry.function:
             return entry.why_not["function"]
         file, _, name = entry.function.partition(" ")
-        return f"`{name}` <br><small>{file}</small>"
+        return f'`{name}` <span class="path">in {file}</span>'
 
     @staticmethod
     def _test_cell(entry, test_cell):
-        return ", ".join(map(test_cell, entry.tests)) if entry.tests else entry.why_not["test"]
+        return " <br>".join(map(test_cell, entry.tests)) if entry.tests else entry.why_not["test"]
 
 
 def split_paragraph(paragraph):

@@ -27,10 +27,10 @@ class WhatItBinds(unittest.TestCase):
         done = woven.weave()
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         page = woven.page("page_concordance")
-        self.assertIn("| (1.1) | depth | `depth` <br><small>chapters/01_drop/depth.hpp</small> | "
-                      '<code class="test">drop: \\|v\\| &lt; 1</code> | '
-                      '\\ref at_chapter_01_how_deep "Chapter 1: The drop: How deep?" |', page)
-        self.assertIn("| 1.1 | a sketch | a sketch | nothing to check | \\ref chapter_01 |", page)
+        self.assertIn('| (1.1) | depth <br>\\ref at_chapter_01_how_deep "Chapter 1: The drop: How deep?" | '
+                      "`depth` <span class=\"path\">in chapters/01_drop/depth.hpp</span> <br>"
+                      '<code class="test">drop: \\|v\\| &lt; 1</code> |', page)
+        self.assertIn("| 1.1 | a sketch <br>\\ref chapter_01 | a sketch <br>nothing to check |", page)
         self.assertIn("## How deep? {#at_chapter_01_how_deep}\n", woven.page())
 
     def test_a_heading_keeps_an_anchor_of_its_own(self):
