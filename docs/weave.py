@@ -64,8 +64,13 @@ class Results:
                 facts.update({f"{experiment}.{row['name']}": row["text"] for row in csv.DictReader(lines)})
         return facts
 
-    def _of_one_chapter(self, page, what, name, found_in):
-        """A page's own chapter comes first; elsewhere a name must be the only one."""
+    @staticmethod
+    def _of_one_chapter(page, what, name, found_in):
+        """A chapter's number before the name decides (6/bunny_bowl.png); then a page's own chapter comes first, and
+        elsewhere a name must be the only one."""
+        number = re.match(r"(\d+)/", name)
+        if number:
+            found_in = [folder for folder in found_in if int(folder[:2]) == int(number[1])]
         if page.folder in found_in:
             return page.folder
         if not found_in:
@@ -75,13 +80,19 @@ class Results:
         return found_in[0]
 
     def fact(self, page, name):
-        found_in = [folder for folder, facts in self.facts.items() if name in facts]
-        return self.facts[self._of_one_chapter(page, "fact", name, found_in)][name]
+        key = without_chapter(name)
+        found_in = [folder for folder, facts in self.facts.items() if key in facts]
+        return self.facts[self._of_one_chapter(page, "fact", name, found_in)][key]
 
     def file(self, page, what, name):
-        found_in = [folder.name for folder in self.folders if (folder / name).is_file()]
+        file = without_chapter(name)
+        found_in = [folder.name for folder in self.folders if (folder / file).is_file()]
         chapter = self._of_one_chapter(page, what, name, found_in)
-        return next(folder / name for folder in self.folders if folder.name == chapter)
+        return next(folder / file for folder in self.folders if folder.name == chapter)
+
+
+def without_chapter(name):
+    return re.sub(r"^\d+/", "", name)
 
 
 # ------------------------------------------------------------------------------------------------- reading the pages
@@ -120,8 +131,8 @@ def prose(page):
             yield number, line
 
 
-FIGURE = re.compile(r"^@figure\{\s*([\w.-]+\.(?:png|svg|webp|mp4))\s*,\s*(.+)\}\s*$")
-TABLE = re.compile(r"^@table\{\s*([\w-]+)\s*(?:,\s*(.+))?\}\s*$")
+FIGURE = re.compile(r"^@figure\{\s*((?:\d+/)?[\w.-]+\.(?:png|svg|webp|mp4))\s*,\s*(.+)\}\s*$")
+TABLE = re.compile(r"^@table\{\s*((?:\d+/)?[\w-]+)\s*(?:,\s*(.+))?\}\s*$")
 
 
 def number_figures(page, results):
@@ -136,11 +147,11 @@ def number_figures(page, results):
                 continue
             number = ".".join(filter(None, [page.number, str(len(page.figures) + 1)]))
             page.figures[match[1]] = Figure(number, f"fig_{page.label}_{re.sub(r'[^a-zA-Z0-9]', '_', match[1])}", source,
-                                            f"figures/{source.parent.name}/{match[1]}")
+                                            f"figures/{source.parent.name}/{source.name}")
         match = TABLE.match(line)
         if match and match[2]:
             page.tables[match[1]] = (".".join(filter(None, [page.number, str(len(page.tables) + 1)])),
-                                     f"tab_{page.label}_{match[1]}")
+                                     f"tab_{page.label}_{match[1].replace('/', '_')}")
 
 
 # --------------------------------------------------------------------------------------------------- what is woven in

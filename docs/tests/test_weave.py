@@ -120,6 +120,16 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("\n0.2 m\n", book.page("chapter_02"))
 
 
+    def test_a_chapters_number_before_a_name_decides(self):
+        book = Book("# A\n", "# B\n")
+        book.write("build/results/02_more/drop.svg", "<svg>2</svg>")
+        book.write("docs/page.md", "# Page\n@fact{2/drop.height} @fact{1/drop.height}\n\n@figure{2/drop.svg, Up}\n@figref{2/drop.svg}\n")
+        done = book.weave()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("\n0.2 m 0.1 m, about\n", book.page("page_page"))
+        self.assertEqual((book.root / "out/figures/02_more/drop.svg").read_text(), "<svg>2</svg>")
+
+
 class WhatStopsTheBook(unittest.TestCase):
     def refused(self, text, message, **more):
         book = Book(text, **more)
