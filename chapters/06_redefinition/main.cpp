@@ -28,6 +28,8 @@ int main(int argc, char** argv)
             {"sliding", "a cube slides over triangles and over a soft bar without friction (thesis figures 7.8-7.12)", chapter06::sliding},
             {"mesh_slope", "friction on triangles: when the block of chapter 4 holds, and how it slides (thesis 7.3)", chapter06::mesh_slope},
             {"bunny_bowl", "a soft bunny falls into a bowl and comes to rest (thesis figures 7.13 and 7.14)", chapter06::bunny_bowl},
+            {"cost", "what one pair takes, stage by stage, and what whole steps take (thesis figure 7.17, section 7.4)", chapter06::cost},
+            {"bar_friction", "a cube comes to rest on the soft bar and stays (thesis figure 7.16)", chapter06::bar_friction},
             {"deep", "a limit: a contact too deep for its category to mean anything (thesis figure 6.9)", chapter06::deep},
             {"ledger", "every chapter's solver in every scene that called for a new one", chapter06::ledger},
             {"own_scene", "the example of a scene of your own; any other runs with --scene FILE", chapter06::own_scene_example},

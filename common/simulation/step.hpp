@@ -41,7 +41,7 @@ struct Solver {
     std::vector<Pass> finish{};    ///< once a step, from the last prediction, before it becomes the state: friction anchors move
 };
 
-/// Called with a pass's name and the seconds it took; empty when nobody measures.
+/// Called with a pass's name and the processor's seconds it took; empty when nobody measures.
 using PassTimer = std::function<void(const std::string& pass, double seconds)>;
 
 /// Applies the impulses of every waiting contact, normal and friction together, and marks it handled: vertex i receives

@@ -10,7 +10,9 @@ void artefact(const std::string& name, const RunOptions& options, Report& report
 void step_by_step(const RunOptions& options, Report& report);
 void deep(const RunOptions& options, Report& report);
 void sliding(const RunOptions& options, Report& report);
+void bar_friction(const RunOptions& options, Report& report);
 void mesh_slope(const RunOptions& options, Report& report);
+void cost(const RunOptions& options, Report& report);
 void bunny_bowl(const RunOptions& options, Report& report);
 void ledger(const RunOptions& options, Report& report);
 
