@@ -9,13 +9,16 @@ using namespace enduring::chapter03;
 
 TEST_CASE("errata: at the steps of 0.08 s and 0.11 s that 7.1.2 prints no bar rests, at 0.008 s and 0.011 s it does")
 {
-    for (const auto& [method, printed, in_figure] : {std::tuple{PenaltyMethod::discrete, 0.08, 0.008}, {PenaltyMethod::continuous, 0.11, 0.011}}) {
-        CAPTURE(printed);
-        CHECK(pairs_at_rest(drop_bar(scene_file("bar_on_cube"), {method, printed})) == 0);  // thrown off
-        const BarRecord record = drop_bar(scene_file("bar_on_cube"), {method, in_figure});
+    struct Steps {
+        PenaltyMethod method;
+        double printed, in_figure;  // [s]
+    };
+    for (const Steps& steps : {Steps{PenaltyMethod::discrete, 0.08, 0.008}, Steps{PenaltyMethod::continuous, 0.11, 0.011}}) {
+        CAPTURE(steps.printed);
+        CHECK(pairs_at_rest(drop_bar(scene_file("bar_on_cube"), {steps.method, steps.printed})) == 0);  // thrown off
+        const BarRecord record = drop_bar(scene_file("bar_on_cube"), {steps.method, steps.in_figure});
         CHECK(pairs_at_rest(record) > 4);
         CHECK(jitter_at_rest(record) < 0.01);
-        CHECK(printed / in_figure == doctest::Approx(10));
     }
     CHECK(0.011 / 0.008 == doctest::Approx(1.375));          // "roughly 1.22", which is
     CHECK(std::sqrt(6.0) / 2 == doctest::Approx(1.2247).epsilon(1e-4));
