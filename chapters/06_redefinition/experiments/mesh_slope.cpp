@@ -103,7 +103,7 @@ double slide_acceleration(double angle_deg, double dt, double mu_d)
 void mesh_slope(const RunOptions& options, Report& report)
 {
     artefact("mesh_slope", options, report);
-    Table table({"angle_deg", "dt_s", "mu_s", "mu_s_over_tan", "acceleration_over_exact"});
+    Table table({"angle_deg", "dt_s", "mu_static", "mu_static_over_tan", "acceleration_over_exact"});
     double worst_threshold = 0, worst_fine = 0, worst_acceleration = 0;  // the second at dt = 0.002 s
     for (const double angle : {5.0, 10.0, 20.0, 30.0})
         for (const double dt : {0.01, 0.002}) {

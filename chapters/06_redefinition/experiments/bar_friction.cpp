@@ -1,0 +1,85 @@
+#include "experiments.hpp"
+
+#include "../redefinition_solver.hpp"
+#include "bar_friction.hpp"
+#include "common/render/film_probes.hpp"
+#include "common/report/number_text.hpp"
+#include "common/simulation/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enduring::chapter06 {
+namespace {
+
+Vec3 middle(const World& world)
+{
+    Vec3 sum = Vec3::Zero();
+    const std::span<const Vec3> positions = body_named(world, "cube").positions_t0();
+    for (const Vec3& x : positions)
+        sum += x;
+    return sum / static_cast<double>(positions.size());
+}
+
+}  // namespace
+
+Scene scene_of(const Coefficients& mu)
+{
+    return load_scene(scene_file("bar_friction"),
+                      R"({"contact": {"friction": {"mu_s": )" + shortest(mu.mu_s) + R"(, "mu_d": )" + shortest(mu.mu_d) + "}}}");
+}
+
+//! [drift]
+RestOnBar rest_on_bar(Scene& scene, int settled, int steps, Table* moments, Probe* other)
+{
+    RestOnBar result;
+    const double mu = scene.contact.friction.mu_s;
+    Vec3 begin = Vec3::Zero(), anchor = Vec3::Zero();
+    WatchProbe watch([&](const World& world, const Contacts&, double) {
+        const Vec3 now = middle(world);
+        if (world.step == 0)
+            begin = now;
+        if (world.step <= settled)
+            anchor = now;
+        result.way = (now - begin).norm();
+        result.drift = std::max(result.drift, (now - anchor).norm());
+        const Body& cube = body_named(world, "cube");
+        if (moments != nullptr && world.step % 20 == 0)
+            moments->add({mu, world.time, now.x(), cube.linear_momentum().x() / cube.mass(), (now - anchor).norm()});
+    });
+    std::vector<Probe*> probes{&watch};
+    if (other != nullptr)
+        probes.push_back(other);
+    RunLimits limits;
+    limits.steps = steps;
+    run(scene, chapter06_solver(scene.contact), probes, limits);
+    return result;
+}
+//! [drift]
+
+/// Thesis figure 7.16, its two pairs of coefficients as ours.
+void bar_friction(const RunOptions& options, Report& report)
+{
+    const int settled = options.quick ? 1500 : 5000, steps = options.quick ? 2000 : 20000;
+    Table moments({"mu_static", "time_s", "x_m", "speed_m_per_s", "drift_m"});
+    Table table({"mu_static", "mu_dynamic", "way_m", "way_on_a_plane_m", "drift_m"});
+    double worst = 0;
+    for (const Coefficients& mu : bar_coefficients) {
+        Scene scene = scene_of(mu);
+        StripProbe strip(scene, {0.0, 0.3, steps * scene.dt});
+        const double speed = 1.2, on_plane = speed * speed / (2 * 9.81 * mu.mu_d);
+        const RestOnBar result = rest_on_bar(scene, settled, steps, &moments, &strip);
+        table.add({mu.mu_s, mu.mu_d, result.way, on_plane, result.drift});
+        worst = std::max(worst, result.drift);
+        if (&mu == &bar_coefficients.front())
+            write_png(strip.all(3), report.file("bar_friction.png"));
+    }
+    report.table("bar_friction", moments);
+    report.table("bar_friction_rest", table);
+    report.page_table("bar_friction_rest", table);
+    report.plot(plot_script("bar_friction"), "bar_friction");
+    report.fact("bar_friction", "steps", static_cast<double>(steps));
+    report.fact("bar_friction", "drift_um", 1e6 * worst, 2);
+}
+
+}  // namespace enduring::chapter06
