@@ -5,9 +5,9 @@
 #include "common/render/film_probes.hpp"
 #include "common/report/number_text.hpp"
 #include "common/simulation/run.hpp"
+#include "motivating_scene.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace enduring::chapter06 {
 namespace {
@@ -66,7 +66,7 @@ void bar_friction(const RunOptions& options, Report& report)
     double worst = 0;
     for (const Coefficients& mu : bar_coefficients) {
         Scene scene = scene_of(mu);
-        StripProbe strip(scene, {0.0, 0.3, steps * scene.dt});
+        StripProbe strip(scene, {0.0, 0.15, steps * scene.dt}, mark_pairs, 560, 360);
         const double speed = 1.2, on_plane = speed * speed / (2 * 9.81 * mu.mu_d);
         const RestOnBar result = rest_on_bar(scene, settled, steps, &moments, &strip);
         table.add({mu.mu_s, mu.mu_d, result.way, on_plane, result.drift});

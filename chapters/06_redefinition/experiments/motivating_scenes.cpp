@@ -155,7 +155,7 @@ std::vector<MotivatingScene> all_scenes()
         {"bar_on_cube", "bar_on_cube", R"({"duration": 1.2})", "height of the bar", "m", Bound::at_least, 1,
          "a bar of 0.4 m on a cube of 1 m has its middle at 1.2 m", "ffpppp", height_of("bar"), {1.2}},
         {"slope", "block_on_slope", "", "way in the last second", "mm", Bound::at_most, 1, "0.3 is more than tan 10 deg = 0.176: it holds",
-         "fffppp", drift_after("block", 3), {4}},
+         "fffppp", drift_after("block", 3), {3}},
         {"labels", "hooked", "", "pairs labelled rightly", "%", Bound::at_least, 98, "on a flat floor a pair either lifts or hooks; a few turn within the step that they are labelled in",
          "ffffpp", right_labels(), {0.3}},
         {"through_the_side", "through_the_side", "", "height of the wedge", "m", Bound::at_most, -0.5,

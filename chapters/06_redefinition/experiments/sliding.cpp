@@ -100,10 +100,8 @@ BarSlideOutcome along_bar(const std::filesystem::path& file, const std::string& 
     if (options.quick)
         limits.steps = 310;
     run(scene, redefined ? chapter06_solver(scene.contact) : chapter05_solver(scene.contact), {&probe, &vertices, &edges}, limits);
-    if (!options.quick) {
-        write_png(vertices.all(2), report.file(redefined ? "sliding_vertices.png" : "sliding_vertices_without.png"));
-        write_png(edges.all(2), report.file(redefined ? "sliding_edges.png" : "sliding_edges_without.png"));
-    }
+    write_png(vertices.all(2), report.file(redefined ? "sliding_vertices.png" : "sliding_vertices_without.png"));
+    write_png(edges.all(2), report.file(redefined ? "sliding_edges.png" : "sliding_edges_without.png"));
     append(moments, probe.table());
     return outcome_of(probe, settled, front_at_end);
 }

@@ -1,6 +1,7 @@
 #include "../experiments/buried_vertex.hpp"
 #include "../experiments/ledger.hpp"
 #include "common/geometry/shapes.hpp"
+#include "common/render/reference.hpp"
 #include "common/report/input_error.hpp"
 #include "common/simulation/static_body.hpp"
 
@@ -46,6 +47,14 @@ TEST_CASE("shifted: chapter 5 pushes where the tip came in, chapter 6 where it i
     const double tip_speed = 1.2, dt = 0.005, way = 0.5 * tip_speed;
     CHECK(measured("shifted", 5) > 1000 * 0.8 * way);
     CHECK(measured("shifted", 6) < 1000 * 1.1 * tip_speed * dt);
+}
+
+TEST_CASE("shifted: the spike and the face that pushes its tip are as in their reference picture")
+{
+    const Outcome outcome = try_scene(motivating_scene("shifted"), 6, true);
+    REQUIRE(outcome.picture.has_value());
+    const ReferenceCheck check = check_reference_picture(*outcome.picture, "06_redefinition/shifted.png");
+    CHECK_MESSAGE(check.passed, check.message);
 }
 
 TEST_CASE("false resolution: chapter 5 loses the tip when a triangle far away turns, chapter 6 does not")
