@@ -42,18 +42,14 @@ void rub_each(const World& world, Contacts& contacts, const FrictionParameters& 
     }
 }
 
-//! [after_slip]
-/// Where p lies against its anchor when the pair has let go: on it (p_ref := p, below 5.22), or as far from it as the pull
-/// that is left can hold, and the less the faster it slips.
+/// Where p lies against its anchor when the pair has let go: on it (p_ref := p, below 5.22), or near it.
 Vec3 after_slip(const Contact& contact, const Vec3& stretch, const FrictionParameters& friction, double dt)
 {
     if (friction.model == FrictionModel::yamane_nakamura)
         return Vec3::Zero();
-    const double kept = 1 - slip_weight(friction.weighting, contact.slip);
-    const double longest = kept * contact.friction.norm() / (dt * friction.spring), length = stretch.norm();
+    const double longest = stretch_after_slip(contact.slip, contact.friction.norm(), friction, dt), length = stretch.norm();
     return length > longest ? Vec3(stretch * (longest / length)) : stretch;
 }
-//! [after_slip]
 
 }  // namespace
 

@@ -38,6 +38,12 @@ Anchor anchor_of(const FrictionParameters& friction, double inverse_mass, const 
 FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass, double normal_impulse,
                                const Anchor& anchor, const FrictionParameters& friction);
 
+/// How far p may lie from its anchor when the pair has let go [m]: as far as the pull that is left can hold, and the less the
+/// faster it slips.
+/// @param slip     [m/s]
+/// @param impulse  length of the friction impulse [N s]
+double stretch_after_slip(double slip, double impulse, const FrictionParameters& friction, double dt);
+
 /// The mended model for all pairs that push now: their springs first, then at most 30 rounds of better_impulse(), in each
 /// of which every pair sees what all of them did before. Writes friction and slip; nothing is applied.
 void rub_together(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);

@@ -34,7 +34,7 @@ double largest_angle(const World& world, const Contacts& contacts, const std::ve
         const Vec3 way = world.bodies.front()->positions_t0()[v] - before[v];
         const Vec3 slip = way - way.y() * Vec3::UnitY();
         if (contact.slip > 0 && slip.norm() > 0 && contact.friction.norm() > 0)
-            largest = std::max(largest, std::acos(std::clamp(-contact.friction.normalized().dot(slip.normalized()), -1.0, 1.0)));
+            largest = std::max(largest, std::atan2(contact.friction.cross(slip).norm(), -contact.friction.dot(slip)));
     }
     return largest * 180 / std::numbers::pi;
 }
@@ -57,7 +57,10 @@ TurnRecord drive_in_circles(const Turn& turn)
         record.worst_angle_deg = std::max(record.worst_angle_deg, error);
         const Vec3 v = scene.world.bodies.front()->linear_momentum() / scene.world.bodies.front()->mass();
         const Vec3 x = scene.world.bodies.front()->positions_t0()[0];
-        record.table.add({scene.world.time, x.x(), x.z(), v.x(), v.z(), error});
+        Vec3 force = Vec3::Zero();
+        for (const Contact& contact : contacts)
+            force += contact.friction / turn.dt;
+        record.table.add({scene.world.time, x.x(), x.z(), v.x(), v.z(), force.x(), force.z(), error});
     }
     return record;
 }
@@ -67,7 +70,9 @@ void turning(const RunOptions&, Report& report)
 {
     Table summary({"dt_s", "worst_angle_deg"});
     for (const double dt : {0.01, 0.005, 0.002}) {
-        const TurnRecord record = drive_in_circles({dt});
+        Turn turn;
+        turn.dt = dt;
+        const TurnRecord record = drive_in_circles(turn);
         summary.add({dt, record.worst_angle_deg});
         if (dt == 0.01) {
             report.table("turning", record.table);

@@ -11,7 +11,7 @@ struct Turn {
 };
 
 struct TurnRecord {
-    Table table{{"time_s", "x_m", "z_m", "vx_m_per_s", "vz_m_per_s", "angle_error_deg"}};
+    Table table{{"time_s", "x_m", "z_m", "vx_m_per_s", "vz_m_per_s", "fx_n", "fz_n", "angle_error_deg"}};
     double worst_angle_deg = 0;  ///< between friction and the opposite of the slip, over all pairs that slip and all steps
 };
 

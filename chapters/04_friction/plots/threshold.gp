@@ -4,7 +4,7 @@ set xlabel "damping ratio"
 set ylabel "smallest μ_s / tan α"
 set logscale x
 set xrange [0.04:30]
-set yrange [0.95:2.05]
+set yrange [0.95:2.3]
 t(a) = tan(a * pi / 180)
 root(z) = sqrt(abs(1 - z * z))
 turn(z) = root(z) < 1e-6 ? 1 : (z < 1 ? acos(z) : acosh(z)) / root(z)

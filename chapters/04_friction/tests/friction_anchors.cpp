@@ -1,0 +1,133 @@
+#include "../friction_contact.hpp"
+#include "../mended_friction.hpp"
+#include "common/simulation/point_masses.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace enduring;
+
+namespace {
+
+/// One point of 1 kg on a plane with the normal y, already pushed by it, and predicted to move by `way` in a step of 0.1 s.
+struct OnPlane {
+    World world;
+    Contacts contacts;
+    FrictionParameters friction;
+    static constexpr double dt = 0.1;
+
+    OnPlane(FrictionModel model, const Vec3& way) : friction(friction_defaults(model, 50))
+    {
+        world.gravity.setZero();
+        world.planes.push_back({"floor"});
+        world.bodies.push_back(std::make_unique<PointMasses>("point", std::vector<Vec3>{{0, 0, 0}, {5, 9, 0}, {0, 9, 5}}, std::vector<Face>{{0, 1, 2}}, 1.0));
+        dynamic_cast<PointMasses&>(*world.bodies[0]).set_velocity(0, way / dt);
+        world.bodies[0]->predict(world.gravity, dt);
+        Contact contact;
+        contact.kind = ContactKind::vertex_plane;
+        contact.body_a = contact.body_b = contact.feature_a = contact.vertices[0] = 0;
+        contact.weights[0] = 1;
+        contact.impulse = {0, 2, 0};
+        contacts.push_back(contact);
+    }
+    Contact& contact() { return contacts[0]; }
+    void finish() { move_friction_anchors(world, contacts, friction, dt); }
+};
+
+}  // namespace
+
+TEST_CASE("friction anchors: a point that is held drags its stretch along the surface, not off it")
+{
+    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mended}) {
+        OnPlane it(model, {0.01, -0.5, 0.02});
+        it.contact().stretch = {0.001, 0, 0};
+        it.finish();
+        CHECK((it.contact().stretch - Vec3(0.011, 0, 0.02)).norm() < 1e-15);
+        it.contact().start = 0.75;  // a new pair counts from its time of impact
+        it.finish();
+        CHECK((it.contact().stretch - Vec3(0.0135, 0, 0.025)).norm() < 1e-15);
+    }
+}
+
+TEST_CASE("friction anchors: a pair that does not push has none, and one that is held keeps its own")
+{
+    OnPlane it(FrictionModel::mended, {0.01, 0, 0});
+    it.contact().stretch = {0.001, 0, 0};
+    it.contact().held = true;
+    it.contact().impulse.setZero();
+    it.finish();
+    CHECK(it.contact().stretch == Vec3(0.001, 0, 0));
+    it.contact().held = false;
+    it.finish();
+    CHECK(it.contact().stretch == Vec3::Zero());
+}
+
+TEST_CASE("friction anchors: when a pair lets go, the thesis' anchor comes to the point, the mended one within its pull")
+{
+    OnPlane printed(FrictionModel::yamane_nakamura, {0.3, 0, 0});
+    printed.contact().slip = 3;
+    printed.finish();
+    CHECK(printed.contact().stretch == Vec3::Zero());
+
+    OnPlane mended(FrictionModel::mended, {0.3, 0, 0});
+    mended.contact().slip = 0.01;
+    mended.contact().friction = {-0.6, 0, 0};  // 6 N, that is 0.12 m of a spring of 50 N/m
+    mended.finish();
+    CHECK((mended.contact().stretch - Vec3(0.12 * std::exp(-20 * 0.01), 0, 0)).norm() < 1e-14);
+    mended.contact().slip = 10;
+    mended.finish();
+    CHECK(mended.contact().stretch.norm() < 1e-20);
+}
+
+TEST_CASE("friction anchors: matter that moves along with its partner stretches nothing")
+{
+    // A vertex and the face below it move and turn as one rigid whole about the vertex's own place on the face.
+    World world;
+    world.gravity.setZero();
+    const Vec3 shift(0.3, -0.2, 0.1);
+    const std::vector<Vec3> face{{-1, 0, -1}, {-1, 0, 1}, {2, 0, 0}}, above{{0, -0.01, 0}, {5, 9, 0}, {0, 9, 5}};
+    for (const auto& [name, x] : {std::pair("above", above), std::pair("face", face)}) {
+        auto body = std::make_unique<PointMasses>(name, x, std::vector<Face>{{0, 1, 2}}, 1.0);
+        for (int v = 0; v < 3; ++v)
+            body->set_velocity(v, shift);
+        world.bodies.push_back(std::move(body));
+        world.bodies.back()->predict(world.gravity, 1);
+    }
+    Contact contact;
+    contact.kind = ContactKind::vertex_face;
+    contact.body_a = 0;
+    contact.body_b = 1;
+    contact.vertices = {0, 0, 1, 2};
+    contact.weights = {1, -1.0 / 3, -1.0 / 3, -1.0 / 3};
+    contact.impulse = {0, 1, 0};
+    contact.stretch = {0.02, 0, 0};
+    Contacts contacts{contact};
+    move_friction_anchors(world, contacts, friction_defaults(FrictionModel::mended, 100), 1);
+    CHECK((contacts[0].stretch - Vec3(0.02, 0, 0)).norm() < 1e-15);
+}
+
+TEST_CASE("friction: the pass computes and applies nothing, and only for pairs that wait and push")
+{
+    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mended}) {
+        OnPlane it(model, {0.1, 0, 0});
+        it.contacts.resize(4, it.contact());
+        it.contacts[1].handled = true;
+        it.contacts[2].held = true;
+        it.contacts[3].impulse.setZero();
+        rub_pairs(it.world, it.contacts, it.friction, it.dt);
+        CHECK(it.contacts[0].friction.x() < -0.01);
+        for (std::size_t other = 1; other < 4; ++other)
+            CHECK(it.contacts[other].friction == Vec3::Zero());
+        CHECK(it.world.bodies[0]->velocity(0) == Vec3(1, 0, 0));
+        CHECK_FALSE(it.contact().handled);
+    }
+}
+
+TEST_CASE("friction: a scene without friction runs as in chapter 3, to the last bit")
+{
+    CHECK(chapter04_solver({}).respond.size() + 1 == [] {
+        ContactParameters rough;
+        rough.friction.model = FrictionModel::mended;
+        return chapter04_solver(rough).respond.size();
+    }());
+    CHECK(chapter04_solver({}).finish.empty());
+}
