@@ -64,6 +64,7 @@ void slope(const RunOptions& options, Report& report)
     const std::filesystem::path file = options.scene.value_or(scene_file("slope"));
     Table ways({"series", "time_s", "way_m", "speed_m_per_s"}), energies({"series", "time_s", "energy_j"});
     Table outcome({"friction", "way at the end [m]", "speed there [m/s]", "largest rise of energy [J]"});
+    double mended_rise = 0;
     for (const Series& series : {Series{"as printed 0.3", nlohmann::json::object()}, Series{"as printed 0.4", friction_change({{"mu_s", 0.4}})},
                                  Series{"as impulse 0.3", as_impulse(0.3, dt)}, Series{"as impulse 0.4", as_impulse(0.4, dt)},
                                  Series{"mended 0.3", mended(0.3)}, Series{"mended 0.4", mended(0.4)}, Series{"mended 0.16", mended(0.16)}}) {
@@ -77,13 +78,15 @@ void slope(const RunOptions& options, Report& report)
         run(scene, chapter04_solver(scene.contact), probes);
         append(ways, way.table());
         append(energies, energy.table());
+        if (series.name.starts_with("mended"))
+            mended_rise = std::max(mended_rise, energy.largest_rise());
         outcome.add({series.name, way.last().way, way.last().speed, energy.largest_rise()});
         if (series.name == "mended 0.4") {
             write_png(pictures.all(2), report.file("slope.png"));
             report.fact("slope", "turned_at", way.turned_at(), 3);
-            report.fact("slope", "mended_rise_j", energy.largest_rise(), 2);
         }
     }
+    report.fact("slope", "mended_rise_j", mended_rise, 1);
     report.table("slope", ways);
     report.table("slope_energy", energies);
     report.page_table("slope_outcome", outcome, 3);
