@@ -25,6 +25,7 @@ struct PairTimes {
 /// copies of the list that hold one kind, whole passes long: reading a clock takes as long as handling a pair.
 /// Nothing of it is applied. Categorisation is a part of the redefinition pass; the difference of the two passes is
 /// what `redefine` says.
-PairTimes time_stages(Scene& scene, int steps);
+/// @param from  the first step that counts; those before run without clocks
+PairTimes time_stages(Scene& scene, int steps, int from = 0);
 
 }  // namespace enduring::chapter06

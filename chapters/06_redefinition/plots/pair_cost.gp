@@ -1,4 +1,4 @@
-# What one pair takes, stage by stage (thesis figure 7.17), with the mended friction and with the thesis'.
+# What one pair takes, stage by stage (thesis figure 7.17): with the mended friction, with the thesis', and after the impact.
 height = 420
 load style
 set style data histograms
@@ -8,9 +8,9 @@ set boxwidth 0.6
 set ylabel "time per pair [ns]"
 set yrange [0:*]
 set xtics scale 0
+set bmargin 4
 set key outside right top reverse Left
-label(s) = s[1:2] . (strstrt(s, "mended") > 0 ? "\nmended" : "\nthesis'")
-plot folder."/pair_cost.csv" using "resolve":xtic(label(strcol("pair"))) linetype 1 title "resolve", \
+plot folder."/pair_cost.csv" using "resolve":xtic(strcol("pair")."\n".strcol("run")) linetype 1 title "resolve", \
      "" using "categorise" linetype 2 title "categorise", \
      "" using "redefine" linetype 3 title "redefine", \
      "" using "dpf" linetype 4 title "impulse, DPF", \

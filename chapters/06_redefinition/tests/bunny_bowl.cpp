@@ -1,0 +1,58 @@
+#include "../experiments/inverted_elements.hpp"
+#include "../experiments/stage_clock.hpp"
+#include "../redefinition_solver.hpp"
+#include "common/simulation/probes.hpp"
+#include "common/simulation/run.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace enduring;
+
+namespace {
+
+const char* coarse = R"({"/bodies/bunny/shape/file": "bunny_363.msh"})";
+
+double kinetic(const World& world)
+{
+    double sum = 0;
+    for (const auto& body : world.bodies)
+        sum += body->energy(world.gravity).kinetic;
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("bunny in the bowl: with friction and redefinition it comes to rest, within 6 s and to 0.1 % of the impact's kinetic energy")
+{
+    Scene scene = load_scene(scene_file("bunny_at_rest"), coarse);
+    double before_touch = 0;
+    bool touched = false;
+    int most_inverted = 0;
+    WatchProbe watch([&](const World& world, const Contacts& contacts, double) {
+        touched = touched || std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.kind != ContactKind::vertex_plane; });
+        if (!touched)
+            before_touch = kinetic(world);
+        most_inverted = std::max(most_inverted, chapter06::count_inverted(world));
+    });
+    const RunResult result = run(scene, chapter06_solver(scene.contact), {&watch});
+    CHECK(before_touch > 200);
+    CHECK(kinetic(scene.world) < 0.001 * before_touch);
+    CHECK(result.contacts.size() > 50);  // it lies in the bowl, and has not fallen through
+    CHECK(most_inverted <= 3);
+}
+
+TEST_CASE("cost: the clocks look on, and change not a bit of the run")
+{
+    const int steps = 52;
+    Scene timed = load_scene(scene_file("bunny_at_rest"), coarse), plain = load_scene(scene_file("bunny_at_rest"), coarse);
+    const chapter06::PairTimes times = chapter06::time_stages(timed, steps);
+    RunLimits limits;
+    limits.steps = steps;
+    run(plain, chapter06_solver(plain.contact), {}, limits);
+    CHECK(times.pairs_per_step > 1);
+    for (std::size_t body = 0; body < plain.world.bodies.size(); ++body)
+        CHECK(std::equal(plain.world.bodies[body]->positions_t0().begin(), plain.world.bodies[body]->positions_t0().end(),
+                         timed.world.bodies[body]->positions_t0().begin()));
+}
