@@ -32,6 +32,10 @@ void visit_edges_between(const SurfaceTopology& surface, int old_face, int new_f
 }
 
 //! [append_edge_pair]
+/// Whether a pair pushes as the vertex's pair does, give or take 45 degrees. Without it, the upright edge of a box that lies
+/// far inside the rim of the one below would count as regular, and push it out sideways (the ambiguity of figure 6.9).
+bool pushes_along(const Vec3& normal, const Vec3& reference) { return normal.dot(reference) > hook_cosine * reference.norm(); }
+
 /// @param reference  points from body_b to body_a
 void append_if_touching(const World& world, Contact pair, const Vec3& reference, double tau, Contacts& contacts)
 {
@@ -39,8 +43,8 @@ void append_if_touching(const World& world, Contact pair, const Vec3& reference,
     const PairVertices x = edge_vertices(surfaces, pair.feature_a, pair.feature_b);
     pair.orientation = (x[1] - x[0]).cross(x[3] - x[2]).dot(reference) < 0 ? -1 : 1;
     const std::optional<EdgeFeet> feet = feet_of_edges(x, pair.orientation, smallest_edge_sine);
-    if (!feet || feet->depth >= 0 || !feet->overlap(edge_tolerance) || is_known(pair, contacts) ||
-        is_hooked_edge_pair(surfaces.a, pair.feature_a, surfaces.b, pair.feature_b, feet->normal))
+    if (!feet || feet->depth >= 0 || !feet->overlap(edge_tolerance) || !pushes_along(feet->normal, reference) ||
+        is_known(pair, contacts) || is_hooked_edge_pair(surfaces.a, pair.feature_a, surfaces.b, pair.feature_b, feet->normal))
         return;
     const auto [a0, a1] = surfaces.a.step.edge(pair.feature_a);
     const auto [b0, b1] = surfaces.b.step.edge(pair.feature_b);

@@ -38,10 +38,12 @@ void redefine(const World& world, Contact& contact, Redefinitions& redefinitions
     const auto& w = foot->weights;
     const double beyond = overshoot(w);
     const bool hooked = is_hooked_vertex(surfaces.a, contact.feature_a, surfaces.b.face_normal(contact.feature_b));
-    const Corners around = hooked ? all_corners : corners_towards(*foot);
-    if (hooked || beyond > 0 || foot->depth > 0)
-        if (const std::optional<FaceTrial> choice = find_face(world, contact, 0, around, beyond))
+    if (hooked || beyond > 0 || foot->depth > 0) {
+        const Corners around = hooked ? all_corners : corners_towards(*foot);
+        const FaceLimits limits = hooked ? limits_of_hooked(world, contact, 0) : limits_of_shifted(world, contact, 0, beyond);
+        if (const std::optional<FaceTrial> choice = find_face(world, contact, 0, around, limits))
             return hand_on(world, contact, 0, *choice, redefinitions);
+    }
 
     put_on_face(contact, surfaces.b.step.topology, contact.feature_b, w);
     contact.category = hooked ? ContactCategory::hooked : ContactCategory::regular;
@@ -62,7 +64,7 @@ void redefine_enduring_vertices(const World& world, Contacts& contacts, Redefini
 //! [redefine_hooked_entry]
 void redefine_hooked_entry(const World& world, Contact& contact, Redefinitions& redefinitions)
 {
-    if (const std::optional<FaceTrial> choice = find_face(world, contact, 1, all_corners, 0))
+    if (const std::optional<FaceTrial> choice = find_face(world, contact, 1, all_corners, limits_of_hooked(world, contact, 1)))
         hand_on(world, contact, 1, *choice, redefinitions);
     else
         contact.held = true;

@@ -54,11 +54,11 @@ Caught catch_redefinition(const World& world, const Scene& scene, const Contact&
 {
     const PairSurfaces surfaces(world, contact, tau);
     Caught caught{"", stage_at(world, scene, tau), surfaces.a.position(contact.feature_a), corners_of(surfaces.b, contact.feature_b), {}, {}, {},
-                  find_face(world, contact, tau, around, tolerance)};
+                  find_face(world, contact, tau, around, {tolerance})};
     visit_candidates(surfaces, contact, around, [&](int face) {
         if (std::any_of(caught.trials.begin(), caught.trials.end(), [&](const FaceTrial& trial) { return trial.face == face; }))
             return;
-        caught.trials.push_back(try_face(surfaces, contact.feature_a, face, tolerance));
+        caught.trials.push_back(try_face(surfaces, contact.feature_a, face, {tolerance}));
         caught.faces.push_back(corners_of(surfaces.b, face));
         caught.feet.push_back(foot_point(caught.faces.back(), caught.trials.back().foot));
     });
@@ -74,7 +74,7 @@ std::optional<Caught> barycentric_case(const World& world, const Scene& scene, c
             continue;
         const PairSurfaces surfaces(world, contact, 0);
         const auto foot = foot_on_face(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b);
-        if (foot && overshoot(foot->weights) > 0 && find_face(world, contact, 0, corners_towards(*foot), overshoot(foot->weights)))
+        if (foot && overshoot(foot->weights) > 0 && find_face(world, contact, 0, corners_towards(*foot), {overshoot(foot->weights)}))
             return catch_redefinition(world, scene, contact, 0, corners_towards(*foot), overshoot(foot->weights));
     }
     return std::nullopt;
@@ -94,7 +94,7 @@ std::optional<Caught> hooked_case(const World& world, const Scene& scene, const 
     detection.append_entries(world, fresh);
     for (std::size_t i = contacts.size(); i < fresh.size(); ++i) {
         const bool hooked = fresh[i].kind == ContactKind::vertex_face && categorise(world, fresh[i], fresh[i].start) == ContactCategory::hooked;
-        if (hooked && in_the_middle(fresh[i]) && find_face(world, fresh[i], 1, all_corners, 0))
+        if (hooked && in_the_middle(fresh[i]) && find_face(world, fresh[i], 1, all_corners, {}))
             return catch_redefinition(world, scene, fresh[i], 1, all_corners, 0);
     }
     return std::nullopt;
@@ -127,7 +127,7 @@ bool still_in(const FaceTrial& trial, int step, const std::optional<FaceTrial>& 
 {
     switch (step) {
     case 1: return true;
-    case 2: return trial.verdict != FaceVerdict::above && trial.verdict != FaceVerdict::beside;
+    case 2: return trial.verdict == FaceVerdict::hooked || trial.verdict == FaceVerdict::fit;
     case 3: return trial.verdict == FaceVerdict::fit;
     default: return choice && trial.face == choice->face;
     }
@@ -161,13 +161,23 @@ Stage draw_step(const Caught& caught, int step)
 }
 //! [draw]
 
+std::string words(FaceVerdict verdict)
+{
+    switch (verdict) {
+    case FaceVerdict::above: return "not below it";
+    case FaceVerdict::deep: return "on the far side";
+    case FaceVerdict::beside: return "foot outside";
+    case FaceVerdict::hooked: return "hooked";
+    default: return "regular";
+    }
+}
+
 void add_rows(Table& table, const Caught& caught)
 {
-    const std::array<std::string, 4> words{"not below it", "foot outside", "hooked", "regular"};
     for (const FaceTrial& trial : caught.trials) {
         const bool chosen = caught.choice && trial.face == caught.choice->face;
         table.add({caught.title, static_cast<long>(trial.face), 1000 * trial.foot.depth, trial.overshoot,
-                   words[static_cast<std::size_t>(trial.verdict)] + (chosen ? ", chosen" : "")});
+                   words(trial.verdict) + (chosen ? ", chosen" : "")});
     }
 }
 

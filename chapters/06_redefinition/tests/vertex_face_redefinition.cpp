@@ -97,7 +97,7 @@ TEST_CASE("redefinition: below a valley no face has the foot; the tolerance (6.4
     const PairSurfaces surfaces(world, on_left, 0);
     const FaceFoot foot = *foot_on_face(surfaces.a, 0, surfaces.b, left);
     CHECK(overshoot(foot.weights) > 0);
-    CHECK_FALSE(find_face(world, on_left, 0, all_corners, 0).has_value());
+    CHECK_FALSE(find_face(world, on_left, 0, all_corners, {}).has_value());
 
     int changes = 0;
     Contacts contacts{on_left};
