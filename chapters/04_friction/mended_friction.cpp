@@ -16,7 +16,7 @@ struct RubbingPair {
     Contact* contact;
     TangentPlane plane;
     double normal_impulse;
-    SharedInverseMass share;
+    double inverse_mass;  ///< of its share of both bodies [1/kg]
     Anchor anchor;
     Vec2 impulse = Vec2::Zero(), change = Vec2::Zero();
     Vec2 free_velocity = Vec2::Zero();  ///< slip with all normal impulses in effect, and no friction [m/s]
@@ -30,7 +30,7 @@ void try_on_bodies(const World& world, const Contact& contact, const Vec3& impul
     }
 }
 
-/// With everything in effect that was tried. Bodies without trials answer as the pair's share of them would alone.
+/// With everything in effect that was tried.
 Vec2 slip_velocity(const World& world, const RubbingPair& pair)
 {
     const Contact& contact = *pair.contact;
@@ -39,7 +39,7 @@ Vec2 slip_velocity(const World& world, const RubbingPair& pair)
         const auto v = static_cast<std::size_t>(i);
         velocity += contact.weights[v] * body_of_vertex(world, contact, i).tried_velocity(contact.vertices[v]);
     }
-    return pair.plane.of(velocity) + pair.share.untried * pair.impulse;
+    return pair.plane.of(velocity);
 }
 
 std::vector<RubbingPair> pushing_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
@@ -51,10 +51,10 @@ std::vector<RubbingPair> pushing_pairs(const World& world, Contacts& contacts, c
             continue;
         const double normal_impulse = contact.impulse.norm();
         const TangentPlane plane(contact.impulse / normal_impulse);
-        const SharedInverseMass share = shares.inverse_mass(world, contact, plane);
-        if (share.all > 0)  // else nothing here can move
-            pairs.push_back({&contact, plane, normal_impulse, share,
-                             anchor_of(friction, share.all, plane.of(contact.stretch), dt)});
+        const double inverse_mass = shares.inverse_mass(world, contact, plane);
+        if (inverse_mass > 0)  // else nothing here can move
+            pairs.push_back({&contact, plane, normal_impulse, inverse_mass,
+                             anchor_of(friction, inverse_mass, plane.of(contact.stretch), dt)});
     }
     return pairs;
 }
@@ -94,7 +94,7 @@ bool improve(const World& world, std::vector<RubbingPair>& pairs, const Friction
 {
     bool settled = true;
     for (RubbingPair& pair : pairs) {
-        const FrictionImpulse better = better_impulse(pair.impulse, slip_velocity(world, pair), pair.share.all, pair.normal_impulse,
+        const FrictionImpulse better = better_impulse(pair.impulse, slip_velocity(world, pair), pair.inverse_mass, pair.normal_impulse,
                                                       pair.anchor, friction);
         pair.change = better.impulse - pair.impulse;
         pair.contact->slip = better.slip;

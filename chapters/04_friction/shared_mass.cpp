@@ -61,20 +61,16 @@ int MassShares::pairs_sharing(const World& world, const Contact& contact, int i)
 }
 
 //! [inverse_mass]
-SharedInverseMass MassShares::inverse_mass(const World& world, const Contact& contact, const TangentPlane& plane) const
+double MassShares::inverse_mass(const World& world, const Contact& contact, const TangentPlane& plane) const
 {
-    Mat3 all = Mat3::Zero(), untried = Mat3::Zero();
+    Mat3 sum = Mat3::Zero();
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const Body& body = body_of_vertex(world, contact, i);
-        if (body.is_static())
-            continue;
         const auto v = static_cast<std::size_t>(i);
-        const Mat3 share = std::abs(contact.weights[v]) * pairs_sharing(world, contact, i) * body.inverse_mass(contact.vertices[v]);
-        all += share;
-        if (!body.answers_trials())
-            untried += share;
+        if (!body.is_static())
+            sum += std::abs(contact.weights[v]) * pairs_sharing(world, contact, i) * body.inverse_mass(contact.vertices[v]);
     }
-    return {largest_eigenvalue(plane.of(all)), largest_eigenvalue(plane.of(untried))};
+    return largest_eigenvalue(plane.of(sum));
 }
 //! [inverse_mass]
 

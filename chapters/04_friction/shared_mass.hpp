@@ -13,12 +13,6 @@ constexpr double least_impulse = 1e-30;
 /// Does the pair wait for its impulses, and push?
 inline bool pushes_now(const Contact& contact) { return contact.waiting() && contact.impulse.norm() > least_impulse; }
 
-/// How easily a pair's slip changes [1/kg].
-struct SharedInverseMass {
-    double all = 0;      ///< of both bodies
-    double untried = 0;  ///< of those among them that do not answer trials
-};
-
 /// How many of the pairs that push now share each part of each body.
 ///
 /// Impulses of one response act together. So each pair reckons with a share of its bodies only, as if they were split among
@@ -27,11 +21,12 @@ class MassShares {
 public:
     MassShares(const World& world, const Contacts& contacts);
 
-    /// The most that a unit impulse on the pair's shares changes the velocity of p against q, over the directions of the plane.
+    /// The most that a unit impulse on the pair's shares changes the velocity of p against q, over the directions of the plane
+    /// [1/kg]; zero where nothing can move.
     ///
     /// A bound: the largest eigenvalue of sum_i |w_i| n_i K_i, with K_i the inverse mass at vertex i and n_i the pairs that
     /// share it. At a point between vertices the true one is smaller, for an inverse mass is a convex function of the place.
-    SharedInverseMass inverse_mass(const World& world, const Contact& contact, const TangentPlane& plane) const;
+    double inverse_mass(const World& world, const Contact& contact, const TangentPlane& plane) const;
 
 private:
     int pairs_sharing(const World& world, const Contact& contact, int i) const;

@@ -55,6 +55,9 @@ public:
     /// Impulses [N s] on the nodes that act during the step: the velocities change by what the system of the last predict
     /// gives for them, so that the elements pass them on to their neighbours within the step. Call after predict(.., dt).
     void respond(const NodalVectors& impulses, double dt);
+    /// What respond() would add to the velocities, up to what the elements have turned against each other since the system was
+    /// last factored: one pass through that factor. Zero before the first predict().
+    NodalVectors near_response(const NodalVectors& impulses) const { return solver_.nearly_solved(fixed_, impulses); }
     /// positions += dt velocities.
     void commit(double dt);
 
@@ -69,6 +72,7 @@ public:
     Vec3 angular_momentum(const Vec3& about) const;   ///< [kg m^2/s]
     int inverted_elements() const { return enduring::inverted_elements(mesh_, positions_); }
 
+    const ElementRotations& rotations() const { return rotations_; }  ///< of the last predict()
     int solver_iterations() const { return solver_.iterations(); }  ///< of the last prediction
     int factorisations() const { return solver_.factorisations(); } ///< since the beginning
 

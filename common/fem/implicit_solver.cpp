@@ -121,4 +121,19 @@ void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vec
         v.colwise() += (rhs.rowwise().sum() - v * (mass_scale * masses_)) / (mass_scale * masses_.sum());
 }
 
+NodalVectors ImplicitSolver::nearly_solved(const std::vector<char>& fixed, NodalVectors rhs) const
+{
+    NodalVectors v = NodalVectors::Zero(3, rhs.cols());
+    if (factorisations_ == 0)
+        return v;
+    for (Eigen::Index n = 0; n < rhs.cols(); ++n)
+        if (fixed[n])
+            rhs.col(n).setZero();
+    factor_.apply(rhs, v);
+    for (Eigen::Index n = 0; n < v.cols(); ++n)
+        if (fixed[n])
+            v.col(n).setZero();
+    return v;
+}
+
 }  // namespace enduring

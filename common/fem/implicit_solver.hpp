@@ -26,6 +26,11 @@ public:
     void solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
                double stiffness_scale, const NodalVectors& rhs, NodalVectors& v);
 
+    /// One application of the preconditioner: the solution for rhs but for what elements have turned against each other since
+    /// the matrix was factored, and for its single precision. Zero before the first solve.
+    /// @param fixed  as for solve()
+    NodalVectors nearly_solved(const std::vector<char>& fixed, NodalVectors rhs) const;
+
     int iterations() const { return iterations_; }          ///< of the last solve
     int factorisations() const { return factorisations_; }  ///< of all so far
 

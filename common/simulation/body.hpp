@@ -55,9 +55,7 @@ public:
     virtual Mat3 inverse_mass(int vertex) const = 0;
 
     /// Impulses may be tried out on a copy of the predicted velocities before any is applied: friction is worth no more than
-    /// what all its pairs do together. begin_trial() makes the copy; a body that does not answer trials, because it does not
-    /// move or because its answer costs a solve, keeps the velocities that it has.
-    virtual bool answers_trials() const { return false; }
+    /// what all its pairs do together. begin_trial() makes the copy. What does not move does not answer.
     virtual void begin_trial() {}
     virtual void try_impulse(int, const Vec3&) {}
     virtual Vec3 tried_velocity(int vertex) const { return velocity(vertex); }

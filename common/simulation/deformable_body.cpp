@@ -38,7 +38,7 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
                                const DeformableSettings& settings)
     : Body(std::move(name), std::move(surface)), elastic_(std::move(mesh), settings.material, settings.options),
       embedding_(std::move(embedding)), impulse_response_(settings.impulse_response),
-      waiting_impulses_(NodalVectors::Zero(3, elastic_.node_count()))
+      waiting_impulses_(NodalVectors::Zero(3, elastic_.node_count())), vertex_response_(elastic_, embedding_)
 {
     elastic_.place(settings.rotation, settings.position);
     set_motion(elastic_, settings.velocity, settings.angular_velocity);
@@ -52,6 +52,7 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
 void DeformableBody::predict(const Vec3& gravity, double dt)
 {
     elastic_.predict(gravity, dt);
+    vertex_response_.begin_step(dt);
     update_prediction(dt);
 }
 
@@ -84,24 +85,32 @@ void DeformableBody::apply_impulse(int vertex, const Vec3& impulse)
 
 Mat3 DeformableBody::inverse_mass(int vertex) const
 {
+    if (impulse_response_ == ImpulseResponse::implicit && elastic_.factorisations() > 0)
+        return vertex_response_.block(vertex, vertex);
     return embedding_.inverse_mass(vertex, elastic_.inverse_masses()) * Mat3::Identity();
 }
 
 void DeformableBody::begin_trial()
 {
-    if (answers_trials())
+    if (impulse_response_ == ImpulseResponse::implicit)
+        vertex_response_.begin_trial();
+    else
         tried_velocities_ = elastic_.velocities();
 }
 
 void DeformableBody::try_impulse(int vertex, const Vec3& impulse)
 {
-    if (answers_trials())
+    if (impulse_response_ == ImpulseResponse::implicit)
+        vertex_response_.try_impulse(vertex, impulse);
+    else
         embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), tried_velocities_);
 }
 
 Vec3 DeformableBody::tried_velocity(int vertex) const
 {
-    return answers_trials() ? embedding_.at(vertex, tried_velocities_) : velocity(vertex);
+    if (impulse_response_ == ImpulseResponse::implicit)
+        return velocity(vertex) + vertex_response_.tried_change(vertex);
+    return embedding_.at(vertex, tried_velocities_);
 }
 
 std::span<const int> DeformableBody::moved_parts(int vertex) const

@@ -4,6 +4,7 @@
 #include "common/fem/surface_embedding.hpp"
 #include "common/geometry/meshes.hpp"
 #include "common/simulation/body.hpp"
+#include "common/simulation/vertex_response.hpp"
 
 namespace enduring {
 
@@ -39,9 +40,10 @@ public:
 
     void apply_impulse(int vertex, const Vec3& impulse) override;
     Vec3 velocity(int vertex) const override { return embedding_.at(vertex, elastic_.velocities()); }
+    /// With the implicit response and after the first predict(), of the whole body as its elements tie it together; else of the
+    /// vertex's nodes alone.
     Mat3 inverse_mass(int vertex) const override;
 
-    bool answers_trials() const override { return impulse_response_ == ImpulseResponse::lumped; }
     void begin_trial() override;
     void try_impulse(int vertex, const Vec3& impulse) override;
     Vec3 tried_velocity(int vertex) const override;
@@ -66,6 +68,7 @@ private:
     SurfaceEmbedding embedding_;
     ImpulseResponse impulse_response_;
     NodalVectors waiting_impulses_;  ///< on the nodes, until the next update_prediction; only for the implicit response
+    mutable VertexResponse vertex_response_;  ///< learns when asked; only for the implicit response
     NodalVectors tried_velocities_;  ///< of the nodes; only for the lumped response
 };
 

@@ -24,7 +24,6 @@ public:
     Vec3 velocity(int vertex) const override { return velocities_[static_cast<std::size_t>(vertex)]; }
     Mat3 inverse_mass(int) const override { return Mat3::Identity() / mass_; }
 
-    bool answers_trials() const override { return true; }
     void begin_trial() override { tried_velocities_ = velocities_; }
     void try_impulse(int vertex, const Vec3& impulse) override { tried_velocities_[static_cast<std::size_t>(vertex)] += impulse / mass_; }
     Vec3 tried_velocity(int vertex) const override { return tried_velocities_[static_cast<std::size_t>(vertex)]; }

@@ -27,7 +27,6 @@ public:
     Vec3 velocity(int vertex) const override;
     Mat3 inverse_mass(int vertex) const override;
 
-    bool answers_trials() const override { return true; }
     void begin_trial() override;
     void try_impulse(int vertex, const Vec3& impulse) override;
     Vec3 tried_velocity(int vertex) const override;

@@ -188,7 +188,7 @@ TEST_CASE("friction: the mended model takes energy in every step, springs includ
         double stiffest = 1e300;  // that no anchor has to soften for this step
         const MassShares shares(it.world, it.contacts);
         for (const Contact& contact : it.contacts)
-            stiffest = std::min(stiffest, 1 / (it.dt * it.dt * shares.inverse_mass(it.world, contact, TangentPlane(contact.impulse.normalized())).all));
+            stiffest = std::min(stiffest, 1 / (it.dt * it.dt * shares.inverse_mass(it.world, contact, TangentPlane(contact.impulse.normalized()))));
         friction.spring = std::min(friction.spring, stiffest);
         const double springs_before = friction_spring_energy(it.contacts, friction);
         rub_pairs(it.world, it.contacts, friction, it.dt);
@@ -224,7 +224,7 @@ TEST_CASE("friction: a pair's shares bound what all pairs do together")
         for (Contact& contact : it.contacts) {
             const TangentPlane plane(contact.impulse.normalized());
             const Vec3 impulse = plane.projected(it.vector(1));
-            of_shares += 0.5 * shares.inverse_mass(it.world, contact, plane).all * impulse.squaredNorm();
+            of_shares += 0.5 * shares.inverse_mass(it.world, contact, plane) * impulse.squaredNorm();
             contact.impulse.setZero();
             contact.friction = impulse;
         }

@@ -147,7 +147,7 @@ TEST_CASE("drift: a block held on a slope stays where it is, to a micrometre ove
 
 TEST_CASE("tilting: a soft bar on a tilted plane is held above the angle of friction and slides below it")
 {
-    for (const std::string response : {"lumped"})
+    for (const std::string response : {"lumped", "implicit"})
         for (const bool held : {true, false}) {
             CAPTURE(response);
             CAPTURE(held);

@@ -70,3 +70,66 @@ TEST_CASE("impulse response: an impulse that nobody updates for is not lost at t
     body->commit(0.01);
     CHECK((body->linear_momentum() - Vec3(0, 1, 0)).norm() < 1e-9);
 }
+
+namespace {
+
+/// The block as one solve a column gives it.
+Mat3 solved_inverse_mass(DeformableBody& body, int vertex, double dt)
+{
+    Mat3 block;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 before = body.velocity(vertex);
+        body.apply_impulse(vertex, Vec3::Unit(axis));
+        body.update_prediction(dt);
+        block.col(axis) = body.velocity(vertex) - before;
+        body.apply_impulse(vertex, -Vec3::Unit(axis));
+        body.update_prediction(dt);
+    }
+    return block;
+}
+
+}  // namespace
+
+TEST_CASE("impulse response: the implicit inverse mass is what one solve of the elastic system gives, also after a turn")
+{
+    for (const bool quadratic : {false, true})
+        for (const double dt : {0.01, 0.002}) {
+            CAPTURE(quadratic);
+            CAPTURE(dt);
+            const auto body = soft_bar(ImpulseResponse::implicit, quadratic);
+            const Mat3 lumped = body->inverse_mass(1);
+            body->predict(Vec3::Zero(), 0.1);
+            body->inverse_mass(1);  // of another step: must be forgotten
+            body->predict(Vec3::Zero(), dt);
+            for (const int vertex : {0, 1, 7}) {
+                const Mat3 solved = solved_inverse_mass(*body, vertex, dt);
+                CHECK((body->inverse_mass(vertex) - solved).norm() < 1e-5 * solved.norm());
+            }
+            CHECK(body->inverse_mass(1).norm() < 0.9 * lumped.norm());
+        }
+}
+
+TEST_CASE("impulse response: the implicit inverse mass turns with the body")
+{
+    const double dt = 0.01;
+    for (const bool quadratic : {false, true}) {
+        DeformableSettings settings;
+        settings.material.density = 100;
+        settings.material.young = 1e6;
+        settings.material.poisson = 0.3;
+        settings.impulse_response = ImpulseResponse::implicit;
+        settings.angular_velocity = {0, 0, 2};
+        const TetrahedralMesh mesh = bar({1, 0.2, 0.2}, {4, 1, 1});
+        const auto body = quadratic ? std::make_unique<DeformableBody>("bar", with_edge_midpoints(mesh), settings)
+                                    : std::make_unique<DeformableBody>("bar", mesh, settings);
+        body->predict(Vec3::Zero(), dt);
+        const Mat3 at_first = body->inverse_mass(1);
+        for (int step = 0; step < 78; ++step) {  // a quarter turn
+            body->commit(dt);
+            body->predict(Vec3::Zero(), dt);
+        }
+        const Mat3 solved = solved_inverse_mass(*body, 1, dt);
+        CHECK((at_first - solved).norm() > 0.1 * solved.norm());
+        CHECK((body->inverse_mass(1) - solved).norm() < 0.02 * solved.norm());
+    }
+}

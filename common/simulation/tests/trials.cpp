@@ -1,0 +1,79 @@
+#include "common/simulation/scene_reader.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace enduring;
+
+namespace {
+
+/// One body of the kind, in the middle of a tumbling step, and three of its vertices.
+std::unique_ptr<Body> body_in_motion(const std::string& kind, double dt)
+{
+    const std::string what = kind == "rigid"
+        ? R"("type": "rigid", "shape": {"box": {"size": [1, 0.5, 0.4]}}, "mass": 3)"
+        : R"("type": "deformable", "shape": {"bar": {"size": [1, 0.2, 0.2], "cells": [4, 1, 1]}}, "density": 100, "young": 1e6,
+             "poisson": 0.3, "basis": ")" + std::string(kind.find("quadratic") == std::string::npos ? "linear" : "quadratic") +
+              R"(", "impulse_response": ")" + std::string(kind.find("implicit") == std::string::npos ? "lumped" : "implicit") + "\"";
+    Scene scene = read_scene(R"({"name": "s", "dt": 0.01, "duration": 1, "bodies": [{"name": "b", "angular_velocity": [0.3, 0.5, 2], )" + what + "}]}", "",
+                             "s.json", {});
+    std::unique_ptr<Body> body = std::move(scene.world.bodies[0]);
+    for (int step = 0; step < 30; ++step) {
+        body->predict(Vec3::Zero(), dt);
+        body->commit(dt);
+    }
+    body->predict(Vec3::Zero(), dt);
+    return body;
+}
+
+}  // namespace
+
+TEST_CASE("trials: what is tried is what would happen, and nothing happens")
+{
+    const double dt = 0.01;
+    for (const std::string kind : {"rigid", "lumped linear", "lumped quadratic", "implicit linear", "implicit quadratic"}) {
+        CAPTURE(kind);
+        const auto body = body_in_motion(kind, dt);
+        const std::vector<std::pair<int, Vec3>> impulses{{0, {0.5, -1, 2}}, {3, {1, 0.2, 0}}, {7, {0, 0.4, -0.3}}, {3, {0, 0, 0.6}}};
+        const std::vector<int> asked{0, 3, 7, 5};
+        body->begin_trial();
+        body->try_impulse(2, {5, 5, 5});
+        body->begin_trial();  // forgets
+        std::vector<Vec3> before, tried;
+        for (const auto& [vertex, impulse] : impulses)
+            body->try_impulse(vertex, impulse);
+        for (const int vertex : asked) {
+            before.push_back(body->velocity(vertex));
+            tried.push_back(body->tried_velocity(vertex));
+        }
+        body->update_prediction(dt);
+        for (std::size_t i = 0; i < asked.size(); ++i)
+            CHECK(body->velocity(asked[i]) == before[i]);
+
+        for (const auto& [vertex, impulse] : impulses)
+            body->apply_impulse(vertex, impulse);
+        body->update_prediction(dt);
+        const double exact = kind.find("implicit") == std::string::npos ? 1e-12 : 0.01;  // the frames' turn is a mean
+        for (std::size_t i = 0; i < asked.size(); ++i) {
+            const Vec3 change = body->velocity(asked[i]) - before[i];
+            REQUIRE((change.norm() > 0.01 || asked[i] == 5));  // nobody pushes vertex 5: only rigid and implicit bodies move it
+            CHECK((tried[i] - before[i] - change).norm() < exact * std::max(0.01, change.norm()));
+        }
+    }
+}
+
+TEST_CASE("trials: the inverse mass at a vertex is what a unit impulse tried there changes")
+{
+    for (const std::string kind : {"rigid", "lumped quadratic", "implicit quadratic"}) {
+        CAPTURE(kind);
+        const auto body = body_in_motion(kind, 0.01);
+        for (const int vertex : {0, 6, 3}) {
+            const Mat3 inverse_mass = body->inverse_mass(vertex);
+            CHECK((inverse_mass - inverse_mass.transpose()).norm() < 1e-12 * inverse_mass.norm());
+            for (int axis = 0; axis < 3; ++axis) {
+                body->begin_trial();
+                body->try_impulse(vertex, Vec3::Unit(axis));
+                CHECK((body->tried_velocity(vertex) - body->velocity(vertex) - inverse_mass.col(axis)).norm() < 1e-10 * inverse_mass.norm());
+            }
+        }
+    }
+}

@@ -1,0 +1,133 @@
+#include "common/simulation/vertex_response.hpp"
+
+#include "common/fem/polar_rotation.hpp"
+
+#include <algorithm>
+
+namespace enduring {
+namespace {
+
+std::vector<int> elements_at(const ElasticMesh& mesh, int node)
+{
+    std::vector<int> found;
+    for (std::size_t e = 0; e < mesh.elements().size(); ++e) {
+        const auto begin = mesh.elements()[e].nodes.begin(), end = begin + nodes_of(mesh.basis());
+        if (std::find(begin, end, node) != end)
+            found.push_back(static_cast<int>(e));
+    }
+    return found;
+}
+
+}  // namespace
+
+void VertexResponse::begin_step(double dt)
+{
+    ++step_;
+    begin_trial();
+    for (const int place : new_)
+        vertices_[static_cast<std::size_t>(place)].responses = {};
+    new_.clear();
+    if (dt != dt_) {
+        vertices_.clear();
+        place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
+    }
+    dt_ = dt;
+}
+
+const Mat3& VertexResponse::frame(Vertex& vertex)
+{
+    if (vertex.frame_of_step != step_) {
+        Mat3 sum = Mat3::Zero();
+        for (const int e : vertex.elements)
+            sum += body_.rotations()[static_cast<std::size_t>(e)];
+        vertex.frame = polar_rotation(sum);
+        vertex.frame_of_step = step_;
+    }
+    return vertex.frame;
+}
+
+VertexResponse::UnitResponses VertexResponse::unit_responses(int vertex) const
+{
+    UnitResponses responses;
+    for (int axis = 0; axis < 3; ++axis) {
+        NodalVectors impulse = NodalVectors::Zero(3, body_.node_count());
+        for (const auto& [node, weight] : embedding_.nodes_of(vertex))
+            impulse(axis, node) = weight;
+        responses[static_cast<std::size_t>(axis)] = body_.near_response(impulse);
+    }
+    return responses;
+}
+
+Mat3 VertexResponse::block_to(const UnitResponses& responses, int vertex) const
+{
+    Mat3 block;
+    for (int axis = 0; axis < 3; ++axis)
+        block.col(axis) = embedding_.at(vertex, responses[static_cast<std::size_t>(axis)]);
+    return block;
+}
+
+//! [learnt]
+int VertexResponse::learnt(int vertex)
+{
+    if (place_.empty())
+        place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
+    int& place = place_[static_cast<std::size_t>(vertex)];
+    if (place >= 0)
+        return place;
+    place = static_cast<int>(vertices_.size());
+    new_.push_back(place);
+    vertices_.push_back({vertex, elements_at(body_.mesh(), embedding_.nodes_of(vertex).front().node), unit_responses(vertex), {}});
+    Vertex& own = vertices_.back();
+    const Mat3 own_frame = frame(own);
+    for (Vertex& other : vertices_) {
+        // Both responses tell the same block up to rounding; the lower vertex's does where there is a choice.
+        const bool others = other.responses[0].size() > 0 && other.vertex < vertex;
+        const Mat3 block = others ? block_to(other.responses, vertex) : Mat3(block_to(own.responses, other.vertex).transpose());
+        own.blocks.push_back(own_frame.transpose() * block * frame(other));
+    }
+    own.blocks.back() = (0.5 * (own.blocks.back() + own.blocks.back().transpose())).eval();
+    return place;
+}
+//! [learnt]
+
+Mat3 VertexResponse::block(int u, int v)
+{
+    const int i = learnt(u), j = learnt(v);
+    Vertex &a = vertices_[static_cast<std::size_t>(std::max(i, j))], &b = vertices_[static_cast<std::size_t>(std::min(i, j))];
+    const Mat3 block = frame(a) * a.blocks[static_cast<std::size_t>(std::min(i, j))] * frame(b).transpose();
+    return i >= j ? block : Mat3(block.transpose());
+}
+
+void VertexResponse::begin_trial()
+{
+    for (const int place : tried_)
+        vertices_[static_cast<std::size_t>(place)].tried.setZero();
+    tried_.clear();
+}
+
+void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
+{
+    const int place = learnt(vertex);
+    Vertex& known = vertices_[static_cast<std::size_t>(place)];
+    if (std::find(tried_.begin(), tried_.end(), place) == tried_.end())
+        tried_.push_back(place);
+    known.tried += frame(known).transpose() * impulse;
+}
+
+Vec3 VertexResponse::tried_change(int vertex)
+{
+    const int place = learnt(vertex);
+    Vec3 local = Vec3::Zero();
+    for (const int other : tried_) {
+        const auto high = static_cast<std::size_t>(std::max(place, other)), low = static_cast<std::size_t>(std::min(place, other));
+        const Vec3& impulse = vertices_[static_cast<std::size_t>(other)].tried;
+        const Mat3& block = vertices_[high].blocks[low];
+        if (place >= other)
+            local += block * impulse;
+        else
+            local += block.transpose() * impulse;
+    }
+    return frame(vertices_[static_cast<std::size_t>(place)]) * local;
+}
+
+}  // namespace enduring

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "common/fem/elastic_body.hpp"
+#include "common/fem/surface_embedding.hpp"
+
+#include <array>
+#include <vector>
+
+namespace enduring {
+
+/// What impulses at surface vertices do to the velocities there, for a body whose elements pass them on within the step: the
+/// blocks S_u A^-1 S_v^T of its system's inverse.
+///
+/// A vertex costs three passes through the factor, so it is learnt when first asked for. Its blocks are kept in the frames
+/// of the elements around both vertices and turn with them; that the elements also deform changes them little. In which
+/// order the vertices of one step are learnt changes no bit.
+class VertexResponse {
+public:
+    /// Both outlive it.
+    VertexResponse(const ElasticBody& body, const SurfaceEmbedding& embedding) : body_(body), embedding_(embedding) {}
+
+    /// A new step has begun: the elements have turned, and where dt [s] is another one the system is another, too.
+    void begin_step(double dt);
+    /// Velocity change at vertex u per impulse at vertex v [1/kg]; block(v, u) is its transpose.
+    Mat3 block(int u, int v);
+
+    /// Impulses to be tried: forgets those before.
+    void begin_trial();
+    void try_impulse(int vertex, const Vec3& impulse);
+    /// What all impulses of the trial change at a vertex [m/s].
+    Vec3 tried_change(int vertex);
+
+private:
+    /// Velocities of all nodes for a unit impulse along each axis [1/kg].
+    using UnitResponses = std::array<NodalVectors, 3>;
+    struct Vertex {
+        int vertex;
+        std::vector<int> elements;   ///< around its first node
+        UnitResponses responses;     ///< kept for the step in which it was learnt
+        std::vector<Mat3> blocks;    ///< of this vertex with each one learnt before and itself, in the frames of both
+        Mat3 frame = Mat3::Identity();
+        int frame_of_step = -1;
+        Vec3 tried = Vec3::Zero();  ///< in its frame
+    };
+    int learnt(int vertex);
+    UnitResponses unit_responses(int vertex) const;
+    Mat3 block_to(const UnitResponses& responses, int vertex) const;
+    const Mat3& frame(Vertex& vertex);
+
+    const ElasticBody& body_;
+    const SurfaceEmbedding& embedding_;
+    double dt_ = 0;
+    int step_ = 0;
+    std::vector<int> place_;  ///< of each surface vertex among those learnt, -1 before
+    std::vector<Vertex> vertices_;
+    std::vector<int> tried_;      ///< places of vertices that were pushed in this trial
+    std::vector<int> new_;        ///< places of those learnt in this step
+};
+
+}  // namespace enduring
