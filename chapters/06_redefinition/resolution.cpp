@@ -125,10 +125,11 @@ bool is_outside(const World& world, const CrossingDetection& detection, const Ve
     const auto [e0, e1] = mine.edge(edge);
     if (in_contact.find(edge_body, e0, other) >= 0 || in_contact.find(edge_body, e1, other) >= 0)
         return false;
+    const Vec3 &from = mine.end(e0), &to = mine.end(e1);
     bool pierces = false;
     detection.visit_faces_near(other, edge_box(mine, edge), [&](int face) {
         const auto [f0, f1, f2] = theirs.face(face);
-        pierces = pierces || find_edge_triangle_hit(mine.end(e0), mine.end(e1), theirs.end(f0), theirs.end(f1), theirs.end(f2));
+        pierces = pierces || find_edge_triangle_hit(from, to, theirs.end(f0), theirs.end(f1), theirs.end(f2));
     });
     return !pierces;
 }

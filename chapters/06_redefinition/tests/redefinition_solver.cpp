@@ -119,13 +119,14 @@ Vec3 momentum(const World& world)
 TEST_CASE("momentum: sliding, redefined pairs of every two kinds of bodies keep it to rounding")
 {
     using enum BodyKind;
-    for (const auto& [above, below] : {std::pair{rigid, rigid}, {rigid, linear}, {linear, rigid}, {linear, quadratic}, {quadratic, rigid}}) {
-        CAPTURE(static_cast<int>(above));
-        CAPTURE(static_cast<int>(below));
+    for (const std::pair<BodyKind, BodyKind>& kinds :
+         {std::pair{rigid, rigid}, {rigid, linear}, {linear, rigid}, {linear, quadratic}, {quadratic, rigid}}) {
+        CAPTURE(static_cast<int>(kinds.first));
+        CAPTURE(static_cast<int>(kinds.second));
         World world;
         world.gravity.setZero();
-        world.bodies.push_back(block("above", above, {-0.3, 0.93, 0.21}, {2, -1, 0.4}));
-        world.bodies.push_back(block("below", below, {0, 0, 0}, {0, 0.2, 0}));
+        world.bodies.push_back(block("above", kinds.first, {-0.3, 0.93, 0.21}, {2, -1, 0.4}));
+        world.bodies.push_back(block("below", kinds.second, {0, 0, 0}, {0, 0.2, 0}));
         const Vec3 before = momentum(world);
         Contacts contacts;
         const Solver solver = chapter06_solver({PenaltyMethod::continuous, 300});
