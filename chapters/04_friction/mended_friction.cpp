@@ -3,13 +3,12 @@
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace enduring {
 namespace {
 
 constexpr int most_rounds = 30;
-constexpr double small_change = 1e-3;  ///< of what a pair can hold: no impulse changes by more in the last round
+constexpr double small_change = 1e-3;  ///< of what the pairs can hold
 
 /// A pair at work.
 struct RubbingPair {
@@ -19,7 +18,7 @@ struct RubbingPair {
     double inverse_mass;  ///< of its share of both bodies [1/kg]
     Anchor anchor;
     Vec2 impulse = Vec2::Zero(), change = Vec2::Zero();
-    Vec2 free_velocity = Vec2::Zero();  ///< slip with all normal impulses in effect, and no friction [m/s]
+    double limit = 0;  ///< of the impulse's length, where the pair slips [N s]
 };
 
 void try_on_bodies(const World& world, const Contact& contact, const Vec3& impulse)
@@ -44,7 +43,7 @@ Vec2 slip_velocity(const World& world, const RubbingPair& pair)
 
 std::vector<RubbingPair> pushing_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
 {
-    const MassShares shares(world, contacts);
+    MassShares shares(world, contacts);
     std::vector<RubbingPair> pairs;
     for (Contact& contact : contacts) {
         if (!pushes_now(contact))
@@ -65,72 +64,60 @@ Vec2 cut_to(double limit, const Vec2& impulse)
     return length > limit ? Vec2(impulse * (limit / length)) : impulse;
 }
 
-/// What friction leaves of a stretch (see stretch_after_slip).
-double longest_stretch(const RubbingPair& pair, double stretch, const FrictionParameters& friction, double dt)
-{
-    return pair.contact->slip > 0 ? stretch_after_slip(pair.contact->slip, pair.impulse.norm(), friction, dt) : stretch;
-}
-
-void try_normal_impulses(const World& world, std::vector<RubbingPair>& pairs)
+void try_normal_impulses(const World& world, const std::vector<RubbingPair>& pairs)
 {
     for (const std::unique_ptr<Body>& body : world.bodies)
         body->begin_trial();
     for (const RubbingPair& pair : pairs)
         try_on_bodies(world, *pair.contact, pair.contact->impulse);
-    for (RubbingPair& pair : pairs)
-        pair.free_velocity = slip_velocity(world, pair);
 }
 
 void try_springs(const World& world, std::vector<RubbingPair>& pairs, double mu_s, double dt)
 {
     for (RubbingPair& pair : pairs) {
+        pair.limit = mu_s * pair.normal_impulse;
         pair.impulse = cut_to(mu_s * pair.normal_impulse, -dt * pair.anchor.spring * pair.anchor.stretch);
         try_on_bodies(world, *pair.contact, pair.plane.in_space(pair.impulse));
     }
 }
 
-/// One round: every pair answers what all of them did before. True if that changed little.
-bool improve(const World& world, std::vector<RubbingPair>& pairs, const FrictionParameters& friction)
+//! [toward]
+/// A pair's limit goes half of its way in each round: limits that fall all at once come back in the next.
+Vec2 toward(const FrictionImpulse& better, double mu_s, RubbingPair& pair)
 {
-    bool settled = true;
+    const double limit = better.slip > 0 ? better.impulse.norm() : mu_s * pair.normal_impulse;
+    pair.limit = 0.5 * (pair.limit + limit);
+    return better.slip > 0 && limit > 0 ? Vec2(better.impulse * (pair.limit / limit)) : better.impulse;
+}
+//! [toward]
+
+/// One round: every pair answers what all of them did before.
+/// @return  how much that changed, relative to what the pairs can hold, as root mean squares
+double improve(const World& world, std::vector<RubbingPair>& pairs, const FrictionParameters& friction)
+{
+    double change = 0, most = 0;
     for (RubbingPair& pair : pairs) {
         const FrictionImpulse better = better_impulse(pair.impulse, slip_velocity(world, pair), pair.inverse_mass, pair.normal_impulse,
                                                       pair.anchor, friction);
-        pair.change = better.impulse - pair.impulse;
+        pair.change = toward(better, friction.mu_s, pair) - pair.impulse;
         pair.contact->slip = better.slip;
-        settled = settled && pair.change.norm() <= small_change * friction.mu_s * pair.normal_impulse;
+        change += pair.change.squaredNorm();
+        most += std::pow(friction.mu_s * pair.normal_impulse, 2);
     }
     for (RubbingPair& pair : pairs) {
         pair.impulse += pair.change;
         try_on_bodies(world, *pair.contact, pair.plane.in_space(pair.change));
     }
-    return settled;
+    return change > 0 ? std::sqrt(change / most) : 0;
 }
 
-//! [take_no_energy]
-/// The rounds end before they meet their fixed point, and where limits drop they may be far from it. So count: friction does
-/// the work J.(v + u) / 2 between the slip v without it and u with it, and the springs change. Should energy have come out
-/// of nothing, the multiple of all friction that takes most is what remains, and every anchor lets go.
-void take_no_energy(const World& world, std::vector<RubbingPair>& pairs, const FrictionParameters& friction, double dt)
+/// Until little changes, or until it does not get less: among hundreds of pairs there is always one that is just letting go.
+bool worth_another(const std::vector<double>& changes)
 {
-    double free_work = 0, own_work = 0, springs = 0;
-    for (const RubbingPair& pair : pairs) {
-        const Vec2 velocity = slip_velocity(world, pair);
-        const Vec2 stretch = pair.anchor.stretch + dt * velocity;
-        free_work += pair.impulse.dot(pair.free_velocity);
-        own_work += pair.impulse.dot(velocity - pair.free_velocity);
-        springs += 0.5 * pair.anchor.spring * (cut_to(longest_stretch(pair, stretch.norm(), friction, dt), stretch).squaredNorm()
-                                               - pair.anchor.stretch.squaredNorm());
-    }
-    if (free_work + 0.5 * own_work + springs <= 0)
-        return;
-    const double best = own_work > 0 ? std::clamp(-free_work / own_work, 0.0, 1.0) : 0;
-    for (RubbingPair& pair : pairs) {
-        pair.impulse *= best;
-        pair.contact->slip = std::numeric_limits<double>::infinity();
-    }
+    const std::size_t rounds = changes.size();
+    const bool stalls = rounds > 10 && changes.back() > 0.8 * changes[rounds - 5];
+    return changes.back() > small_change && !stalls && rounds < most_rounds;
 }
-//! [take_no_energy]
 
 }  // namespace
 
@@ -166,10 +153,10 @@ void rub_together(const World& world, Contacts& contacts, const FrictionParamete
     std::vector<RubbingPair> pairs = pushing_pairs(world, contacts, friction, dt);
     try_normal_impulses(world, pairs);
     try_springs(world, pairs, friction.mu_s, dt);
-    bool settled = false;
-    for (int round = 0; round < most_rounds && !settled; ++round)
-        settled = improve(world, pairs, friction);
-    take_no_energy(world, pairs, friction, dt);
+    std::vector<double> changes;
+    do
+        changes.push_back(improve(world, pairs, friction));
+    while (worth_another(changes));
     for (const RubbingPair& pair : pairs)
         pair.contact->friction = pair.plane.in_space(cut_to(friction.mu_s * pair.normal_impulse, pair.impulse));
 }

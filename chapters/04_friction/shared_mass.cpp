@@ -34,20 +34,46 @@ bool moved_before(const World& world, const Contact& contact, int i, int part)
     return false;
 }
 
+/// Sums the weights of all pairs at each vertex of a body.
+class PushList {
+public:
+    explicit PushList(const Body& body) : place_(static_cast<std::size_t>(body.surface().vertex_count()), -1) {}
+    void add(int vertex, double weight, std::vector<Push>& pushes)
+    {
+        int& place = place_[static_cast<std::size_t>(vertex)];
+        if (place < 0) {
+            place = static_cast<int>(pushes.size());
+            pushes.push_back({vertex, 0});
+        }
+        pushes[static_cast<std::size_t>(place)].weight += weight;
+    }
+
+private:
+    std::vector<int> place_;
+};
+
 }  // namespace
 
 //! [count]
 MassShares::MassShares(const World& world, const Contacts& contacts)
 {
-    for (const std::unique_ptr<Body>& body : world.bodies)
-        pairs_of_part_.emplace_back(static_cast<std::size_t>(body->is_static() ? 1 : body->part_count()), 0);
+    std::vector<PushList> lists;
+    for (const std::unique_ptr<Body>& body : world.bodies) {
+        lists.emplace_back(*body);
+        bodies_.push_back({std::vector<int>(static_cast<std::size_t>(body->part_count()), 0), {},
+                           std::vector<double>(static_cast<std::size_t>(body->surface().vertex_count()), -1)});
+    }
     for (const Contact& contact : contacts) {
         if (!pushes_now(contact))
             continue;
-        for (int i = 0; i < contact.vertex_count(); ++i)
+        for (int i = 0; i < contact.vertex_count(); ++i) {
+            const auto v = static_cast<std::size_t>(i);
+            OfBody& of_body = bodies_[body_index(contact, i)];
+            lists[body_index(contact, i)].add(contact.vertices[v], std::abs(contact.weights[v]), of_body.pushes);
             for (const int part : parts(world, contact, i))
                 if (!moved_before(world, contact, i, part))
-                    ++pairs_of_part_[body_index(contact, i)][static_cast<std::size_t>(part)];
+                    ++of_body.pairs_of_part[static_cast<std::size_t>(part)];
+        }
     }
 }
 //! [count]
@@ -56,19 +82,30 @@ int MassShares::pairs_sharing(const World& world, const Contact& contact, int i)
 {
     int most = 1;
     for (const int part : parts(world, contact, i))
-        most = std::max(most, pairs_of_part_[body_index(contact, i)][static_cast<std::size_t>(part)]);
+        most = std::max(most, bodies_[body_index(contact, i)].pairs_of_part[static_cast<std::size_t>(part)]);
     return most;
 }
 
+double MassShares::together(const Body& body, OfBody& of_body, int vertex) const
+{
+    double& known = of_body.together[static_cast<std::size_t>(vertex)];
+    if (known < 0)
+        known = body.together(vertex, of_body.pushes);
+    return known;
+}
+
 //! [inverse_mass]
-double MassShares::inverse_mass(const World& world, const Contact& contact, const TangentPlane& plane) const
+double MassShares::inverse_mass(const World& world, const Contact& contact, const TangentPlane& plane)
 {
     Mat3 sum = Mat3::Zero();
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const Body& body = body_of_vertex(world, contact, i);
+        if (body.is_static())
+            continue;
         const auto v = static_cast<std::size_t>(i);
-        if (!body.is_static())
-            sum += std::abs(contact.weights[v]) * pairs_sharing(world, contact, i) * body.inverse_mass(contact.vertices[v]);
+        const Mat3 share = pairs_sharing(world, contact, i) * body.inverse_mass(contact.vertices[v]);
+        const double bound = together(body, bodies_[body_index(contact, i)], contact.vertices[v]);
+        sum += std::abs(contact.weights[v]) * (bound < share.norm() ? Mat3(bound * Mat3::Identity()) : share);
     }
     return largest_eigenvalue(plane.of(sum));
 }

@@ -3,6 +3,7 @@
 #include "common/geometry/surface_topology.hpp"
 #include "common/geometry/vector.hpp"
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,12 @@ namespace enduring {
 struct Energy {
     double kinetic = 0, gravitational = 0, elastic = 0;  ///< [J]; the gravitational part is zero at the origin
     double total() const { return kinetic + gravitational + elastic; }
+};
+
+/// A surface vertex and the share of an impulse that it receives.
+struct Push {
+    int vertex;
+    double weight;  ///< not negative
 };
 
 /// The one face that static, rigid and deformable bodies show to the contact code: surface vertices that move
@@ -65,6 +72,10 @@ public:
     virtual int part_count() const { return 1; }
     /// The parts that an impulse at a surface vertex moves.
     virtual std::span<const int> moved_parts(int) const { return {&whole, 1}; }
+
+    /// The same question answered better by a body whose parts hang together, if it can: a bound on what all `pushes` change
+    /// at a vertex together, each weight's worth of impulse in its own worst direction [1/kg]; infinite where it knows none.
+    virtual double together(int, std::span<const Push>) const { return std::numeric_limits<double>::infinity(); }
 
     virtual bool is_static() const { return false; }
     virtual double mass() const = 0;                                  ///< [kg]; 0 for a static body

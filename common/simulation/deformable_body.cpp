@@ -118,6 +118,11 @@ std::span<const int> DeformableBody::moved_parts(int vertex) const
     return impulse_response_ == ImpulseResponse::implicit ? Body::moved_parts(vertex) : embedding_.node_numbers_of(vertex);
 }
 
+double DeformableBody::together(int vertex, std::span<const Push> pushes) const
+{
+    return impulse_response_ == ImpulseResponse::implicit ? vertex_response_.together(vertex, pushes) : Body::together(vertex, pushes);
+}
+
 Energy DeformableBody::energy(const Vec3& gravity) const
 {
     Energy energy;

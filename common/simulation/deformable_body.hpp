@@ -50,6 +50,7 @@ public:
 
     int part_count() const override { return impulse_response_ == ImpulseResponse::implicit ? 1 : elastic_.node_count(); }
     std::span<const int> moved_parts(int vertex) const override;
+    double together(int vertex, std::span<const Push> pushes) const override;
 
     double mass() const override { return elastic_.mass(); }
     Energy energy(const Vec3& gravity) const override;

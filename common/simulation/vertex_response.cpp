@@ -83,19 +83,33 @@ int VertexResponse::learnt(int vertex)
         // Both responses tell the same block up to rounding; the lower vertex's does where there is a choice.
         const bool others = other.responses[0].size() > 0 && other.vertex < vertex;
         const Mat3 block = others ? block_to(other.responses, vertex) : Mat3(block_to(own.responses, other.vertex).transpose());
-        own.blocks.push_back(own_frame.transpose() * block * frame(other));
+        const Mat3 local = own_frame.transpose() * block * frame(other);
+        own.blocks.push_back({&other == &own ? Mat3(0.5 * (local + local.transpose())) : local, local.norm()});
     }
-    own.blocks.back() = (0.5 * (own.blocks.back() + own.blocks.back().transpose())).eval();
     return place;
 }
 //! [learnt]
 
+const VertexResponse::Block& VertexResponse::stored(int i, int j) const
+{
+    return vertices_[static_cast<std::size_t>(std::max(i, j))].blocks[static_cast<std::size_t>(std::min(i, j))];
+}
+
 Mat3 VertexResponse::block(int u, int v)
 {
     const int i = learnt(u), j = learnt(v);
-    Vertex &a = vertices_[static_cast<std::size_t>(std::max(i, j))], &b = vertices_[static_cast<std::size_t>(std::min(i, j))];
-    const Mat3 block = frame(a) * a.blocks[static_cast<std::size_t>(std::min(i, j))] * frame(b).transpose();
-    return i >= j ? block : Mat3(block.transpose());
+    const Mat3& local = stored(i, j).matrix;
+    const Mat3 turned = i >= j ? local : Mat3(local.transpose());
+    return frame(vertices_[static_cast<std::size_t>(i)]) * turned * frame(vertices_[static_cast<std::size_t>(j)]).transpose();
+}
+
+double VertexResponse::together(int vertex, std::span<const Push> pushes)
+{
+    const int place = learnt(vertex);
+    double sum = 0;
+    for (const Push& push : pushes)
+        sum += push.weight * stored(place, learnt(push.vertex)).length;
+    return sum;
 }
 
 void VertexResponse::begin_trial()
@@ -103,6 +117,7 @@ void VertexResponse::begin_trial()
     for (const int place : tried_)
         vertices_[static_cast<std::size_t>(place)].tried.setZero();
     tried_.clear();
+    ++trial_state_;
 }
 
 void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
@@ -111,23 +126,28 @@ void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
     Vertex& known = vertices_[static_cast<std::size_t>(place)];
     if (std::find(tried_.begin(), tried_.end(), place) == tried_.end())
         tried_.push_back(place);
+    ++trial_state_;
     known.tried += frame(known).transpose() * impulse;
 }
 
 Vec3 VertexResponse::tried_change(int vertex)
 {
     const int place = learnt(vertex);
+    Vertex& own = vertices_[static_cast<std::size_t>(place)];
+    if (own.change_of == trial_state_)
+        return own.change;  // several pairs ask for the same vertex
     Vec3 local = Vec3::Zero();
     for (const int other : tried_) {
-        const auto high = static_cast<std::size_t>(std::max(place, other)), low = static_cast<std::size_t>(std::min(place, other));
+        const Mat3& block = stored(place, other).matrix;
         const Vec3& impulse = vertices_[static_cast<std::size_t>(other)].tried;
-        const Mat3& block = vertices_[high].blocks[low];
         if (place >= other)
-            local += block * impulse;
+            local.noalias() += block * impulse;
         else
-            local += block.transpose() * impulse;
+            local.noalias() += block.transpose() * impulse;
     }
-    return frame(vertices_[static_cast<std::size_t>(place)]) * local;
+    own.change = frame(own) * local;
+    own.change_of = trial_state_;
+    return own.change;
 }
 
 }  // namespace enduring

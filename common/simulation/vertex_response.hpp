@@ -2,6 +2,7 @@
 
 #include "common/fem/elastic_body.hpp"
 #include "common/fem/surface_embedding.hpp"
+#include "common/simulation/body.hpp"
 
 #include <array>
 #include <vector>
@@ -24,6 +25,10 @@ public:
     /// Velocity change at vertex u per impulse at vertex v [1/kg]; block(v, u) is its transpose.
     Mat3 block(int u, int v);
 
+    /// Sum of weight times length of block(vertex, .) over the pushes [1/kg]. As a matrix of blocks has no eigenvalue above its
+    /// largest such sum, this bounds what they do together.
+    double together(int vertex, std::span<const Push> pushes);
+
     /// Impulses to be tried: forgets those before.
     void begin_trial();
     void try_impulse(int vertex, const Vec3& impulse);
@@ -33,16 +38,23 @@ public:
 private:
     /// Velocities of all nodes for a unit impulse along each axis [1/kg].
     using UnitResponses = std::array<NodalVectors, 3>;
+    struct Block {
+        Mat3 matrix;
+        double length;  ///< Frobenius
+    };
     struct Vertex {
         int vertex;
         std::vector<int> elements;   ///< around its first node
         UnitResponses responses;     ///< kept for the step in which it was learnt
-        std::vector<Mat3> blocks;    ///< of this vertex with each one learnt before and itself, in the frames of both
+        std::vector<Block> blocks;   ///< of this vertex with each one learnt before and itself, in the frames of both
         Mat3 frame = Mat3::Identity();
         int frame_of_step = -1;
-        Vec3 tried = Vec3::Zero();  ///< in its frame
+        Vec3 tried = Vec3::Zero();   ///< impulse of the trial, in its frame
+        Vec3 change = Vec3::Zero();  ///< what the trial changes here, in world axes
+        long change_of = -1;         ///< state of the trial that `change` is for
     };
     int learnt(int vertex);
+    const Block& stored(int i, int j) const;
     UnitResponses unit_responses(int vertex) const;
     Mat3 block_to(const UnitResponses& responses, int vertex) const;
     const Mat3& frame(Vertex& vertex);
@@ -51,6 +63,7 @@ private:
     const SurfaceEmbedding& embedding_;
     double dt_ = 0;
     int step_ = 0;
+    long trial_state_ = 0;  ///< counts what is tried
     std::vector<int> place_;  ///< of each surface vertex among those learnt, -1 before
     std::vector<Vertex> vertices_;
     std::vector<int> tried_;      ///< places of vertices that were pushed in this trial

