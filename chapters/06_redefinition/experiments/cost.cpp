@@ -50,7 +50,7 @@ void compose(const RunOptions& options, const std::filesystem::path& file, Repor
         const std::string friction = model == "mended" ? "mended" : "thesis";
         add_stages(table, "VF", friction, vf);
         add_stages(table, "EE", friction, ee);
-        if (model == "mended") {
+        if (model == "yamane_nakamura") {  // the friction that the thesis timed
             const double ratio = 0.5 * (vf.with_cpf() / vf.with_dpf() + ee.with_cpf() / ee.with_dpf());
             report.fact("cost", "ratio", ratio);
             report.fact("cost", "left_percent", 100 * (larger_step / ratio - 1), 2);
