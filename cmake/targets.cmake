@@ -48,7 +48,7 @@ function(enduring_tests target)
     add_executable(${target} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/cmake/doctest_main.cpp)
     target_link_libraries(${target} PRIVATE ${ARG_USES} doctest::doctest)
     doctest_discover_tests(${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR} TEST_PREFIX "${ARG_PREFIX}:"
-      PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 600 ENVIRONMENT "${ENDURING_TEST_ENVIRONMENT}")
+      PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 1500 ENVIRONMENT "${ENDURING_TEST_ENVIRONMENT}")
   endif()
 endfunction()
 
