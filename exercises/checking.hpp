@@ -1,0 +1,70 @@
+#pragma once
+
+#include "common/geometry/vector.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <iostream>
+#include <sstream>
+#include <string>
+#include <type_traits>
+
+/// The input of the expectations that follow in this scope; shown when one of them fails. Takes values and texts.
+#define given(...) INFO(__VA_ARGS__)
+
+namespace enduring {
+
+/// A value as a student reads it: six digits, vectors in brackets.
+template <class Value>
+std::string readable(const Value& value)
+{
+    std::ostringstream text;
+    text.precision(6);
+    if constexpr (std::is_arithmetic_v<Value>)
+        text << value;
+    else
+        text << '(' << value.transpose().format(Eigen::IOFormat(6, Eigen::DontAlignCols, ", ", "; ")) << ')';
+    return text.str();
+}
+
+/// Checks one number or vector, and says what it is when it is wrong: "impulse on p: expected 0.24 N s, got -0.24 N s".
+///
+/// @param what       the property or quantity
+/// @param got        what the exercise returned
+/// @param expected   what it should be, from a formula, a quadrature or a symmetry
+/// @param tolerance  largest distance of the two, in the same unit
+/// @param unit       as in "N s"; empty for a pure number
+template <class Got, class Expected>
+void expect(const std::string& what, const Got& got, const Expected& expected, double tolerance, const std::string& unit = "")
+{
+    bool right;
+    std::string message;
+    const std::string behind = unit.empty() ? "" : " " + unit;
+    if constexpr (std::is_arithmetic_v<Expected>) {
+        right = std::abs(static_cast<double>(got) - static_cast<double>(expected)) <= tolerance;
+        message = what + ": expected " + readable(expected) + behind + ", got " + readable(got) + behind;
+    } else {
+        const auto got_plain = got.eval();
+        const auto expected_plain = expected.eval();
+        right = (got_plain - expected_plain).norm() <= tolerance;
+        message = what + ": expected " + readable(expected_plain) + behind + ", got " + readable(got_plain) + behind;
+    }
+    CHECK_MESSAGE(right, message);
+}
+
+/// Checks a property that is true or false.
+/// @param what  the property, as a sentence that should hold
+inline void expect_that(const std::string& what, bool right) { CHECK_MESSAGE(right, "this should hold: " + what); }
+
+/// Prints one line of the output that the exercise's page promises: values and texts, three digits each.
+template <class... Parts>
+void say(const Parts&... parts)
+{
+    std::ostringstream line;
+    line.precision(3);
+    (line << ... << parts);
+    std::cout << line.str() << std::endl;
+}
+
+}  // namespace enduring
