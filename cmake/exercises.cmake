@@ -4,6 +4,8 @@
 #   exercises/NN_name/M_title.check.cpp  what judges it:     target check_NN_M
 function(enduring_exercises)
   file(GLOB checks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/exercises/[0-9]*/*.check.cpp)
+  add_library(check_main OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/cmake/doctest_main.cpp)
+  target_link_libraries(check_main PRIVATE doctest::doctest)
   foreach(check ${checks})
     string(REGEX MATCH "exercises/(([0-9]+)_[^/]*)/(([0-9]+)_[^/]*)\\.check\\.cpp$" matched ${check})
     set(chapter ${CMAKE_MATCH_1})
@@ -17,7 +19,7 @@ function(enduring_exercises)
     add_library(check_${number} OBJECT EXCLUDE_FROM_ALL ${check})
     target_link_libraries(check_${number} PRIVATE ${layer} doctest::doctest)
     add_executable(exercise_${number} EXCLUDE_FROM_ALL ${stub} $<TARGET_OBJECTS:check_${number}>
-                   ${PROJECT_SOURCE_DIR}/cmake/doctest_main.cpp)
+                   $<TARGET_OBJECTS:check_main>)
     target_link_libraries(exercise_${number} PRIVATE ${layer} doctest::doctest)
     foreach(target check_${number} exercise_${number})
       # An attempt may leave arguments unused; an index out of range says so.

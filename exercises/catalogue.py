@@ -135,8 +135,9 @@ def body_after(lines, first):
 
 
 def stub_of(text, exercise):
-    """The source with the missing bodies taken out, and the include that the placeholder needs."""
-    lines = text.splitlines()
+    """The source with the missing bodies and the marks of the book's listings taken out, and the include that the
+    placeholder needs."""
+    lines = [line for line in text.splitlines() if not re.fullmatch(r"//!? \[\w+\]", line)]
     for _, begin, end in reversed(definitions(lines, exercise)):
         lines[begin + 1:end] = [f'    not_implemented_yet("{exercise.number}");']
     includes = [i for i, line in enumerate(lines) if line.startswith("#include")]

@@ -55,7 +55,11 @@ void expect(const std::string& what, const Got& got, const Expected& expected, d
 
 /// Checks a property that is true or false.
 /// @param what  the property, as a sentence that should hold
-inline void expect_that(const std::string& what, bool right) { CHECK_MESSAGE(right, "this should hold: " + what); }
+inline void expect_that(const std::string& what, bool right)
+{
+    const std::string message = "this should hold: " + what;
+    CHECK_MESSAGE(right, message);
+}
 
 /// Prints one line of the output that the exercise's page promises: values and texts, three digits each.
 template <class... Parts>

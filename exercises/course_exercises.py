@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""The commands of ./course about exercises: check, exercise, hint, solution, prove and grade."""
+import argparse
+import sys
+from pathlib import Path
+
+import grade
+import prove
+import student
+import workshop
+from catalogue import CatalogueError, all_exercises
+
+
+def chosen(exercises, word):
+    """The exercises that a word names: all for none, a chapter's for "3", one for "3.2".
+    @throws SystemExit with status 2 when there is none"""
+    if word is None:
+        return exercises
+    found = [exercise for exercise in exercises if word in (exercise.number, exercise.number.split(".")[0])]
+    if not found:
+        numbers = ", ".join(exercise.number for exercise in exercises)
+        stop(f"there is no exercise {word}. There are: {numbers}")
+    return found
+
+
+def one(exercises, word):
+    found = chosen(exercises, word)
+    if len(found) != 1:
+        stop(f"name one exercise, as in {found[0].number}")
+    return found[0]
+
+
+def stop(message):
+    print(f"course: {message}", file=sys.stderr)
+    sys.exit(2)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(prog="./course", description=__doc__)
+    commands = parser.add_subparsers(dest="command", required=True)
+    commands.add_parser("check", help="judge the attempts").add_argument("number", nargs="?", metavar="N[.M]")
+    for name, what in (("exercise", "an exercise's text"), ("hint", "one hint more"), ("solution", "the solution")):
+        commands.add_parser(name, help=what).add_argument("number", metavar="N.M")
+    commands.choices["solution"].add_argument("--second", action="store_true", help="the other solution, where there is one")
+    proof = commands.add_parser("prove", help="prove stubs, solutions and mutants")
+    proof.add_argument("number", nargs="?", metavar="N[.M]")
+    proof.add_argument("--renew", action="store_true", help="first write the stubs anew; attempts in them are lost")
+    grades = commands.add_parser("grade", help="grade a class")
+    grades.add_argument("folder", type=Path, help="holds one folder for each student")
+    grades.add_argument("--csv", type=Path, metavar="FILE", help="where the table goes (default: FOLDER/grades.csv)")
+    return parser.parse_args()
+
+
+def main():
+    options = arguments()
+    exercises = all_exercises()
+    if options.command == "check":
+        chosen_ones = chosen(exercises, options.number)
+        return student.check(chosen_ones, named="." in (options.number or ""))
+    if options.command == "exercise":
+        return student.show_text(one(exercises, options.number))
+    if options.command == "hint":
+        return student.hint(one(exercises, options.number))
+    if options.command == "solution":
+        return student.solution(one(exercises, options.number), options.second)
+    if options.command == "prove":
+        return prove.prove(chosen(exercises, options.number), options.renew)
+    if not options.folder.is_dir():
+        stop(f"{options.folder} is not a folder")
+    return grade.grade(exercises, options.folder, options.csv or options.folder / "grades.csv")
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except (CatalogueError, workshop.NotBuilt) as error:
+        stop(error)
