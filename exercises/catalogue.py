@@ -83,9 +83,9 @@ class Exercise:
     def untouched(self, path=None):
         return (path or self.stub).read_text(encoding="utf-8", errors="replace") == self.stub_text()
 
-    def missing_functions(self, path=None):
-        """The definitions, with their bodies, of the functions the student writes, as the source or another file has them."""
-        lines = (path or self.source).read_text(encoding="utf-8").splitlines()
+    def missing_functions(self):
+        """The definitions, with their bodies, of the functions the student writes."""
+        lines = self.source.read_text(encoding="utf-8").splitlines()
         return ["\n".join(lines[first:last + 1]) for first, _, last in definitions(lines, self)]
 
     def missing_lines(self):

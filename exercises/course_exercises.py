@@ -75,3 +75,5 @@ if __name__ == "__main__":
         sys.exit(main())
     except (CatalogueError, workshop.NotBuilt) as error:
         stop(error)
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -11,6 +11,7 @@ from catalogue import ROOT
 SECONDS = 20          # a check takes well under two
 MEMORY = 4 << 30      # bytes
 NOT_IMPLEMENTED = "not implemented yet: "
+THREW = "threw an exception"
 
 
 @dataclass
@@ -84,7 +85,8 @@ def run_cases(program, report, options=()):
         return Outcome("crashed", crash_of(done), said=done.stdout)
     cases = [case for case in cases if case.get("skipped") != "true"]
     failures = [failure for case in cases for failure in failures_of(case)]
-    return Outcome(state_of(done, cases, failures), crash_of(done) if done.returncode < 0 else "", len(cases), failures, done.stdout)
+    crash = crash_of(done) + (f" It was checking: {cases[-1].get('name')}" if cases else "") if done.returncode < 0 else ""
+    return Outcome(state_of(done, cases, failures), crash, len(cases), failures, done.stdout)
 
 
 def state_of(done, cases, failures):
@@ -97,10 +99,10 @@ def state_of(done, cases, failures):
 
 
 def crash_of(done):
-    """The line that says why a program fell over, as an assertion does."""
-    lines = [line for line in done.stderr.splitlines() if "Assertion" in line or "terminate" in line]
-    reason = re.sub(r"^.*?([^/]+:\d+: )", r"\1", lines[0]) if lines else "often an index or a pointer out of range"
-    return f"The program crashed: {reason}"
+    """Why a program fell over, as its assertion says it."""
+    found = re.search(r"([^/\s]+:\d+): .*Assertion [`'](.*)' failed", done.stderr)
+    reason = f"at {found[1]} this should hold: {found[2]}" if found else "often an index or a pointer out of range"
+    return f"The program crashed: {reason}."
 
 
 def failures_of(case):
@@ -119,7 +121,7 @@ def failures_of(case):
             yield Failure(case.get("name"), [], text_of(found.find("Text")))
     for found in [*case.findall("Exception"), *case.findall("SubCase/Exception")]:
         text = text_of(found).strip('"')
-        yield Failure(case.get("name"), [], text if text.startswith(NOT_IMPLEMENTED) else f"threw an exception: {text}")
+        yield Failure(case.get("name"), [], text if text.startswith(NOT_IMPLEMENTED) else f"{THREW}: {text}")
 
 
 def text_of(element):

@@ -1,10 +1,11 @@
 """What a student types: check, hint and solution."""
+import re
 import textwrap
 
 import beside
 import workshop
 from catalogue import KINDS, shown
-from judge import judge
+from judge import THREW, judge
 from progress import Progress
 
 MOST_FAILURES = 3
@@ -71,7 +72,9 @@ def tell_failure(failure):
 
 
 def misconceptions(exercise, outcome):
-    """The mutants that fail in just the cases in which this answer fails."""
+    """The mutants that fail in just the cases in which this answer fails; none where it threw an exception."""
+    if any(failure.message.startswith(THREW) for failure in outcome.failures):
+        return []
     return [mutant for mutant in exercise.mutants if set(mutant.fails) == set(outcome.failed_cases)]
 
 
@@ -127,10 +130,7 @@ def solution(exercise, second):
     if path is None:
         print(f"{exercise.number} has one solution only.")
         return 1
-    try:
-        print("\n\n".join(exercise.missing_functions(path)))
-    except Exception:  # a second solution need not keep the source's shape
-        print(path.read_text(encoding="utf-8"))
+    print(path.read_text(encoding="utf-8") if second else "\n\n".join(exercise.missing_functions()))
     other = "" if second or not exercise.second else f"    Another one: ./course solution {exercise.number} --second"
     print(f"\nThe file: {shown(path)}{other}")
     return 0
@@ -138,6 +138,5 @@ def solution(exercise, second):
 
 def plain(text):
     """The book's Markdown for a terminal: formulas keep their TeX between dollars, links their words."""
-    import re
     text = re.sub(r"\\f[$]", "$", re.sub(r"\\f\[|\\f\]", "$$", text.strip()))
     return re.sub(r'\\ref \w+(?: "([^"]*)")?', lambda found: found[1] or "the book", text)

@@ -10,6 +10,7 @@ from catalogue import ROOT, shown
 BUILD = Path(os.environ.get("ENDURING_BUILD", ROOT / "build/release")).resolve()
 WORK = ROOT / "build/exercises"
 MOST_ERRORS = 3
+MISSED = "Your file should define {}; its name, its arguments or its namespace differ."
 
 
 class DoesNotCompile(Exception):
@@ -63,7 +64,22 @@ def compile_answer(exercise, source, folder):
     done = subprocess.run(["bash", "-c", command + " -fdiagnostics-format=json"], cwd=BUILD, capture_output=True, text=True)
     if done.returncode:
         raise DoesNotCompile(readable_errors(done.stderr, source))
+    if exercise.kind == "rebuild" and (names := not_defined(exercise, answer)):
+        raise DoesNotCompile("\n".join(MISSED.format(name) for name in names[:MOST_ERRORS]))
     return answer
+
+
+def not_defined(exercise, answer):
+    """The functions of the chapter's file that an answer lacks: the linker would take the chapter's own."""
+    source = exercise.source.relative_to(ROOT)
+    chapters = BUILD / f"CMakeFiles/chapter{exercise.chapter[:2]}_layer.dir" / f"{source}.o"
+    return sorted(symbols(chapters) - symbols(answer))
+
+
+def symbols(file):
+    """The functions and data that an object file defines for others."""
+    lines = run_quietly(["nm", "--extern-only", "--defined-only", "--demangle", str(file)]).splitlines()
+    return {line.split(" ", 2)[2] for line in lines if line.split(" ", 2)[1] in "TDBR"}
 
 
 def link_check(exercise, answer, program):
@@ -125,6 +141,6 @@ def link_errors(output):
     """What the linker missed, by name."""
     missed = sorted(set(re.findall(r"undefined reference to `([^']+)'", output)))
     twice = sorted(set(re.findall(r"multiple definition of `([^']+)'", output)))
-    told = [f"Your file should define {name}; its name, its arguments or its namespace differ." for name in missed]
+    told = [MISSED.format(name) for name in missed]
     told += [f"Your file defines {name}, which stands elsewhere, too." for name in twice]
     return "\n".join(told[:MOST_ERRORS]) or output[-2000:]
