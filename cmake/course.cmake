@@ -18,6 +18,9 @@ if(BASH AND NOT ENDURING_SANITIZE AND NOT ENDURING_FUZZ)
   if(Python3_FOUND)
     add_test(NAME "book: what the weaver brings and what stops it"
              COMMAND ${Python3_EXECUTABLE} -m unittest discover -s ${PROJECT_SOURCE_DIR}/docs/tests)
-    set_tests_properties("book: what the weaver brings and what stops it" PROPERTIES LABELS course)
+    add_test(NAME "exercises: what the catalogue reads, the judge says and the grades hold"
+             COMMAND ${Python3_EXECUTABLE} -m unittest discover -s ${PROJECT_SOURCE_DIR}/exercises/tests)
+    set_tests_properties("book: what the weaver brings and what stops it"
+      "exercises: what the catalogue reads, the judge says and the grades hold" PROPERTIES LABELS course)
   endif()
 endif()

@@ -5,7 +5,7 @@ chapter's own file; the stub is that file with the bodies of the missing functio
 """
 import re
 import tomllib
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -13,6 +13,7 @@ KINDS = {"rebuild": "rebuild the chapter's core", "extend": "go past the chapter
 FEWEST_MUTANTS = {"rebuild": 5, "extend": 3, "predict": 3}
 TEXTS = {"title": str, "kind": str, "minutes": int, "difficulty": int, "goal": str, "text": str, "hints": list,
          "expected": str, "missing": list}
+KIND_NAMES = {str: "text", int: "whole number", list: "list of texts"}
 FOR_A_REBUILD = {"source": str, "tests": list, "scene": str, "picture": str}
 
 
@@ -158,7 +159,7 @@ def read(path):
     keys = TEXTS | (FOR_A_REBUILD if entries.get("kind") == "rebuild" else {})
     for key, kind in keys.items():
         if key not in entries or not isinstance(entries[key], kind) or not entries[key]:
-            raise fault(f"needs {key}, a {kind.__name__}")
+            raise fault(f"needs {key}, a {KIND_NAMES[kind]}")
     if unknown := set(entries) - set(keys):
         raise fault(f"unknown: {', '.join(sorted(unknown))}")
     if entries["kind"] not in KINDS:
@@ -178,9 +179,14 @@ def mutants_of(chapter, name):
     if not path.is_file():
         return []
     try:
-        return [Mutant(**entries) for entries in tomllib.loads(path.read_text(encoding="utf-8")).get("mutant", [])]
-    except (tomllib.TOMLDecodeError, TypeError) as error:
+        found = tomllib.loads(path.read_text(encoding="utf-8")).get("mutant", [])
+    except tomllib.TOMLDecodeError as error:
         raise CatalogueError(f"{shown(path)}: {error}") from None
+    keys = [entry.name for entry in fields(Mutant)]
+    for entries in found:
+        if set(entries) != set(keys):
+            raise CatalogueError(f"{shown(path)}: mutant {entries.get('name', '')}: needs just {', '.join(keys)}")
+    return [Mutant(**entries) for entries in found]
 
 
 def all_exercises(root=ROOT):

@@ -1,0 +1,64 @@
+"""Grading: where a student's file lies, and what a row says."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import grade  # noqa: E402
+from judge import Failure, Outcome  # noqa: E402
+
+MUTANT = SimpleNamespace(name="flipped", fails=["push: out"])
+
+
+def exercise():
+    return SimpleNamespace(number="1.2", title="Fall", chapter="01_fall", name="2_fall", mutants=[MUTANT],
+                           untouched=lambda path: path.read_text() == "stub")
+
+
+class Grading(unittest.TestCase):
+    def setUp(self):
+        held = tempfile.TemporaryDirectory()
+        self.addCleanup(held.cleanup)
+        self.student = Path(held.name) / "Ada Lovelace"
+        self.student.mkdir()
+
+    def hand_in(self, folder, text):
+        place = self.student / folder
+        place.mkdir(parents=True)
+        (place / "2_fall.cpp").write_text(text)
+
+    def row(self, outcome=None):
+        with mock.patch.object(grade, "judge", return_value=outcome):
+            return grade.row_of(self.student, exercise())
+
+    def test_nothing_handed_in(self):
+        self.assertEqual(self.row(), ["Ada Lovelace", "1.2", "Fall", "missing", "", "", ""])
+
+    def test_a_clone_and_the_bare_folder_are_found(self):
+        self.hand_in("exercises/01_fall", "stub")
+        self.assertEqual(self.row()[3], "not started")
+
+    def test_the_bare_folder_of_exercises_is_found(self):
+        self.hand_in("01_fall", "stub")
+        self.assertEqual(self.row()[3], "not started")
+
+    def test_a_wrong_answer_says_how_many_hold_and_which_misconception(self):
+        self.hand_in("01_fall", "mine")
+        wrong = Outcome("failed", cases=4, failures=[Failure("push: out", [], "expected 1 N s, got -1 N s")] * 2)
+        self.assertEqual(self.row(wrong)[3:], ["wrong", 3, 4, "flipped"])
+
+    def test_an_exception_is_no_misconception(self):
+        self.hand_in("01_fall", "mine")
+        wrong = Outcome("failed", cases=4, failures=[Failure("push: out", [], "threw an exception: bad_alloc")])
+        self.assertEqual(self.row(wrong)[3:], ["wrong", 3, 4, ""])
+
+    def test_a_right_answer(self):
+        self.hand_in("01_fall", "mine")
+        self.assertEqual(self.row(Outcome("passed", cases=4))[3:], ["right", 4, 4, ""])
+
+
+if __name__ == "__main__":
+    unittest.main()
