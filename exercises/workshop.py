@@ -1,5 +1,4 @@
 """Compiles and links one answer: a student's file, a solution or a mutant, by the commands of the build folder."""
-import json
 import os
 import re
 import subprocess
@@ -10,6 +9,7 @@ from catalogue import ROOT, shown
 BUILD = Path(os.environ.get("ENDURING_BUILD", ROOT / "build/release")).resolve()
 WORK = ROOT / "build/exercises"
 MOST_ERRORS = 3
+MESSAGE = r"^([^\s:][^:\n]*):(\d+):(\d+): +(?:fatal )?(error|required from)(?:: )?(.*)$"
 MISSED = "Your file should define {}; its name, its arguments or its namespace differ."
 
 
@@ -61,7 +61,7 @@ def compile_answer(exercise, source, folder):
     answer = folder / "answer.o"
     pattern = pattern_object(exercise)
     command = last_command(pattern).replace(str(exercise.stub), f"'{source}'").replace(pattern, f"'{answer}'")
-    done = subprocess.run(["bash", "-c", command + " -fdiagnostics-format=json"], cwd=BUILD, capture_output=True, text=True)
+    done = subprocess.run(["bash", "-c", command], cwd=BUILD, capture_output=True, text=True)
     if done.returncode:
         raise DoesNotCompile(readable_errors(done.stderr, source))
     if exercise.kind == "rebuild" and (names := not_defined(exercise, answer)):
@@ -104,37 +104,29 @@ def link(command, pattern, answer, program):
 
 # ------------------------------------------------------------------------------------------------ errors, made readable
 def readable_errors(output, source):
-    """The first errors of the compiler that lie in the student's file, each with its line, without the headers' tale."""
-    try:
-        found = json.loads(next(line for line in output.splitlines() if line.startswith("[{")))
-    except (StopIteration, json.JSONDecodeError):
-        return output[-3000:]  # another compiler, or one that fell over: all it said
-    errors = [error for error in found if error["kind"].endswith("error")]
-    told = [told_error(error, Path(source)) for error in errors[:MOST_ERRORS]]
-    if len(errors) > MOST_ERRORS:
-        told.append(f"... and {len(errors) - MOST_ERRORS} more, which often go away with the first.")
+    """The first errors of the compiler, each at its line of the student's file, without the headers' tale.
+    @param output  all that the compiler wrote
+    @param source  the student's file"""
+    source, lines, told, cause = Path(source), Path(source).read_text(encoding="utf-8", errors="replace").splitlines(), [], None
+    for file, line, column, kind, message in re.findall(MESSAGE, output, re.M):
+        if kind == "required from":
+            cause = (int(line), int(column)) if file == str(source) else cause  # what led into a header
+        elif kind:
+            place = (int(line), int(column)) if file == str(source) else cause
+            message = re.sub(r"\s*\[with .*\]|\s*\[-W\S+\]", "", message)
+            told.append(told_error(message, source, lines, place) if place else f"{shown(Path(file))}:{line}: {message}")
+            cause = None
+    if not told:
+        return output[-3000:]
+    if len(told) > MOST_ERRORS:
+        told[MOST_ERRORS:] = [f"... and {len(told) - MOST_ERRORS} more, which often go away with the first."]
     return "\n".join(told)
 
 
-def told_error(error, source):
-    """file:line: message, the line and a mark below it; for an error inside a header, the place in the student's file
-    that led there."""
-    place = next((spot for spot in places(error) if Path(spot["file"]).name == source.name), None)
-    message = re.sub(r"\s*\[with .*\]", "", error["message"])
-    if place is None:
-        spot = next(places(error), {"file": str(source), "line": 1, "column": 1})
-        return f"{shown(Path(spot['file']))}:{spot['line']}: {message}"
-    line = source.read_text(encoding="utf-8", errors="replace").splitlines()[place["line"] - 1:place["line"]]
-    mark = " " * (place.get("display-column", place["column"]) - 1) + "^"
-    return "\n".join([f"{shown(source)}:{place['line']}: {message}", *(f"    {text}" for text in [*line, mark])])
-
-
-def places(error):
-    """Where an error lies: its own place, then those that led to it."""
-    for location in error.get("locations", []):
-        yield location["caret"]
-    for child in error.get("children", []):
-        yield from places(child)
+def told_error(message, source, lines, place):
+    """file:line: message, the line, and a mark below it."""
+    line, column = place
+    return f"{shown(source)}:{line}: {message}\n    {lines[line - 1]}\n    {' ' * (column - 1)}^"
 
 
 def link_errors(output):

@@ -1,0 +1,48 @@
+// The cases that test_judge.py runs one by one, as a student's answers leave them.
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "exercises/checking.hpp"
+#include "exercises/not_implemented_yet.hpp"
+
+#include <vector>
+
+namespace enduring {
+
+TEST_CASE("right")
+{
+    expect("speed", 9.81, 9.81, 0, "m/s");
+    expect("push", Vec3(1, 2, 3), Vec3(1, 2, 3), 1e-12, "N s");
+    expect_that("the sun rises", true);
+    say("speed ", 9.81, " m/s");
+}
+
+TEST_CASE("wrong number")
+{
+    given("t = ", 2, " s");
+    expect("speed", -9.81, 9.81, 1e-9, "m/s");
+}
+
+TEST_CASE("wrong vector") { expect("push", Vec3(1, 2, 3), Vec3(1, 2, 4), 1e-9, "N s"); }
+
+TEST_CASE("not a number") { expect("speed", std::nan(""), 9.81, 1e9, "m/s"); }
+
+TEST_CASE("wrong sentence") { expect_that("the sun rises", false); }
+
+TEST_CASE("plain check") { CHECK(1 + 1 == 3); }
+
+TEST_CASE("untouched") { not_implemented_yet("9.1"); }
+
+TEST_CASE("throws") { throw std::runtime_error("out of paper"); }
+
+TEST_CASE("loop")
+{
+    for (volatile int i = 0; i < 1;)
+        i = 0;
+}
+
+TEST_CASE("index")
+{
+    const std::vector<int> three(3);
+    expect("entry", three[static_cast<std::size_t>(doctest::getContextOptions()->count) + 3], 0, 0);
+}
+
+}  // namespace enduring
