@@ -5,8 +5,8 @@ add_library(enduring_options INTERFACE)
 target_include_directories(enduring_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(enduring_options INTERFACE
   ENDURING_SOURCE_DIR="${PROJECT_SOURCE_DIR}" EIGEN_MAX_ALIGN_BYTES=16
-  # A Vec3 written as three doubles and read back as a pair and a single stalls the processor: the impulse of a
-  # resting pair takes 43 ns with Eigen's unaligned packets and 30 ns without (bench_chapter03), elements 3 % more.
+  # A Vec3 written as three doubles and read back as a pair and a single stalls the processor: an impulse inlined where
+  # its pair is made took 43 ns with Eigen's unaligned packets and 30 ns without, and elements take 3 % more.
   EIGEN_UNALIGNED_VECTORIZE=0
   $<$<BOOL:${ENDURING_RENDER}>:ENDURING_RENDER>)
 target_compile_options(enduring_options INTERFACE

@@ -2,6 +2,7 @@
 
 #include "../exact_impulse.hpp"
 #include "../penalty_impulse.hpp"
+#include "../penetration_interval.hpp"
 
 #include <algorithm>
 
