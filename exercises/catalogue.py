@@ -90,10 +90,9 @@ class Exercise:
         return ["\n".join(lines[first:last + 1]) for first, _, last in definitions(lines, self)]
 
     def missing_lines(self):
-        """How many lines of code the student writes: without blank lines, comments and the outer braces."""
+        """How many lines the student writes: without blank lines and the outer braces."""
         lines = self.source.read_text(encoding="utf-8").splitlines()
-        bodies = (line.strip() for _, begin, end in definitions(lines, self) for line in lines[begin + 1:end])
-        return sum(1 for line in bodies if line and not line.startswith("//"))
+        return sum(1 for _, begin, end in definitions(lines, self) for line in lines[begin + 1:end] if line.strip())
 
     def mutated(self, mutant):
         """The source with a mutant's mistake in it."""

@@ -1,7 +1,6 @@
 #include "plane_contact.hpp"
 
 #include "plane_impulse.hpp"
-#include "plane_interval.hpp"
 
 #include <algorithm>
 

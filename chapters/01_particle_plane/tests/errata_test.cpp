@@ -1,7 +1,6 @@
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
 #include "chapters/01_particle_plane/plane_impulse.hpp"
-#include "chapters/01_particle_plane/plane_interval.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,5 @@
 #include "chapters/01_particle_plane/plane_impulse.hpp"
 
-#include "chapters/01_particle_plane/plane_interval.hpp"
 
 #include <doctest/doctest.h>
 
