@@ -25,7 +25,7 @@ function(enduring_exercises)
       set_target_properties(${target} PROPERTIES ENDURING_ATTEMPT ON)
       # An attempt may leave arguments unused; an index out of range says so.
       target_compile_options(${target} PRIVATE -O1 -Wno-unused-parameter -UNDEBUG -D_GLIBCXX_ASSERTIONS
-        -iquote ${PROJECT_SOURCE_DIR}/chapters/${chapter} -iquote ${PROJECT_SOURCE_DIR}/exercises/${chapter})
+        "SHELL:-iquote ${PROJECT_SOURCE_DIR}/chapters/${chapter}" "SHELL:-iquote ${PROJECT_SOURCE_DIR}/exercises/${chapter}")
     endforeach()
   endforeach()
 endfunction()

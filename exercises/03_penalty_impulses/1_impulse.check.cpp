@@ -113,7 +113,21 @@ TEST_CASE("continuous impulse: a vertex that falls through the floor gets k dt t
     say("falling in:  continuous ", continuous_impulse(fall(0.003, -0.003), 0, k, dt).y(), " N s, discrete ",
         discrete_impulse(fall(0.003, -0.003).t1, k, dt).y(), " N s");
     say("climbing out: continuous ", continuous_impulse(fall(-0.003, 0.003), 0, k, dt).y(), " N s, discrete ",
-        discrete_impulse(fall(-0.003, 0.003).t1, k, dt).y(), " N s");
+        discrete_impulse(fall(-0.003, 0.003).t1, k, dt).y() + 0.0, " N s");
+}
+
+TEST_CASE("continuous impulse: it points out of the face, even when most of the step is spent outside")
+{
+    given("from 9 mm above the floor to 1 mm under it");
+    const Vec3 impulse = continuous_impulse(fall(0.009, -0.001), 0, k, dt);
+    expect_that("the impulse on the vertex points up; it is " + readable(impulse) + " N s", impulse.y() > 0);
+}
+
+TEST_CASE("continuous impulse: half the step, half the impulse")
+{
+    given("from 3 mm above the floor to 3 mm under it, dt = 0.01 s and dt = 0.005 s");
+    const Vec3 all = continuous_impulse(fall(0.003, -0.003), 0, k, 0.01), half = continuous_impulse(fall(0.003, -0.003), 0, k, 0.005);
+    expect("twice the impulse of the shorter step", 2 * half, all, 1e-12, "N s");
 }
 
 TEST_CASE("continuous impulse: how large the face is does not matter")

@@ -1,0 +1,27 @@
+#include "2_restitution.hpp"
+
+#include "plane_impulse.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include "exercises/not_implemented_yet.hpp"
+
+namespace enduring {
+
+double damped_plane_impulse(double depth_t0, double depth_t1, double k, double c, double dt)
+{
+    not_implemented_yet("1.2");
+}
+
+double damper_for_restitution(double restitution, double mass, double k, double dt)
+{
+    not_implemented_yet("1.2");
+}
+
+double kept_by_a_bounce(double speed, double mass, double k, double c, double dt)
+{
+    not_implemented_yet("1.2");
+}
+
+}  // namespace enduring

@@ -1,0 +1,31 @@
+#include "4_what_a_bounce_costs.hpp"
+
+#include "amplification.hpp"
+
+#include <cmath>
+#include <numbers>
+#include "exercises/not_implemented_yet.hpp"
+
+namespace enduring {
+
+double predicted_factor()
+{
+    not_implemented_yet("1.4");
+}
+
+double lost_by_a_bounce(const ParticleProblem& problem, double height)
+{
+    not_implemented_yet("1.4");
+}
+
+double measured_factor(ParticleProblem problem, double height)
+{
+    not_implemented_yet("1.4");
+}
+
+double law_of_loss(const ParticleProblem& problem)
+{
+    not_implemented_yet("1.4");
+}
+
+}  // namespace enduring
