@@ -14,6 +14,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import exercise_pages
 from concordance import KINDS, Concordance, heading_of
 
 QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run (`./course docs --quick`)."
@@ -115,6 +116,8 @@ def all_pages(root):
     pages = [read_page(path, path.parent.name) for path in sorted((root / "chapters").glob("[0-9][0-9]_*/chapter.md"))]
     pages += [read_page(path) for folder in ("common/*", "docs") for path in sorted(root.glob(f"{folder}/*.md"))
               if path.name != "README.md"]
+    for label, title, lines in exercise_pages.pages(root):
+        pages.append(Page(root / f"exercises/{label}.md", "", label, title, lines="\n".join(lines).split("\n"), first_line=1))
     for page, other in itertools.combinations(pages, 2):
         if page.label == other.label:
             raise Mistake(f"{other.path}:1: {page.path} has the label {{#{page.label}}} already")
@@ -244,7 +247,7 @@ class Weaver:
             return reference(self.pages, page, match[1], match[2].strip())
         parts = re.split(r"(`[^`]*`)", text)
         parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance)\b.*", part)),
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises)\b.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")
@@ -257,6 +260,8 @@ class Weaver:
             return table_block(page, match[1], self.inline(page, match[2] or ""), self.results)
         if match := re.match(r"^@pages\{(\w+)\}\s*$", line):
             return link_block(self, match[1])
+        if line.strip() == "@exercises":
+            return exercise_pages.list_block(self.root, page.folder)
         if match := re.match(r"^@concordance\{(\w+)\}\s*$", line):
             if match[1] not in KINDS:
                 raise Mistake(f"@concordance{{{match[1]}}}: one of {', '.join(KINDS)}")
