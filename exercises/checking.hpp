@@ -15,16 +15,16 @@
 
 namespace enduring {
 
-/// A value as a student reads it: six digits, vectors in brackets.
+/// A value as a student reads it: six digits, vectors in brackets, and no zero with a sign.
 template <class Value>
 std::string readable(const Value& value)
 {
     std::ostringstream text;
     text.precision(6);
     if constexpr (std::is_arithmetic_v<Value>)
-        text << value;
+        text << value + Value{};
     else
-        text << '(' << value.transpose().format(Eigen::IOFormat(6, Eigen::DontAlignCols, ", ", "; ")) << ')';
+        text << '(' << (value.array() + 0.0).matrix().transpose().format(Eigen::IOFormat(6, Eigen::DontAlignCols, ", ", "; ")) << ')';
     return text.str();
 }
 

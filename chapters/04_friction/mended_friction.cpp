@@ -121,32 +121,6 @@ bool worth_another(const std::vector<double>& changes)
 
 }  // namespace
 
-Anchor anchor_of(const FrictionParameters& friction, double inverse_mass, const Vec2& stretch, double dt)
-{
-    const double spring = std::min(friction.spring, 1 / (dt * dt * inverse_mass));
-    return {spring, 2 * friction.damping_ratio * std::sqrt(spring / inverse_mass), stretch, dt};
-}
-
-double stretch_after_slip(double slip, double impulse, const FrictionParameters& friction, double dt)
-{
-    return (1 - slip_weight(friction.weighting, slip)) * impulse / (dt * friction.spring);
-}
-
-//! [better_impulse]
-FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass, double normal_impulse,
-                               const Anchor& anchor, const FrictionParameters& friction)
-{
-    const double response = inverse_mass + anchor.yielding();
-    const Vec2 wanted = impulse - (velocity - anchor.held_velocity(impulse)) / response;
-    const double length = wanted.norm(), most = friction.mu_s * normal_impulse;
-    if (length <= most)
-        return {wanted, 0};
-    const double slip = response * (length - most);  // of the anchor, when mu_s has done its best
-    const double mu = friction.mu_s - (friction.mu_s - friction.mu_d) * slip_weight(friction.weighting, slip);
-    return {wanted * (mu * normal_impulse / length), slip};
-}
-//! [better_impulse]
-
 //! [rub_together]
 void rub_together(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
 {

@@ -1,0 +1,119 @@
+#include "exercises/checking.hpp"
+#include "friction_law.hpp"
+
+#include <cmath>
+
+namespace enduring {
+namespace {
+
+/// mu_s 0.5, mu_d 0.2; spring 100 N/m, damper 25 N s/m; slip counts from 5 cm/s on.
+FrictionParameters thesis()
+{
+    FrictionParameters friction;
+    friction.model = FrictionModel::yamane_nakamura;
+    friction.mu_s = 0.5;
+    friction.mu_d = 0.2;
+    friction.spring = 100;
+    friction.damper = 25;
+    friction.weighting = 1e4;
+    return friction;
+}
+
+FrictionParameters mended()
+{
+    FrictionParameters friction = thesis();
+    friction.model = FrictionModel::mended;
+    friction.mu_s = 0.5;
+    friction.mu_d = 0.3;
+    friction.spring = 2000;
+    friction.damping_ratio = 20;
+    friction.weighting = 20;
+    return friction;
+}
+
+constexpr double dt = 0.1;
+const SlidingPair holding{{0.03, 0}, {0, 0.2}, 1.2};
+
+}  // namespace
+
+TEST_CASE("thesis: spring and damper hold against stretch and slip, up to mu_s")
+{
+    given("stretch (0.03, 0) m, slip (0, 0.2) m/s, normal impulse 1.2 N s, dt 0.1 s");
+    const FrictionImpulse held = yamane_nakamura(holding, thesis(), dt);
+    expect("friction impulse", held.impulse, Vec2(-0.3, -0.5), 1e-14, "N s");
+    expect("slip", held.slip, 0.0, 0, "m/s");
+}
+
+TEST_CASE("thesis: beyond mu_s dynamic friction acts against the slip, and the spring is forgotten")
+{
+    SlidingPair light = holding;
+    light.normal_impulse = 1.1;
+    given("stretch (0.03, 0) m, slip (0, 0.2) m/s, normal impulse 1.1 N s, dt 0.1 s");
+    const FrictionImpulse slipping = yamane_nakamura(light, thesis(), dt);
+    expect("friction impulse", slipping.impulse, Vec2(0, -0.22), 1e-14, "N s");
+    expect("slip", slipping.slip, 0.2, 1e-15, "m/s");
+    const Vec2 held = yamane_nakamura(holding, thesis(), dt).impulse;
+    say("the thesis' law: held with ", readable(held), " N s; a lighter pair slips with ", readable(slipping.impulse), " N s");
+}
+
+TEST_CASE("thesis: a slip of almost nothing is braked in proportion, and none gives none")
+{
+    FrictionParameters friction = thesis();
+    friction.weighting = 20;
+    SlidingPair pair{{1, 0}, {0, 1e-6}, 1};
+    given("stretch (1, 0) m, slip (0, 1e-6) m/s, normal impulse 1 N s, k_w 20 s/m");
+    expect("friction impulse over mu_d k_w |I_n| v", yamane_nakamura(pair, friction, dt).impulse.y() / (0.2 * 20 * 1e-6), -1.0, 1e-4);
+    pair.velocity.setZero();
+    given("and no slip at all");
+    expect("friction impulse", yamane_nakamura(pair, friction, dt).impulse, Vec2(0, 0), 0, "N s");
+}
+
+TEST_CASE("anchor: the spring is capped at what brings the share back in one step, the damper goes with it")
+{
+    given("spring 2000 N/m, damping ratio 20, share of 2 kg, dt 0.01 s");
+    const Anchor soft = anchor_of(mended(), 0.5, {0.01, 0}, 0.01);
+    expect("spring", soft.spring, 2000.0, 1e-9, "N/m");
+    expect("damper", soft.damper, 40 * std::sqrt(4000.0), 1e-9, "N s/m");
+    given("and dt 0.1 s");
+    const Anchor capped = anchor_of(mended(), 0.5, {0.01, 0}, 0.1);
+    expect("spring", capped.spring, 200.0, 1e-9, "N/m");
+    expect("damper", capped.damper, 40 * std::sqrt(400.0), 1e-9, "N s/m");
+    expect("stretch", capped.stretch, Vec2(0.01, 0), 0, "m");
+}
+
+TEST_CASE("mended: a pair alone comes to rest on backward Euler of its spring and damper")
+{
+    const double inverse_mass = 0.5, step = 0.01;
+    const Anchor anchor = anchor_of(mended(), inverse_mass, {0.001, -0.002}, step);
+    const Vec2 free_slip(0.03, 0.01);
+    given("stretch (0.001, -0.002) m, slip (0.03, 0.01) m/s without friction, share of 2 kg, dt 0.01 s");
+    const Vec2 impulse = better_impulse({0, 0}, free_slip, inverse_mass, 100, anchor, mended()).impulse;
+    const Vec2 slip = free_slip + inverse_mass * impulse;
+    const Vec2 wanted = -step * (anchor.spring * (anchor.stretch + step * slip) + anchor.damper * slip);
+    expect("J against -dt (k (s + dt u) + d u)", impulse, wanted, 1e-12, "N s");
+    given("and asked again, with that impulse in effect");
+    expect("friction impulse", better_impulse(impulse, slip, inverse_mass, 100, anchor, mended()).impulse, impulse, 1e-12, "N s");
+}
+
+TEST_CASE("mended: who creeps carries mu_s, who slips fast mu_d, and never more than mu_s")
+{
+    const double inverse_mass = 0.5, normal = 1.2;
+    const Anchor anchor = anchor_of(mended(), inverse_mass, {0, 0}, 0.01);
+    given("normal impulse 1.2 N s, mu_s 0.5, mu_d 0.3, k_w 20 s/m, share of 2 kg");
+    const FrictionImpulse creeping = better_impulse({0, 0}, {0.3236, 0}, inverse_mass, normal, anchor, mended());
+    const FrictionImpulse fast = better_impulse({0, 0}, {30, 0}, inverse_mass, normal, anchor, mended());
+    expect("carried at a creep", creeping.impulse.norm(), 0.6, 0.02, "N s");
+    expect_that("at a creep it is no more than mu_s |I_n|", creeping.impulse.norm() <= 0.6);
+    expect("carried at 30 m/s", fast.impulse, Vec2(-0.36, 0), 1e-9, "N s");
+    expect("slip of the anchor, r (|J'| - mu_s |I_n|)", fast.slip, 30 - (inverse_mass + anchor.yielding()) * 0.6, 1e-9, "m/s");
+    say("the mended law: at the limit it carries ", std::round(10 * creeping.impulse.norm()) / 10, " N s, at a fast slip ", fast.impulse.norm(), " N s");
+}
+
+TEST_CASE("after slip: the anchor lags by what the pull can hold, and less the faster it slips")
+{
+    given("impulse 0.4 N s, spring 2000 N/m, dt 0.01 s, k_w 20 s/m");
+    expect("stretch at no slip", stretch_after_slip(0, 0.4, mended(), 0.01), 0.02, 1e-15, "m");
+    expect("stretch at ln(2)/20 m/s", stretch_after_slip(std::log(2.0) / 20, 0.4, mended(), 0.01), 0.01, 1e-15, "m");
+}
+
+}  // namespace enduring

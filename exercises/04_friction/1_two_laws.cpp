@@ -1,0 +1,29 @@
+#include "friction_law.hpp"
+
+#include <algorithm>
+#include "exercises/not_implemented_yet.hpp"
+
+namespace enduring {
+
+FrictionImpulse yamane_nakamura(const SlidingPair& pair, const FrictionParameters& friction, double dt)
+{
+    not_implemented_yet("4.1");
+}
+
+Anchor anchor_of(const FrictionParameters& friction, double inverse_mass, const Vec2& stretch, double dt)
+{
+    not_implemented_yet("4.1");
+}
+
+double stretch_after_slip(double slip, double impulse, const FrictionParameters& friction, double dt)
+{
+    not_implemented_yet("4.1");
+}
+
+FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass, double normal_impulse,
+                               const Anchor& anchor, const FrictionParameters& friction)
+{
+    not_implemented_yet("4.1");
+}
+
+}  // namespace enduring
