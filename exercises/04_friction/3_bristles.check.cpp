@@ -1,0 +1,86 @@
+#include "3_bristles.hpp"
+#include "exercises/checking.hpp"
+
+#include <cmath>
+
+namespace enduring {
+namespace {
+
+const Bristles brush{1000, 1};  // 1000 N/m, 1 N: fully bent at 1 mm
+
+/// The same step in a million pieces of explicit Euler, its impulse by the trapezoidal rule.
+BristleStep many_pieces(double bend, double velocity, double dt)
+{
+    const int pieces = 1000000;
+    const double h = dt / pieces;
+    double impulse = 0;
+    for (int i = 0; i < pieces; ++i) {
+        const double next = bend + h * (velocity - brush.stiffness * std::abs(velocity) / brush.limit * bend);
+        impulse -= 0.5 * h * brush.stiffness * (bend + next);
+        bend = next;
+    }
+    return {bend, impulse};
+}
+
+}  // namespace
+
+TEST_CASE("step: a short way bends the bristles by that way, and they pull back like a spring")
+{
+    given("stiffness 1000 N/m, limit 1 N, unbent, 1 um in 1 ms");
+    const BristleStep step = bend_bristles(brush, 0, 1e-3, 1e-3);
+    expect("bend", 1e6 * step.bend, 1.0, 2e-3, "um");
+    expect("impulse", 1e6 * step.impulse, -0.5, 2e-3, "uN s");
+}
+
+TEST_CASE("step: after a long way friction is the limit, against the velocity")
+{
+    for (const double velocity : {2.0, -2.0}) {
+        given("stiffness 1000 N/m, limit 1 N, ", velocity, " m/s for 10 s");
+        const BristleStep step = bend_bristles(brush, 0, velocity, 10);
+        expect("bend", 1000 * step.bend, velocity / 2, 1e-12, "mm");
+        expect("impulse", step.impulse, -5 * velocity, 1e-2, "N s");
+    }
+}
+
+TEST_CASE("step: it is what a million pieces add up to")
+{
+    for (const double bend : {0.0, 8e-4, -5e-4}) {
+        given("bend ", bend, " m, 0.05 m/s, dt 0.02 s");
+        const BristleStep step = bend_bristles(brush, bend, 0.05, 0.02), fine = many_pieces(bend, 0.05, 0.02);
+        expect("bend", 1000 * step.bend, 1000 * fine.bend, 1e-5, "mm");
+        expect("impulse", 1000 * step.impulse, 1000 * fine.impulse, 1e-4, "mN s");
+    }
+}
+
+TEST_CASE("step: one step is two steps of half its length")
+{
+    given("bend -0.0004 m, -0.03 m/s, dt 0.05 s");
+    const BristleStep first = bend_bristles(brush, -4e-4, -0.03, 0.025), second = bend_bristles(brush, first.bend, -0.03, 0.025);
+    const BristleStep whole = bend_bristles(brush, -4e-4, -0.03, 0.05);
+    expect("bend", 1000 * whole.bend, 1000 * second.bend, 1e-9, "mm");
+    expect("impulse", 1000 * whole.impulse, 1000 * (first.impulse + second.impulse), 1e-6, "mN s");
+}
+
+TEST_CASE("step: at rest the bristles stay bent and hold")
+{
+    given("bend 0.0005 m, at rest, dt 0.01 s");
+    const BristleStep step = bend_bristles(brush, 5e-4, 0, 0.01);
+    expect("bend", 1000 * step.bend, 0.5, 1e-15, "mm");
+    expect("impulse", 1000 * step.impulse, -5.0, 1e-12, "mN s");
+}
+
+TEST_CASE("cycle: a long way costs Coulomb's four amplitudes, a short one far less")
+{
+    double lost[2];
+    int i = 0;
+    for (const double amplitude : {0.1, 1e-4}) {
+        given("amplitude ", amplitude, " m, 0.2 m/s, stiffness 1000 N/m, limit 1 N");
+        lost[i] = loss_per_cycle(brush, amplitude, 0.2, 200);
+        say("amplitude ", 1000 * amplitude, " mm: ", lost[i++], " J a cycle, Coulomb's law says ", 4 * amplitude, " J");
+    }
+    // In the steady cycle a half begins at the bend -b and ends at b = z tanh(A/z), z = 1 mm: the loss is 4 A f - 4 f z tanh(A/z).
+    expect("loss at 100 mm", lost[0], 0.4 - 0.004 * std::tanh(100.0), 1e-5, "J");
+    expect("loss at 0.1 mm over Coulomb's", lost[1] / 4e-4, 1 - std::tanh(0.1) / 0.1, 1e-6);
+}
+
+}  // namespace enduring
