@@ -1,9 +1,9 @@
 #include "../category.hpp"
+#include "../experiments/cube_in_floor.hpp"
 
 #include "common/geometry/shapes.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/static_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,56 +11,9 @@
 #include <numbers>
 
 using namespace enduring;
+using namespace enduring::chapter05;
 
 namespace {
-
-constexpr int floor_body = 0, cube_body = 1;
-
-std::unique_ptr<StaticBody> still(SurfaceMesh mesh, const Vec3& at)
-{
-    for (Vec3& x : mesh.vertices)
-        x += at;
-    SurfaceTopology topology(static_cast<int>(mesh.vertices.size()), std::move(mesh.faces));
-    return std::make_unique<StaticBody>("still", std::move(topology), std::move(mesh.vertices));
-}
-
-/// A cube of side 1 that stands a little in a floor of 4 x 4 cells of side 1.
-World cube_in_floor()
-{
-    World world;
-    world.bodies.push_back(still(plane_grid(4, 4, {4, 4}), Vec3::Zero()));
-    world.bodies.push_back(still(box({1, 1, 1}), {0.2, 0.49, 0.3}));
-    return world;
-}
-
-/// The edge of a body whose ends lie in this direction from each other, with its lowest middle.
-int lowest_edge_along(const Body& body, const Vec3& direction)
-{
-    int found = -1;
-    double lowest = 1e9;
-    for (int edge = 0; edge < static_cast<int>(body.surface().edges().size()); ++edge) {
-        const auto [a, b] = body.surface().edges()[static_cast<std::size_t>(edge)];
-        const Vec3 &start = body.positions_t0()[static_cast<std::size_t>(a)], &end = body.positions_t0()[static_cast<std::size_t>(b)];
-        if ((end - start).normalized().cross(direction).norm() < 1e-12 && start.y() + end.y() < lowest) {
-            lowest = start.y() + end.y();
-            found = edge;
-        }
-    }
-    return found;
-}
-
-/// The cube's edge (A) against the floor's (B), with a normal that looks along `out`.
-Contact edge_pair(const World& world, const Vec3& cube_edge, const Vec3& floor_edge, const Vec3& out)
-{
-    const Body &cube = *world.bodies[cube_body], &floor = *world.bodies[floor_body];
-    Contact contact{ContactKind::edge_edge, cube_body, floor_body, lowest_edge_along(cube, cube_edge), lowest_edge_along(floor, floor_edge)};
-    const auto along = [](const Body& body, int edge) {
-        const auto [a, b] = body.surface().edges()[static_cast<std::size_t>(edge)];
-        return Vec3(body.positions_t0()[static_cast<std::size_t>(b)] - body.positions_t0()[static_cast<std::size_t>(a)]);
-    };
-    contact.orientation = along(cube, contact.feature_a).cross(along(floor, contact.feature_b)).dot(out) > 0 ? 1 : -1;
-    return contact;
-}
 
 constexpr ContactCategory regular = ContactCategory::regular, hooked = ContactCategory::hooked, unknown = ContactCategory::unknown;
 
