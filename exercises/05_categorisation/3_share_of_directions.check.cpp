@@ -1,0 +1,78 @@
+#include "3_share_of_directions.hpp"
+#include "exercises/checking.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace enduring::chapter05 {
+namespace {
+
+const Corner& corner_named(const std::string& part)
+{
+    static const std::vector<Corner> corners = sphere_corners();
+    for (const Corner& corner : corners)
+        if (corner.name.find(part) != std::string::npos)
+            return corner;
+    throw std::logic_error("no corner " + part);
+}
+
+std::array<Vec3, 3> three_normals(const Corner& corner)
+{
+    const std::vector<Vec3> span = normal_span(corner.surface(), corner.faces());
+    return {span[0], span[1], span[2]};
+}
+
+}  // namespace
+
+TEST_CASE("prediction: a share is written down")
+{
+    expect_that("the predicted share lies between 0 and 1", predicted_share() >= 0 && predicted_share() <= 1);
+}
+
+TEST_CASE("directions: they have unit length, no favourite side, and fill every cap with its share")
+{
+    const std::vector<Vec3> directions = even_directions(5000);
+    given("5000 directions");
+    REQUIRE(directions.size() == 5000);
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& direction : directions) {
+        sum += direction;
+        REQUIRE(std::abs(direction.norm() - 1) < 1e-12);
+    }
+    expect("their mean", Vec3(sum / 5000), Vec3(0, 0, 0), 1e-3);
+    for (const Vec3& axis : {Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(2, -1, 3).normalized().eval()}) {
+        int near = 0;
+        for (const Vec3& direction : directions)
+            near += direction.dot(axis) > 0.5;
+        given("within 60 degrees of ", readable(axis));
+        expect("share", near / 5000.0, 0.25, 0.005);
+    }
+}
+
+TEST_CASE("measurement: a board touches a cube's corner from an eighth of all sides, a flat vertex from none")
+{
+    given("20000 directions");
+    expect("share of a cube's corner", measured_share(corner_named("cube"), 20000), 0.125, 0.002);
+    expect("share of a flat vertex", measured_share(corner_named("flat"), 20000), 0.0, 1e-3);
+}
+
+TEST_CASE("law: three normals at right angles cover an eighth, three in a plane half of the sphere")
+{
+    expect("at right angles", law_of_share({Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}), 0.125, 1e-12);
+    const double c = std::cos(2 * std::numbers::pi / 3), s = std::sin(2 * std::numbers::pi / 3);
+    expect("120 degrees apart in a plane", law_of_share({Vec3(1, 0, 0), Vec3(c, s, 0), Vec3(c, -s, 0)}), 0.5, 1e-7);
+    expect("in the other order", law_of_share({Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()}), 0.125, 1e-12);
+}
+
+TEST_CASE("law: measured and law agree at a cube's corner and at a tetrahedron's tip")
+{
+    for (const std::string name : {"cube", "tetrahedron"}) {
+        given("corner of a ", name, ", 20000 directions");
+        const double measured = measured_share(corner_named(name), 20000), law = law_of_share(three_normals(corner_named(name)));
+        expect("share", measured, law, 0.002);
+        say(name == "cube" ? "a cube's corner: " : "a tetrahedron's tip: ", std::round(1000 * measured) / 1000, " measured, ", law, " by the law");
+    }
+    say("you predicted ", predicted_share());
+}
+
+}  // namespace enduring::chapter05
