@@ -24,7 +24,7 @@ void push_patch(Patch& patch, const std::vector<double>& weights, const Vec3& im
 /// The mass that the contact feels [kg]: an impulse over the change it makes in the velocity of the weighted point.
 double effective_mass(const Patch& patch, const std::vector<double>& weights);
 
-/// The longest stable step [s] of chapter 1's discrete penalty, k dt^2 < 2 m, for a contact of stiffness k [N/m].
+/// The longest stable step [s] of chapter 1's continuous penalty, k dt^2 < 2 m, for a contact of stiffness k [N/m].
 double longest_step(const Patch& patch, const std::vector<double>& weights, double k);
 
 }  // namespace enduring
