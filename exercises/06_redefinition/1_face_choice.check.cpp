@@ -1,0 +1,126 @@
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
+#include "exercises/checking.hpp"
+#include "face_choice.hpp"
+
+#include <cmath>
+
+namespace enduring::small_worlds {
+namespace {
+
+/// A square in y = 0 that looks up: face 0 where z > x, face 1 where z < x.
+SurfaceMesh square() { return {{Vec3(-1, 0, -1), Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1)}, {{0, 1, 2}, {0, 2, 3}}}; }
+
+/// The same square upright, looking along +x.
+SurfaceMesh wall() { return {{Vec3(0, -1, -1), Vec3(0, 1, -1), Vec3(0, 1, 1), Vec3(0, -1, 1)}, {{0, 1, 2}, {0, 2, 3}}}; }
+
+std::string name(FaceVerdict verdict)
+{
+    constexpr const char* names[] = {"above", "deep", "beside", "hooked", "fit"};
+    return names[static_cast<int>(verdict)];
+}
+
+/// The verdict on one face for a tip at a place.
+FaceTrial tried(const SurfaceMesh& mesh, const Vec3& place, int face, const FaceLimits& limits = {})
+{
+    const World world = tip_and(mesh, place);
+    return try_face(PairSurfaces(world, 1, 0, 0), 0, face, limits);
+}
+
+void expect_verdict(const FaceTrial& trial, FaceVerdict expected)
+{
+    expect_that("the verdict is " + name(expected) + "; yours is " + name(trial.verdict), trial.verdict == expected);
+}
+
+}  // namespace
+
+TEST_CASE("above: a vertex over the face, or exactly in it, and a face without area")
+{
+    given("a tip 0.1 m over face 1 of a square");
+    expect_verdict(tried(square(), {0.3, 0.1, -0.3}, 1), FaceVerdict::above);
+    given("a tip exactly in the face");
+    expect_verdict(tried(square(), {0.3, 0, -0.3}, 1), FaceVerdict::above);
+    given("a face whose corners lie on a line");
+    expect_verdict(tried({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, {{0, 1, 2}}}, {0.3, -0.1, 0}, 0), FaceVerdict::above);
+}
+
+TEST_CASE("fit: a vertex below a face with its foot on it, and the trial tells foot and depth")
+{
+    given("a tip 0.1 m below face 1 of a square");
+    const FaceTrial trial = tried(square(), {0.3, -0.1, -0.3}, 1);
+    expect_verdict(trial, FaceVerdict::fit);
+    expect("face", trial.face, 1, 0);
+    expect("depth", trial.foot.depth, -0.1, 1e-12, "m");
+    expect("overshoot", trial.overshoot, 0.0, 1e-12);
+}
+
+TEST_CASE("beside: a foot outside the face counts only below the tolerance")
+{
+    // On face 0 the foot of (0.3, -0.3) has the weight -0.3 for the corner (-1, 1).
+    given("a tip 0.1 m below face 1, asked of face 0, where its foot overshoots by 0.3");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 0), FaceVerdict::beside);
+    given("and a tolerance of 0.29");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 0, {.tolerance = 0.29}), FaceVerdict::beside);
+    given("and a tolerance of 0.31");
+    const FaceTrial trial = tried(square(), {0.3, -0.1, -0.3}, 0, {.tolerance = 0.31});
+    expect_verdict(trial, FaceVerdict::fit);
+    expect("overshoot", trial.overshoot, 0.3, 1e-12);
+}
+
+TEST_CASE("deep: a face that is too far away, or that looks the other way")
+{
+    given("a tip 0.1 m below, and at most 0.09 m allowed");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.deepest = 0.09}), FaceVerdict::deep);
+    given("and at most 0.11 m allowed");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.deepest = 0.11}), FaceVerdict::fit);
+    given("a pair that came in through a face that looks down, (0, -3, 0)");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0, -3, 0)}), FaceVerdict::deep);
+    given("a pair that came in from the side, (5, -1, 0)");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(5, -1, 0)}), FaceVerdict::fit);
+}
+
+TEST_CASE("hooked: a face that would push a tip that looks down to the side")
+{
+    given("a tip that looks down, 0.1 m behind an upright wall that looks along x");
+    expect_verdict(tried(wall(), {-0.1, 0.2, -0.1}, 0), FaceVerdict::hooked);
+}
+
+TEST_CASE("better: on the face before beside it, and then the smaller penetration")
+{
+    const auto trial = [](double depth, double overshoot) { return FaceTrial{0, {{0, 0, 0}, depth}, overshoot, FaceVerdict::fit}; };
+    given("0.2 m deep on its face, and 0.1 m deep beside its face");
+    expect_that("the one on its face is better", is_better(trial(-0.2, 0), trial(-0.1, 0.01)));
+    expect_that("and not the other way round", !is_better(trial(-0.1, 0.01), trial(-0.2, 0)));
+    given("0.1 m and 0.2 m deep, both on their faces");
+    expect_that("the one 0.1 m deep is better", is_better(trial(-0.1, 0), trial(-0.2, 0)));
+    expect_that("and not the other way round", !is_better(trial(-0.2, 0), trial(-0.1, 0)));
+}
+
+TEST_CASE("choice: the face above the vertex is found, and none where none fits")
+{
+    const World below = tip_and(square(), {0.3, -0.1, -0.3}), above = tip_and(square(), {0.3, 0.1, -0.3});
+    given("a tip 0.1 m below face 1, its pair still with face 0");
+    const auto choice = find_face(below, on_face(below, 0), 0, all_corners, {});
+    expect_that("a face is found", choice.has_value());
+    if (choice) {
+        expect("face", choice->face, 1, 0);
+        say("the tip at (0.3, -0.1, -0.3) m belongs to face ", choice->face, ", at a depth of ", -choice->foot.depth, " m");
+    }
+    given("a tip over the square");
+    expect_that("no face is found", !find_face(above, on_face(above, 0), 0, all_corners, {}).has_value());
+}
+
+TEST_CASE("choice: of two faces that fit, the one with the smaller penetration")
+{
+    // A roof with sides at 45 degrees; the third face, the pair's own, touches both.
+    const SurfaceMesh roof{{Vec3(0, 0, -2), Vec3(0, 0, 2), Vec3(3, -3, 0), Vec3(-3, -3, 0), Vec3(0, 0.5, 4)}, {{0, 1, 2}, {1, 0, 3}, {1, 4, 2}}};
+    for (const double x : {0.4, -0.4}) {
+        const World world = tip_and(roof, {x, -1.5, 0});
+        given("a roof with its ridge along z and sides at 45 degrees, a tip at x = ", x, " m, 1.5 m below the ridge");
+        const auto choice = find_face(world, on_face(world, 2), 0, all_corners, {});
+        expect_that("a face is found", choice.has_value());
+        if (choice)
+            expect("face", choice->face, x > 0 ? 0 : 1, 0);
+    }
+}
+
+}  // namespace enduring::small_worlds
