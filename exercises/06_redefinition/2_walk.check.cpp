@@ -1,0 +1,107 @@
+#include "2_walk.hpp"
+#include "common/geometry/shapes.hpp"
+#include "exercises/checking.hpp"
+
+#include <random>
+#include <stdexcept>
+
+namespace enduring {
+namespace {
+
+/// A mesh at rest.
+struct Still {
+    SurfaceMesh mesh;
+    SurfaceTopology topology{static_cast<int>(mesh.vertices.size()), mesh.faces};
+    SurfaceMoment surface() const { return {{topology, mesh.vertices, mesh.vertices}, 0}; }
+};
+
+Vec3 point_of(const Still& still, const Walk& walk)
+{
+    const Face& face = still.mesh.faces[static_cast<std::size_t>(walk.face)];
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        sum += walk.weights[i] * still.mesh.vertices[static_cast<std::size_t>(face[i])];
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("weights: they sum to 1 and put the foot below the point")
+{
+    const Still one{{{Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, 3)}, {{0, 1, 2}}}};
+    const Vec3 point(0.5, 1.5, 2);
+    given("the face (1, 0, 0), (0, 2, 0), (0, 0, 3) m, the point (0.5, 1.5, 2) m");
+    const auto [w0, w1, w2] = foot_weights(one.surface(), 0, point);
+    expect("sum of the weights", w0 + w1 + w2, 1.0, 1e-12);
+    const Vec3 way = point - Vec3(w0, 2 * w1, 3 * w2);
+    expect("way from foot to point, across the face's normal", Vec3(way.cross(Vec3(6, 3, 2))), Vec3(0, 0, 0), 1e-12, "m");
+    expect("distance of the foot from the plane 6 x + 3 y + 2 z = 6", 6 * w0 + 6 * w1 + 6 * w2, 6.0, 1e-12);
+}
+
+TEST_CASE("weights: a face without area is refused")
+{
+    const Still line{{{Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(3, 3, 3)}, {{0, 1, 2}}}};
+    bool refused = false;
+    try {
+        foot_weights(line.surface(), 0, Vec3(1, 0, 0));
+    } catch (const std::domain_error&) {
+        refused = true;
+    }
+    expect_that("corners on a line throw std::domain_error", refused);
+}
+
+TEST_CASE("walk: on a flat floor it ends below the point, from every face to everywhere")
+{
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> anywhere(-1.9, 1.9);
+    for (const GridDiagonals diagonals : {GridDiagonals::same, GridDiagonals::alternating, GridDiagonals::crossed}) {
+        const Still floor{plane_grid(4, 4, {6, 6}, diagonals)};
+        for (int face = 0; face < static_cast<int>(floor.mesh.faces.size()); face += 5) {
+            const Vec3 point(anywhere(random), -0.2, anywhere(random));
+            given("a floor of 6 by 6 cells, from face ", face, " to the point ", readable(point), " m");
+            const auto walk = walk_to_foot(floor.surface(), face, point);
+            expect_that("the walk arrives", walk.has_value());
+            if (walk)
+                expect("foot", point_of(floor, *walk), Vec3(point.x(), 0, point.z()), 1e-12, "m");
+        }
+    }
+}
+
+TEST_CASE("walk: who is there already crosses nothing, and who goes straight crosses two edges a cell")
+{
+    const Still floor{plane_grid(12, 2, {12, 2})};
+    given("a floor of 12 by 2 cells of 1 m");
+    const Vec3 begin(-5.9, 0, 0.5), end(5.9, 0, 0.5);
+    const auto here = walk_to_foot(floor.surface(), 0, begin);
+    REQUIRE(here.has_value());
+    const auto again = walk_to_foot(floor.surface(), here->face, begin), there = walk_to_foot(floor.surface(), here->face, end);
+    REQUIRE(again.has_value());
+    REQUIRE(there.has_value());
+    expect("edges crossed without moving", again->crossed, 0, 0);
+    // 11 borders between cells and the diagonals of 12: the first or the last is not crossed where the way begins or ends beyond it.
+    expect("edges crossed along the row", there->crossed, 23, 1);
+    say("from one end of 12 cells to the other: ", there->crossed, " edges crossed");
+}
+
+TEST_CASE("walk: over an open border, or too far, there is no answer")
+{
+    const Still floor{plane_grid(12, 2, {12, 2})};
+    given("a floor of 12 by 2 m, the point (7, 0, 0) m beyond its border");
+    expect_that("the walk has no end", !walk_to_foot(floor.surface(), 0, Vec3(7, 0, 0)).has_value());
+    given("a point at the other end, and at most 5 edges");
+    expect_that("the walk has no end", !walk_to_foot(floor.surface(), 0, Vec3(5.9, 0, 0.5), 5).has_value());
+}
+
+TEST_CASE("walk: around a sphere it finds the face that looks at the point")
+{
+    const Still ball{sphere(1, 2)};
+    const Vec3 point = Vec3(0.3, -0.8, 0.5).normalized() * 0.95;
+    given("a sphere of radius 1 m, from its face 0 to a point 0.95 m from its centre in the direction (0.3, -0.8, 0.5)");
+    const auto near = walk_to_foot(ball.surface(), 0, point);
+    if (near)
+        expect_that("the foot lies within 0.1 m of the point", (point_of(ball, *near) - point).norm() < 0.1);
+    const auto here = walk_to_foot(ball.surface(), 17, ball.surface().face_normal(17).normalized() * 0.9);
+    expect_that("from a face to the point below its middle the walk is short", here.has_value() && here->crossed <= 1);
+}
+
+}  // namespace enduring
