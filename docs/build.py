@@ -10,6 +10,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import live
+
 ROOT = Path(__file__).resolve().parent.parent
 WORK = ROOT / "build/docs"
 THEME = Path("/usr/share/doxygen-awesome-css")
@@ -94,11 +96,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--results", type=Path, default=ROOT / "build/results", help="what the run left")
     parser.add_argument("--book", type=Path, default=ROOT / "build/book", help="where the book goes")
+    parser.add_argument("--live", action="store_true", help="compile the live figures (needs emscripten)")
     options = parser.parse_args()
     need_tools()
     WORK.mkdir(parents=True, exist_ok=True)
-    quick = ["--quick"] if options.results.name.endswith("quick") else []
-    woven = subprocess.run([sys.executable, str(ROOT / "docs/weave.py"), "--results", str(options.results), *quick])
+    extra = ["--quick"] if options.results.name.endswith("quick") else []
+    if options.live:
+        live.compile_module()
+        extra.append("--live")
+    woven = subprocess.run([sys.executable, str(ROOT / "docs/weave.py"), "--results", str(options.results), *extra])
     if woven.returncode:
         sys.exit(woven.returncode)
     write_header()
@@ -107,6 +113,8 @@ def main():
     shutil.copytree(WORK / "figures", html / "figures")
     keep_together(html)
     copy_mathjax(html)
+    if options.live:
+        live.bring(html)
     if faults := list(leftovers(html)):
         sys.exit("\n".join(faults))
     (html / ".made_from").write_text(str(options.results))

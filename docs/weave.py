@@ -135,16 +135,18 @@ def prose(page):
 
 
 FIGURE = re.compile(r"^@figure\{\s*((?:\d+/)?[\w.-]+\.(?:png|svg|webp|mp4))\s*,\s*(.+)\}\s*$")
+LIVE = re.compile(r"^@live\{\s*(\w+)\s*,\s*((?:\d+/)?[\w.-]+\.(?:png|svg))\s*,\s*(.+)\}\s*$")
 TABLE = re.compile(r"^@table\{\s*((?:\d+/)?[\w-]+)\s*(?:,\s*(.+))?\}\s*$")
 
 
 def number_figures(page, results):
     """Figures and captioned tables are numbered in the order of the page."""
     for line_number, line in prose(page):
-        match = FIGURE.match(line)
+        match = FIGURE.match(line) or LIVE.match(line)
         if match:
+            picture = match[2] if match.re is LIVE else match[1]
             try:
-                source = results.file(page, "figure", match[1])
+                source = results.file(page, "figure", picture)
             except Mistake as mistake:
                 yield f"{page.path}:{line_number}: {mistake}"
                 continue
@@ -165,6 +167,17 @@ def figure_block(figure, caption):
     else:
         shown = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain}" loading="lazy"></a>'
     return (f'<div class="figure">\n\\anchor {figure.anchor}\n\\htmlonly{shown}\\endhtmlonly\n'
+            f'<div class="caption"><b>Figure {figure.number}.</b> {caption}</div>\n</div>')
+
+
+def live_block(figure, name, caption, live):
+    """A picture that a script replaces where the chapters were compiled for the browser."""
+    plain = html.escape(re.sub(r"\\f\$|[*`_]|@\w+\{.*?\}", "", caption))
+    picture = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain}"></a>'
+    scripts = "".join(f'<script src="live/{script}.js"></script>' for script in ("live", "figure", name)) if live else ""
+    note = "" if live else '<p class="live-note">In the live book this figure answers to your hand: <code>./course docs --live</code></p>'
+    shown = f'<div class="live" data-figure="{name}"{" data-live=" + chr(34) + name + chr(34) if live else ""}>{picture}</div>{note}{scripts}'
+    return (f'<div class="figure">\n\\anchor {figure.anchor}\n\\htmlonly[block]\n{shown}\n\\endhtmlonly\n'
             f'<div class="caption"><b>Figure {figure.number}.</b> {caption}</div>\n</div>')
 
 
@@ -227,7 +240,8 @@ def test_names(root):
 
 # ------------------------------------------------------------------------------------------------------------ weaving
 class Weaver:
-    def __init__(self, root, pages, results):
+    def __init__(self, root, pages, results, live=False):
+        self.live = live
         self.root, self.pages, self.results, self.tests = root, pages, results, test_names(root)
         self.concordance, self.by_label = Concordance(root), {page.label: page for page in pages}
         self.orphans = self.concordance.check(self.tests, self.by_label)
@@ -247,7 +261,7 @@ class Weaver:
             return reference(self.pages, page, match[1], match[2].strip())
         parts = re.split(r"(`[^`]*`)", text)
         parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises)\b.*", part)),
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live)\b.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")
@@ -256,6 +270,9 @@ class Weaver:
     def line(self, page, line):
         if match := FIGURE.match(line):
             return figure_block(page.figures[match[1]], self.inline(page, match[2])) if match[1] in page.figures else ""
+        if match := LIVE.match(line):
+            caption = self.inline(page, match[3])
+            return live_block(page.figures[match[1]], match[1], caption, self.live) if match[1] in page.figures else ""
         if match := TABLE.match(line):
             return table_block(page, match[1], self.inline(page, match[2] or ""), self.results)
         if match := re.match(r"^@pages\{(\w+)\}\s*$", line):
@@ -304,12 +321,12 @@ def unlisted_errata(root, tests):
             if name.startswith("errata:") and f"@test{{{name}}}" not in shown]
 
 
-def weave(root, results_root, out, quick):
+def weave(root, results_root, out, quick, live=False):
     """Writes out/pages/*.md and out/figures/NN_name/*; returns the mistakes, and writes nothing if there are any."""
     results = Results(results_root)
     pages = all_pages(root)
     mistakes = [mistake for page in pages for mistake in number_figures(page, results)]
-    weaver, texts = Weaver(root, pages, results), {}
+    weaver, texts = Weaver(root, pages, results, live), {}
     mistakes += unlisted_errata(root, weaver.tests)
     mistakes += weaver.orphans
     for page in pages:
@@ -337,9 +354,10 @@ def main():
     parser.add_argument("--results", type=Path, default=root / "build/results", help="what the run left")
     parser.add_argument("--out", type=Path, default=root / "build/docs", help="where pages/ and figures/ go")
     parser.add_argument("--quick", action="store_true", help="say on each page that the run was a quick one")
+    parser.add_argument("--live", action="store_true", help="with figures that move: live/ stands beside the pages")
     options = parser.parse_args()
     try:
-        mistakes = weave(options.root.resolve(), options.results.resolve(), options.out, options.quick)
+        mistakes = weave(options.root.resolve(), options.results.resolve(), options.out, options.quick, options.live)
     except Mistake as mistake:
         mistakes = [str(mistake)]
     for mistake in mistakes:

@@ -102,7 +102,8 @@ void resolve_vertices_that_left(const World& world, const CrossingDetection& det
         if (contacts[i].kind != ContactKind::vertex_face || contacts[i].resolved)
             continue;
         const bool endures = contacts[i].start == 0;
-        const Whereabouts end = follow({first, next}, endures);
+        const std::span<const Passage> of_this_pair(passages.data() + (first - passages.begin()), static_cast<std::size_t>(next - first));
+        const Whereabouts end = follow(of_this_pair, endures);
         contacts[i].resolved = !end.inside || end.came_back;
         if (end.came_back)
             contacts.push_back(pair_at(world, contacts[i], *end.last));
