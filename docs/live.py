@@ -44,7 +44,9 @@ def digest_of(paths):
 
 def compile_module():
     """build/live/live.js, the module with the compiled code inside it; made anew only where a source has changed.
-    @throws SystemExit when the compiler refuses"""
+    @throws SystemExit when the compiler is missing, or refuses"""
+    if not possible():
+        sys.exit("The live figures need emscripten. On Debian: apt-get install emscripten   (or: ./course setup)")
     headers = sorted(path for folder in ("live", "common", "chapters") for path in (ROOT / folder).rglob("*.h*"))
     stamp, made_of = WORK / "made_of", digest_of(sources() + headers)
     if (WORK / "live.js").is_file() and stamp.is_file() and stamp.read_text() == made_of:

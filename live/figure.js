@@ -24,7 +24,7 @@ const Live = (() => {
       this.canvas.setAttribute("aria-label", element.querySelector("img")?.alt ?? "a live figure");
       this.answer = this.append("p", "live-answer");
       this.answer.setAttribute("aria-live", "polite");
-      this.aspect = 0.5;
+      this.aspect = 0.5;       // height over width; on a phone half as much again, unless it says otherwise
       this.listen();
     }
 
@@ -101,7 +101,7 @@ const Live = (() => {
     }
 
     paint() {
-      const width = this.element.clientWidth, height = Math.round(width * (width < 500 ? this.aspect * 1.5 : this.aspect));
+      const width = this.element.clientWidth, height = Math.round(width * (width < 500 ? this.onPhone ?? 1.5 * this.aspect : this.aspect));
       const scale = window.devicePixelRatio || 1;
       Object.assign(this.canvas, { width: width * scale, height: height * scale });
       this.canvas.style.height = `${height}px`;

@@ -1,6 +1,7 @@
 // Chapters 2 and 3: when do they meet? A vertex and a face, or two edges, through a step; the height as a cubic, its Bernstein coefficients and its roots.
 Live.add("query", (figure, chapters) => {
   figure.aspect = 0.5;
+  figure.onPhone = 1.3;
   // The points of both kinds of pairs: at the start of the step, then at its end.
   const pairs = {
     face: [[0.1, 1.0, 0.1], [-1, 0, -0.8], [-0.7, 0, 0.9], [1.1, 0, 0.1], [0.1, -0.7, 0.1], [-1, 0, -0.8], [-0.7, 0, 0.9], [1.1, 0, 0.1]],
@@ -26,7 +27,7 @@ Live.add("query", (figure, chapters) => {
     const all = points(), narrow = width < 500;
     const [first, stage, b0, b1, b2, b3, ...roots] = chapters.query(kind === "edges", all.flat());
     const stageBox = narrow ? [0, 0, width, height * 0.52] : [0, 0, width * 0.5, height];
-    const plotBox = narrow ? [40, height * 0.56, width - 56, height * 0.34] : [width * 0.5 + 46, 22, width * 0.5 - 62, height - 66];
+    const plotBox = narrow ? [40, height * 0.56, width - 56, height * 0.33] : [width * 0.5 + 46, 22, width * 0.5 - 62, height - 66];
     const s = Math.min(stageBox[2], stageBox[3]) * 0.3, [ox, oy] = [stageBox[2] / 2, stageBox[3] * 0.52];
     view = ([x, y, z]) => [ox + s * (x + 0.4 * z), oy - s * (y - 0.28 * z)];
     view.back = (px, py, z) => [(px - ox) / s - 0.4 * z, (oy - py) / s + 0.28 * z];

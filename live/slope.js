@@ -1,6 +1,7 @@
 // Chapter 4: what a slope asks of friction, and what two laws give. A block of one pair, set down with a slack anchor.
 Live.add("slope", (figure, chapters) => {
   figure.aspect = 0.46;
+  figure.onPhone = 1.25;
   figure.slider({ name: "angle", label: "slope", from: 0, to: 40, value: 15, unit: "°", digits: 1 });
   figure.slider({ name: "mu_s", label: "μs", from: 0, to: 1, value: 0.4 });
   figure.slider({ name: "mu_d", label: "μd", from: 0, to: 1, value: 0.2 });
@@ -9,7 +10,7 @@ Live.add("slope", (figure, chapters) => {
   figure.draw = (g, width, height, c, { angle, mu_s, mu_d, damping, law }) => {
     const [held, largest, ...places] = chapters.slope(law === "mended", angle, mu_s, mu_d, damping, 2);
     const narrow = width < 500, picture = narrow ? [0, 0, width, height * 0.5] : [0, 0, width * 0.46, height];
-    const plot = narrow ? [52, height * 0.55, width - 68, height * 0.35] : [width * 0.46 + 56, 22, width * 0.54 - 72, height - 66];
+    const plot = narrow ? [52, height * 0.57, width - 68, height * 0.32] : [width * 0.46 + 56, 22, width * 0.54 - 72, height - 66];
     const a = angle * Math.PI / 180, [ox, oy] = [picture[2] / 2, picture[3] * 0.62], length = picture[2] * 0.45, size = picture[3] * 0.13;
     const along = [-Math.cos(a), Math.sin(a)], out = [Math.sin(a) * -1, -Math.cos(a)];
     const put = (s, n) => [ox + s * along[0] + n * out[0], oy + s * along[1] + n * out[1]];
