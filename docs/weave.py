@@ -14,7 +14,10 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import changes
+import course_map
 import exercise_pages
+import teaching
 from concordance import KINDS, Concordance, heading_of
 
 QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run (`./course docs --quick`)."
@@ -53,6 +56,7 @@ class Results:
     """What the chapters' programs left: build/results/NN_name/."""
 
     def __init__(self, root):
+        self.root = root
         self.folders = sorted(path for path in root.glob("[0-9][0-9]_*") if path.is_dir())
         self.facts = {folder.name: self._read_facts(folder) for folder in self.folders}
 
@@ -261,7 +265,7 @@ class Weaver:
             return reference(self.pages, page, match[1], match[2].strip())
         parts = re.split(r"(`[^`]*`)", text)
         parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live)\b.*", part)),
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|map|changes|minutes|goals)\b.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")
@@ -277,6 +281,12 @@ class Weaver:
             return table_block(page, match[1], self.inline(page, match[2] or ""), self.results)
         if match := re.match(r"^@pages\{(\w+)\}\s*$", line):
             return link_block(self, match[1])
+        if line.strip() == "@map":
+            return course_map.map_block([other for other in self.pages if other.folder], self.by_label)
+        if line.strip() == "@changes":
+            return changes.changes_block(self.root, self.results.root, page.folder)
+        if match := re.match(r"^@(minutes|goals)\s*$", line):
+            return teaching.block(self.root, match[1], [other for other in self.pages if other.folder])
         if line.strip() == "@exercises":
             return exercise_pages.list_block(self.root, page.folder)
         if match := re.match(r"^@concordance\{(\w+)\}\s*$", line):

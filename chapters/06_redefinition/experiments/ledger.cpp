@@ -51,6 +51,26 @@ Table page_of(const std::vector<LedgerCell>& cells)
     return table;
 }
 
+/// chapter, stage, pass: the lists of every chapter's solver, in their order.
+Table all_passes()
+{
+    ContactParameters parameters;
+    parameters.friction.model = FrictionModel::mended;
+    Table table({"chapter", "stage", "pass"});
+    for (int chapter = 1; chapter <= chapters; ++chapter) {
+        const Solver solver = solver_of(chapter, parameters);
+        const auto add = [&](const std::string& stage, const std::vector<Pass>& passes) {
+            for (const Pass& pass : passes)
+                table.add({static_cast<long>(chapter), stage, pass.name});
+        };
+        add("enduring", solver.enduring);
+        add("detect", solver.detect);
+        add("respond", solver.respond);
+        add("finish", solver.finish);
+    }
+    return table;
+}
+
 std::vector<StripPicture> pictures_of(const std::vector<LedgerCell>& cells)
 {
     std::vector<StripPicture> pictures;
@@ -100,6 +120,7 @@ void ledger(const RunOptions& options, Report& report)
     const std::vector<LedgerCell> cells = fill_ledger(motivating_scenes(), options.quick, true);
     report.table("ledger", all_cells(cells));
     report.page_table("ledger", page_of(cells));
+    report.table("passes", all_passes());
     write_png(strip(pictures_of(cells), 4), report.file("ledger.png"));
     report.fact("ledger", "scenes", static_cast<double>(motivating_scenes().size()));
     report.fact("ledger", "cells", static_cast<double>(cells.size()));

@@ -1,0 +1,68 @@
+"""What changed since the last chapter: the passes and the verdicts, from the run, and the files, from the folders."""
+import csv
+import re
+
+STAGES = {"enduring": "what endures", "detect": "detection", "respond": "response", "finish": "before the step is settled"}
+
+
+def changes_block(root, results, folder):
+    """The block of one chapter, for its page.
+    @param results  the folder of results of this build
+    @throws FileNotFoundError  the ledger was not run"""
+    chapter = int(folder[:2])
+    parts = [passes_table(rows(results, "passes"), chapter), files_list(root, folder), verdicts(rows(results, "ledger"), chapter)]
+    return "\n".join(["<div class=\"changes\">", "", *filter(None, parts), "", "</div>"])
+
+
+def rows(results, name):
+    path = next(iter(sorted(results.glob(f"06_*/{name}.csv"))), results / f"06/{name}.csv")
+    with path.open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def passes_table(passes, chapter):
+    """Each stage of the step with its passes; new ones bold, those that are gone struck through."""
+    def of(number, stage):
+        return [row["pass"] for row in passes if int(row["chapter"]) == number and row["stage"] == stage]
+
+    lines = ["<div class=\"data\">", "", "| Stage of the step | Passes |", "|:--|:--|"]
+    for stage, words in STAGES.items():
+        now, before = of(chapter, stage), of(chapter - 1, stage)
+        told = [name if name in before else f"**{name}**" for name in now] + [f"<s>{name}</s>" for name in before if name not in now]
+        if told:
+            lines.append(f"| {words} | {', '.join(told)} |")
+    return "\n".join([*lines, "", "</div>"])
+
+
+def files_list(root, folder):
+    """The layer's headers, each with the first sentence of what it declares first."""
+    headers = sorted((root / "chapters" / folder).glob("*.hpp"))
+    items = [f"`{path.name}`: {idea}" for path in headers if (idea := first_sentence(path.read_text(encoding="utf-8")))]
+    return "\nThe layer's files:\n\n" + "\n".join(f"- {item}" for item in items) + "\n" if items else ""
+
+
+def first_sentence(text):
+    """Of the first documented declaration, up to its full stop or colon."""
+    comment = re.search(r"((?:^/// .*\n)+)", text, re.M)
+    if not comment:
+        return ""
+    words = " ".join(line[4:] for line in comment[1].splitlines() if not line.startswith("/// @"))
+    sentence = re.match(r"(.+?)(?:[.:](?=\s|$)|$)", words)[1]
+    return sentence.replace("|", "\\|").replace("<", "&lt;") + "."
+
+
+def verdicts(ledger, chapter):
+    """The scenes on which this chapter's solver and the one before disagree."""
+    lines = []
+    for scene in dict.fromkeys(row["scene"] for row in ledger):
+        cells = {int(row["chapter"]): row for row in ledger if row["scene"] == scene}
+        before = [number for number in cells if number < chapter]
+        if chapter in cells and before and cells[max(before)]["passes"] != cells[chapter]["passes"]:
+            old, new = cells[max(before)], cells[chapter]
+            lines.append(f"- `{scene}`, {new['quantity']} ({new['bound'].strip()}): {value(old)} with chapter {max(before)}, "
+                         f"**{value(new)}** with chapter {chapter}, which {'holds' if new['passes'] == '1' else 'fails'}")
+    return "\nBehaviour (\\ref page_failure_ledger):\n\n" + "\n".join(lines) + "\n" if lines else ""
+
+
+def value(row):
+    return f"{float(row['value']):.3g} {row['unit']}".strip() if row["value"] else "nothing to measure"
