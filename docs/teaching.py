@@ -36,9 +36,9 @@ def block(root, kind, chapters):
     exercises = catalogue.all_exercises(root)
     for page in chapters:
         goals, minutes = plan_of(root, page)
-        told += ["", f"### {page.title}", "", f"(\\ref {page.label})", ""]
+        told += ["", f"### {page.title}", ""]
         if kind == "goals":
-            told += ["A student who has worked through it can", "", *(f"- {goal}" for goal in goals)]
+            told += [f"A student who has worked through \\ref {page.label} \"it\" can", "", *(f"- {goal}" for goal in goals)]
         else:
             practice = sum(exercise.minutes for exercise in exercises if exercise.chapter == page.folder)
             told += ["<div class=\"data\">", "", "| Section | Minutes |", "|:--|--:|", *(f"| {section} | {m} |" for section, m in minutes),
