@@ -27,7 +27,7 @@ Live.add("sliding", (figure, chapters) => {
   figure.button("one step", () => { motion.stop(); take(1); figure.redraw(); });
   figure.button("again", () => { motion.stop(); begin(); figure.redraw(); });
 
-  figure.draw = (g, width, height, c) => {
+  figure.draw = (g, width, height, c, values) => {
     const stage = height * 0.6, s = width / 9, [ox, oy] = [width / 2, stage * 0.78];
     const view = ([x, y, z]) => [ox + s * (x + 0.32 * z), oy - s * (y - 0.42 * z)];
     const cell = 2 / 3, x = i => -4 + cell * i, z = j => -1 + cell * j, edge = c.grey + "90";  // as begin_sliding builds the floor
@@ -48,7 +48,7 @@ Live.add("sliding", (figure, chapters) => {
     }
     const at = Live.axes(g, c, [48, stage + 24, width - 64, height - stage - 68], { x: [0, 3], y: [0, 2.2], xlabel: "time [s]", ylabel: "speed [m/s]", yticks: 3 });
     Live.line(g, c.blue, 2.2, history.map(([t, v]) => [at.x(Math.min(t, 3)), at.y(Math.max(0, Math.min(2.2, v)))]));
-    return `t = ${time.toFixed(2)} s: the cube slides with ${speed.toFixed(4)} m/s on ${pairs} pairs. Blue pairs are regular, orange ones hooked, hollow ones held.`;
+    return `Chapter ${values.solver}'s solver, t = ${time.toFixed(2)} s: the cube slides with ${speed.toFixed(4)} m/s on ${pairs} pairs. Blue pairs are regular, orange ones hooked, hollow ones held.`;
   };
   begin();
 });
