@@ -80,7 +80,7 @@ def search_faults(driver, book):
     driver.get((book / "index.html").as_uri())
     field = WebDriverWait(driver, 20).until(lambda d: d.find_element(By.ID, "MSearchField"))
     field.send_keys("continuous_impulse")
-    found = "return [...document.querySelectorAll('#MSearchResults, #SRResults')].map(e => (e.contentDocument ? e.contentDocument.body : e).innerText).join(' ')"
+    found = "return [...document.querySelectorAll('#MSearchResults, #SRResults')].map(e => (e.contentDocument?.body ?? e)?.innerText ?? '').join(' ')"
     try:
         WebDriverWait(driver, 20).until(lambda d: "continuous_impulse" in d.execute_script(found))
     except WebDriverException:

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import checks
 import live
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -82,6 +83,14 @@ def keep_together(book):
         place.write_text("\n".join(lines), encoding="utf-8")
 
 
+def mend_member_lists(book):
+    """Doxygen links a page's summary to a list of nested classes also where all of them are private, and there is none."""
+    for page in book.glob("class*.html"):
+        text = page.read_text(encoding="utf-8")
+        if 'name="nested-classes"' not in text:
+            page.write_text(re.sub(r'<a href="#nested-classes">Classes</a>(\s*&#124;)?', "", text), encoding="utf-8")
+
+
 def copy_mathjax(book):
     for part in MATHJAX_PARTS:
         source, place = MATHJAX / part, book / "mathjax" / part
@@ -97,10 +106,13 @@ def main():
     parser.add_argument("--results", type=Path, default=ROOT / "build/results", help="what the run left")
     parser.add_argument("--book", type=Path, default=ROOT / "build/book", help="where the book goes")
     parser.add_argument("--live", action="store_true", help="compile the live figures (needs emscripten)")
+    parser.add_argument("--programs", type=Path, help="where the chapters' programs are: results of others are refused")
     options = parser.parse_args()
     need_tools()
     WORK.mkdir(parents=True, exist_ok=True)
     extra = ["--quick"] if options.results.name.endswith("quick") else []
+    if options.programs:
+        extra += ["--programs", str(options.programs)]
     if options.live:
         live.compile_module()
         extra.append("--live")
@@ -115,7 +127,8 @@ def main():
     copy_mathjax(html)
     if options.live:
         live.bring(html)
-    if faults := list(leftovers(html)):
+    mend_member_lists(html)
+    if faults := [*leftovers(html), *checks.link_faults(html)]:
         sys.exit("\n".join(faults))
     (html / ".made_from").write_text(str(options.results))
     shutil.rmtree(options.book, ignore_errors=True)

@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import changes
+import checks
 import course_map
 import exercise_pages
 import teaching
@@ -265,7 +266,7 @@ class Weaver:
             return reference(self.pages, page, match[1], match[2].strip())
         parts = re.split(r"(`[^`]*`)", text)
         parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|map|changes|minutes|goals)\b.*", part)),
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|map|changes|minutes|goals|local)\b.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")
@@ -281,6 +282,8 @@ class Weaver:
             return table_block(page, match[1], self.inline(page, match[2] or ""), self.results)
         if match := re.match(r"^@pages\{(\w+)\}\s*$", line):
             return link_block(self, match[1])
+        if line.startswith("@local{"):
+            return ""
         if line.strip() == "@map":
             return course_map.map_block([other for other in self.pages if other.folder], self.by_label)
         if line.strip() == "@changes":
@@ -331,6 +334,18 @@ def unlisted_errata(root, tests):
             if name.startswith("errata:") and f"@test{{{name}}}" not in shown]
 
 
+def what_nothing_explains(root, pages):
+    """Figures that no sentence mentions; symbols and abbreviations that are in no table."""
+    texts = [(page.path, "\n".join(page.lines)) for page in pages]
+    own = [(path, text, set(re.findall(r"\w+", " ".join(re.findall(r"^@local\{(.*)\}", text, re.M))))) for path, text in texts]
+    found = list(checks.figure_faults([(page.path, page.figures, text) for page, (_, text) in zip(pages, texts)]))
+    for name, check in (("notation", checks.symbol_faults), ("glossary", checks.abbreviation_faults)):
+        table = root / f"docs/{name}.md"
+        if table.is_file():
+            found += check(own, table.read_text(encoding="utf-8"))
+    return found
+
+
 def weave(root, results_root, out, quick, live=False):
     """Writes out/pages/*.md and out/figures/NN_name/*; returns the mistakes, and writes nothing if there are any."""
     results = Results(results_root)
@@ -339,6 +354,7 @@ def weave(root, results_root, out, quick, live=False):
     weaver, texts = Weaver(root, pages, results, live), {}
     mistakes += unlisted_errata(root, weaver.tests)
     mistakes += weaver.orphans
+    mistakes += what_nothing_explains(root, pages)
     for page in pages:
         texts[page.label], found = weaver.page(page, quick)
         mistakes += found
@@ -364,12 +380,16 @@ def main():
     parser.add_argument("--results", type=Path, default=root / "build/results", help="what the run left")
     parser.add_argument("--out", type=Path, default=root / "build/docs", help="where pages/ and figures/ go")
     parser.add_argument("--quick", action="store_true", help="say on each page that the run was a quick one")
+    parser.add_argument("--programs", type=Path, help="where the chapters' programs are: results of others are refused")
     parser.add_argument("--live", action="store_true", help="with figures that move: live/ stands beside the pages")
     options = parser.parse_args()
     try:
-        mistakes = weave(options.root.resolve(), options.results.resolve(), options.out, options.quick, options.live)
-    except Mistake as mistake:
+        mistakes = list(checks.stale_results(options.results, options.programs)) if options.programs else []
+        mistakes = mistakes or weave(options.root.resolve(), options.results.resolve(), options.out, options.quick, options.live)
+    except (Mistake, teaching.TeachingError, exercise_pages.catalogue.CatalogueError) as mistake:
         mistakes = [str(mistake)]
+    except FileNotFoundError as missing:
+        mistakes = [f"{missing.filename} is not there: was everything run?"]
     for mistake in mistakes:
         print(mistake.replace(f"{options.root.resolve()}/", ""), file=sys.stderr)
     return 2 if mistakes else 0

@@ -71,9 +71,9 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("@fact{no.such}", page)
 
     def test_figures_are_numbered_copied_and_linked(self):
-        book = Book("# The drop\nSee @figref{fall.mp4}.\n\n@figure{drop.svg, Up}\n@figure{fall.mp4, Down @fact{drop.height}}\n")
+        book = Book("# The drop\nSee @figref{drop.svg} and @figref{fall.mp4}.\n\n@figure{drop.svg, Up}\n@figure{fall.mp4, Down @fact{drop.height}}\n")
         self.assertEqual(book.weave().returncode, 0)
-        self.assertIn('See \\ref fig_chapter_01_fall_mp4 "Figure 1.2".', book.page())
+        self.assertIn('and \\ref fig_chapter_01_fall_mp4 "Figure 1.2".', book.page())
         self.assertIn("<b>Figure 1.2.</b> Down 0.1 m, about", book.page())
         self.assertEqual((book.root / "out/figures/01_drop/fall.mp4").read_text(), "clip")
 

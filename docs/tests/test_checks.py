@@ -1,0 +1,128 @@
+"""The checks of the finished book: each is shown a page that has the fault, and one that has not."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import changes  # noqa: E402
+import checks  # noqa: E402
+import teaching  # noqa: E402
+
+NOTATION = "| Symbol | Meaning |\n|:--|:--|\n| \\f$\\delta\\f$ | depth |\n| \\f$k, \\Delta t\\f$ | stiffness, step |\n"
+
+
+def symbols(text, own=()):
+    return list(checks.symbol_faults([("page.md", text, set(own))], NOTATION))
+
+
+class Symbols(unittest.TestCase):
+    def test_a_symbol_of_the_table_may_be_used(self):
+        self.assertEqual(symbols("The push \\f$-k\\,\\delta\\f$ and \\f[ \\frac{k}{\\Delta t} \\f]."), [])
+
+    def test_a_symbol_without_a_row_is_named(self):
+        self.assertEqual(symbols("\\f$ k \\zeta + q_{slip} \\f$"), ["page.md: not in docs/notation.md, and not in the page's own @local: i, l, p, q, s, zeta"])
+
+    def test_a_page_may_explain_a_symbol_itself(self):
+        self.assertEqual(symbols("\\f$ q \\f$", own=["q"]), [])
+
+    def test_words_in_a_formula_are_no_symbols(self):
+        self.assertEqual(symbols("\\f$ k_\\mathrm{max} \\text{ if wet} \\f$"), [])
+
+    def test_code_outside_of_formulas_is_not_read(self):
+        self.assertEqual(symbols("`q = 1` and q"), [])
+
+    def test_a_command_that_nobody_knows_is_named(self):
+        self.assertIn("qqad", symbols("\\f$ k \\qqad \\delta \\f$")[0])
+
+
+class Abbreviations(unittest.TestCase):
+    def found(self, text):
+        return list(checks.abbreviation_faults([("page.md", text, set())], "| CPF | continuous |"))
+
+    def test_one_of_the_glossary_passes(self):
+        self.assertEqual(self.found("CPF is better."), [])
+
+    def test_one_that_is_missing_is_named(self):
+        self.assertEqual(self.found("XPF is worse."), ["page.md: not in docs/glossary.md: XPF"])
+
+    def test_code_is_left_out(self):
+        self.assertEqual(self.found("`XPF` and \\f$ABC\\f$"), [])
+
+
+class Figures(unittest.TestCase):
+    def test_a_figure_that_no_sentence_mentions_is_named(self):
+        pages = [("page.md", ["drop.svg", "fall.png"], "See @figref{drop.svg}.")]
+        self.assertEqual(list(checks.figure_faults(pages)), ["page.md: no sentence mentions the figure fall.png (@figref)"])
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        held = tempfile.TemporaryDirectory()
+        self.addCleanup(held.cleanup)
+        self.root = Path(held.name)
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        return path
+
+
+class Links(InAFolder):
+    def test_a_link_to_nothing_and_an_anchor_that_is_missing_are_named(self):
+        self.write("a.html", '<a href="b.html#there">x</a><a href="b.html#gone">y</a><a href="c.html">z</a><img src="d.png"><a href="https://e.org/f">w</a>')
+        self.write("b.html", '<h2 id="there">B</h2>')
+        self.assertEqual(list(checks.link_faults(self.root)), ["a.html: leads to b.html#gone, an anchor that is not there",
+                                                               "a.html: leads to c.html, which is not there", "a.html: leads to d.png, which is not there"])
+
+
+class StaleResults(InAFolder):
+    def test_results_of_another_program_are_named(self):
+        program = self.write("bin/chapter01", "new")
+        self.write("results/01_drop/.made_by", checks.made_by(program))
+        self.assertEqual(list(checks.stale_results(self.root / "results", self.root / "bin")), [])
+        program.write_text("newer")
+        self.assertIn("the numbers are stale", list(checks.stale_results(self.root / "results", self.root / "bin"))[0])
+
+    def test_results_without_a_maker_are_named(self):
+        self.write("bin/chapter01", "new")
+        self.write("results/01_drop/drop.csv", "1")
+        self.assertEqual(len(list(checks.stale_results(self.root / "results", self.root / "bin"))), 1)
+
+
+class WhatChanged(InAFolder):
+    def test_new_passes_are_bold_and_lost_ones_struck_through(self):
+        passes = [{"chapter": c, "stage": "detect", "pass": p} for c, p in (("1", "boxes"), ("1", "queries"), ("2", "boxes"), ("2", "labels"))]
+        table = changes.passes_table(passes, 2)
+        self.assertIn("| detection | boxes, **labels**, <s>queries</s> |", table)
+
+    def test_a_scene_whose_verdict_changed_is_told_with_both_numbers(self):
+        def cell(chapter, value, passes):
+            return {"scene": "slope", "chapter": chapter, "quantity": "way", "unit": "mm", "bound": "at most 1 mm", "value": value, "passes": passes}
+        told = changes.verdicts([cell("3", "2971", "0"), cell("4", "0.195", "1")], 4)
+        self.assertIn("2.97e+03 mm with chapter 3, **0.195 mm** with chapter 4, which holds", told)
+        self.assertEqual(changes.verdicts([cell("3", "2", "1"), cell("4", "1", "1")], 4), "")
+
+    def test_a_header_is_told_by_its_first_sentence(self):
+        self.assertEqual(changes.first_sentence("#pragma once\n\n/// Impulse of a pair: all of it.\n/// @param k  stiffness\n"), "Impulse of a pair.")
+
+
+class Teaching(InAFolder):
+    def plan(self, minutes):
+        self.write("chapters/01_drop/teaching.toml", f'goals = ["fall"]\n[minutes]\n{minutes}')
+        page = type("Page", (), {"folder": "01_drop", "lines": ["## Why?", "text", "## Exercises"]})()
+        return teaching.plan_of(self.root, page)
+
+    def test_each_section_has_its_minutes(self):
+        self.assertEqual(self.plan('"Why?" = 10'), (["fall"], [("Why?", 10)]))
+
+    def test_a_section_without_minutes_and_minutes_without_a_section_stop_the_book(self):
+        with self.assertRaisesRegex(teaching.TeachingError, "no minutes for the section 'Why"):
+            self.plan('"How?" = 10')
+        with self.assertRaisesRegex(teaching.TeachingError, "there is no section 'How"):
+            self.plan('"Why?" = 10\n"How?" = 10')
+
+
+if __name__ == "__main__":
+    unittest.main()
