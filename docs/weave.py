@@ -14,6 +14,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import api_pages
 import changes
 import checks
 import course_map
@@ -266,7 +267,7 @@ class Weaver:
             return reference(self.pages, page, match[1], match[2].strip())
         parts = re.split(r"(`[^`]*`)", text)
         parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|map|changes|minutes|goals|local)\b.*", part)),
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|map|api|changes|minutes|goals|local)\b.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")
@@ -286,6 +287,8 @@ class Weaver:
             return ""
         if line.strip() == "@map":
             return course_map.map_block([other for other in self.pages if other.folder], self.by_label)
+        if line.strip() == "@api":
+            return api_pages.api_block(self.root, [other for other in self.pages if other.folder])
         if line.strip() == "@changes":
             return changes.changes_block(self.root, self.results.root, page.folder)
         if match := re.match(r"^@(minutes|goals)\s*$", line):

@@ -1,6 +1,8 @@
 """What a student types: check, hint and solution."""
 import re
+import tempfile
 import textwrap
+from pathlib import Path
 
 import beside
 import workshop
@@ -72,10 +74,26 @@ def tell_failure(failure):
 
 
 def misconceptions(exercise, outcome):
-    """The mutants that fail in just the cases in which this answer fails; none where it threw an exception."""
+    """The mutants that fail in just the cases in which this answer fails; none where it threw an exception. Of several, those
+    that also get the same wrong numbers, if there are such."""
     if any(failure.message.startswith(THREW) for failure in outcome.failures):
         return []
-    return [mutant for mutant in exercise.mutants if set(mutant.fails) == set(outcome.failed_cases)]
+    alike = [mutant for mutant in exercise.mutants if set(mutant.fails) == set(outcome.failed_cases)]
+    if len(alike) < 2:
+        return alike
+    same_numbers = [mutant for mutant in alike if messages(judge_mutant(exercise, mutant)) == messages(outcome)]
+    return same_numbers or alike[:2]
+
+
+def judge_mutant(exercise, mutant):
+    with tempfile.TemporaryDirectory() as scratch:
+        source = Path(scratch) / f"{exercise.name}.cpp"
+        source.write_text(exercise.mutated(mutant), encoding="utf-8")
+        return judge(exercise, source, Path(scratch), chapters_tests=False)
+
+
+def messages(outcome):
+    return [failure.message for failure in outcome.failures]
 
 
 def tell_list(exercises, progress, wrong):

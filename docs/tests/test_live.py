@@ -1,0 +1,65 @@
+"""The live figures: what the compiled chapters answer in JavaScript, against formulas and against each other."""
+import json
+import shutil
+import subprocess
+import unittest
+from pathlib import Path
+
+MODULE = Path(__file__).resolve().parents[2] / "build/live/live.js"
+NODE = shutil.which("node") or shutil.which("nodejs")
+CALLS = """
+require(MODULE)().then(m => {
+  const list = a => Array.from(a);
+  const face = [0.2, 1, 0.2, 0, 0, 0, 0, 0, 1, 1, 0, 0];
+  const fall = [...face, ...face.map((v, i) => i === 1 ? -1 : v)];
+  const slide = solver => { m.begin_sliding(solver, 1.5); const s = []; for (let i = 0; i < 20; ++i) s.push(list(m.slide_on(10))); return s; };
+  console.log(JSON.stringify({
+    cpf: list(m.stability(true, 0.1, 100, 3)), dpf: list(m.stability(false, 0.1, 100, 3)),
+    fall: list(m.query(false, fall)), away: list(m.query(false, [...face, ...face.map((v, i) => i === 1 ? 2 : v)])),
+    inside: list(m.integral(-1, -1, -1, -1)), outside: list(m.integral(1, 1, 1, 1)), line: list(m.integral(1, 1 / 3, -1 / 3, -1)),
+    loose: list(m.slope(false, 10, 0.3, 0.3, 0, 1)), firm: list(m.slope(false, 10, 0.4, 0.4, 0, 1)), mended: list(m.slope(true, 10, 0.18, 0.18, 0, 1)),
+    flat: list(m.circle(180)), right: list(m.circle(90)), six: slide(6), five: slide(5) }));
+});
+"""
+
+
+@unittest.skipUnless(NODE and MODULE.is_file(), "needs node and the compiled figures (./course docs --live)")
+class LiveFigures(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        done = subprocess.run([NODE, "-e", CALLS.replace("MODULE", json.dumps(str(MODULE)))], capture_output=True, text=True, check=True)
+        cls.said = json.loads(done.stdout)
+
+    def test_stability_limits_are_the_chapters_formulas(self):
+        self.assertAlmostEqual(self.said["cpf"][1], (2 / 100) ** 0.5, 15)
+        self.assertAlmostEqual(self.said["dpf"][1], (4 / 300) ** 0.5, 15)
+        self.assertAlmostEqual(self.said["cpf"][0], 0.5 ** 0.5, 15)  # the root of 1 - h/2 at h = 1
+
+    def test_a_vertex_that_falls_through_a_face_touches_at_half_of_the_step(self):
+        self.assertAlmostEqual(self.said["fall"][0], 0.5, 9)
+        self.assertGreater(self.said["fall"][2] * -self.said["fall"][5], 0)
+
+    def test_one_that_moves_away_is_settled_by_signs(self):
+        self.assertEqual(self.said["away"][:2], [-1, 0])
+
+    def test_the_integral_is_the_area_inside(self):
+        self.assertEqual(self.said["inside"], [1, 1, 0, 1])
+        self.assertEqual(self.said["outside"], [0, 0])
+        self.assertAlmostEqual(self.said["line"][0], 0.25, 12)
+        self.assertAlmostEqual(self.said["line"][2], 0.5, 12)
+
+    def test_an_undamped_anchor_needs_twice_the_tangent_and_the_mended_one_does_not(self):
+        self.assertEqual([self.said[name][0] for name in ("loose", "firm", "mended")], [0, 1, 1])
+
+    def test_on_a_flat_vertex_average_and_span_agree_and_on_an_edge_they_do_not(self):
+        self.assertTrue(all((mark & 2 > 0) == (mark & 4 > 0) for mark in self.said["flat"]))
+        self.assertEqual(sum(mark & 2 > 0 for mark in self.said["right"]) in (90, 91), True)
+        self.assertEqual(sum(mark & 4 > 0 for mark in self.said["right"]) in (180, 181), True)
+
+    def test_the_cube_keeps_its_speed_with_chapter_6_and_stops_with_chapter_5(self):
+        self.assertAlmostEqual(self.said["six"][-1][1], 1.5, 2)
+        self.assertLess(self.said["five"][-1][1], 0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
