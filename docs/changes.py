@@ -47,8 +47,8 @@ def first_sentence(text):
     if not comment:
         return ""
     words = " ".join(line[4:] for line in comment[1].splitlines() if not line.startswith("/// @"))
-    sentence = re.match(r"(.+?)(?:[.:](?=\s|$)|$)", words)[1]
-    return sentence.replace("|", "\\|").replace("<", "&lt;") + "."
+    sentence = re.match(r"(.+?)(?:[.:](?=\s|$)|$)", words)
+    return sentence[1].replace("|", "\\|").replace("<", "&lt;") + "." if sentence else ""
 
 
 def verdicts(ledger, chapter):
