@@ -42,12 +42,12 @@ def files_list(root, folder):
 
 
 def first_sentence(text):
-    """Of the first documented declaration, up to its full stop or colon."""
+    """Of the first documented declaration, up to its full stop, or to a colon with some words before it."""
     comment = re.search(r"((?:^/// .*\n)+)", text, re.M)
     if not comment:
         return ""
     words = " ".join(line[4:] for line in comment[1].splitlines() if not line.startswith("/// @"))
-    sentence = re.match(r"(.+?)(?:[.:](?=\s|$)|$)", words)
+    sentence = re.match(r"(.+?)(?:\.(?=\s|$)|(?<=.{25}):(?=\s|$)|$)", words)
     return sentence[1].replace("|", "\\|").replace("<", "&lt;") + "." if sentence else ""
 
 
