@@ -27,6 +27,15 @@ expect 2 'unknown option: --frob' run --frob
 expect 2 "unknown word: 'word'" test word
 expect 2 '--list means nothing here' test --list
 expect 2 '--quick means nothing here' bench --quick
+expect 2 '--live means nothing here' run --live
+
+# The exercises: an untouched clone is told what is next, and nothing is compiled for that.
+expect 0 'of [0-9]* hold. Next: ' check --no-install
+expect 2 'there is no exercise 9.9. There are: 1.1' check 9.9 --no-install
+expect 2 'name one exercise, as in 3.1' solution 3
+expect 0 'std::optional<PlaneInterval> find_plane_interval' solution 1.1
+expect 0 'A right answer prints' exercise 2.2
+expect 2 "no_such_folder is not a folder" grade "$scratch/no_such_folder" --no-install
 
 for main in chapters/[0-9][0-9]_*/main.cpp; do
     [[ -e $main ]] || continue
