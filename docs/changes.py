@@ -42,8 +42,8 @@ def files_list(root, folder):
 
 
 def first_sentence(text):
-    """Of the first documented declaration, up to its full stop, or to a colon with some words before it."""
-    comment = re.search(r"((?:^/// .*\n)+)", text, re.M)
+    """Of the first documented declaration that is no mere constant, up to its full stop, or to a colon with some words before it."""
+    comment = re.search(r"((?:^/// .*\n)+)(?!///|(?:inline )?constexpr|using )", text, re.M)
     if not comment:
         return ""
     words = " ".join(line[4:] for line in comment[1].splitlines() if not line.startswith("/// @"))
@@ -65,4 +65,7 @@ def verdicts(ledger, chapter):
 
 
 def value(row):
-    return f"{float(row['value']):.3g} {row['unit']}".strip() if row["value"] else "nothing to measure"
+    if not row["value"]:
+        return "nothing to measure"
+    number = float(row["value"])
+    return f"{number:.0f} {row['unit']}".strip() if abs(number) >= 100 else f"{number:.3g} {row['unit']}".strip()

@@ -101,11 +101,15 @@ class WhatChanged(InAFolder):
         def cell(chapter, value, passes):
             return {"scene": "slope", "chapter": chapter, "quantity": "way", "unit": "mm", "bound": "at most 1 mm", "value": value, "passes": passes}
         told = changes.verdicts([cell("3", "2971", "0"), cell("4", "0.195", "1")], 4)
-        self.assertIn("2.97e+03 mm with chapter 3, **0.195 mm** with chapter 4, which holds", told)
+        self.assertIn("2971 mm with chapter 3, **0.195 mm** with chapter 4, which holds", told)
         self.assertEqual(changes.verdicts([cell("3", "2", "1"), cell("4", "1", "1")], 4), "")
 
     def test_a_header_is_told_by_its_first_sentence(self):
-        self.assertEqual(changes.first_sentence("#pragma once\n\n/// Impulse of a pair: all of it.\n/// @param k  stiffness\n"), "Impulse of a pair.")
+        self.assertEqual(changes.first_sentence("#pragma once\n\n/// Impulse of a pair at both ends of the step: all of it.\n/// @param k  stiffness\nvoid f();\n"),
+                         "Impulse of a pair at both ends of the step.")
+
+    def test_a_constant_is_not_what_a_header_is_about(self):
+        self.assertEqual(changes.first_sentence("/// Small.\nconstexpr int a = 1;\n\n/// Shares of mass.\nclass Shares;\n"), "Shares of mass.")
 
 
 class Teaching(InAFolder):
