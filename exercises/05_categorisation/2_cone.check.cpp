@@ -19,15 +19,6 @@ std::vector<Vec3> face_normals(const Corner& corner)
     return normals;
 }
 
-const Corner& corner_named(const std::string& part)
-{
-    static const std::vector<Corner> corners = sphere_corners();
-    for (const Corner& corner : corners)
-        if (corner.name.find(part) != std::string::npos)
-            return corner;
-    throw std::logic_error("no corner " + part);
-}
-
 /// Directions spread evenly over the sphere.
 std::vector<Vec3> all_directions(int count)
 {
@@ -54,10 +45,10 @@ TEST_CASE("cone: of one direction it is that direction, of two it is halfway bet
 
 TEST_CASE("cone: at a cube's corner and at a tetrahedron's tip it touches all three normals")
 {
-    const Cone cube = smallest_cone(face_normals(corner_named("cube"))), tip = smallest_cone(face_normals(corner_named("tetrahedron")));
+    const Cone cube = smallest_cone(face_normals(sphere_corner("cube"))), tip = smallest_cone(face_normals(sphere_corner("tetrahedron")));
     given("the three normals at a cube's corner");
     expect("half angle", cube.half_angle / degree, std::acos(1 / std::sqrt(3.0)) / degree, 0.01, "degrees");
-    std::vector<Vec3> backwards = face_normals(corner_named("cube"));
+    std::vector<Vec3> backwards = face_normals(sphere_corner("cube"));
     std::reverse(backwards.begin(), backwards.end());
     given("the same in the opposite order");
     expect("half angle", smallest_cone(backwards).half_angle / degree, cube.half_angle / degree, 0.01, "degrees");
@@ -110,7 +101,7 @@ TEST_CASE("rule: the 45 degrees come on top of the half angle")
 
 TEST_CASE("rule: at the tip of a tetrahedron no direction in which a board can touch is called hooked")
 {
-    const Corner& tip = corner_named("tetrahedron");
+    const Corner tip = sphere_corner("tetrahedron");
     const std::vector<Vec3> normals = face_normals(tip);
     int touching = 0, span_misses = 0, cone_misses = 0;
     for (const Vec3& direction : all_directions(4000))

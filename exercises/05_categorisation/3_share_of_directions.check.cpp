@@ -7,15 +7,6 @@
 namespace enduring::chapter05 {
 namespace {
 
-const Corner& corner_named(const std::string& part)
-{
-    static const std::vector<Corner> corners = sphere_corners();
-    for (const Corner& corner : corners)
-        if (corner.name.find(part) != std::string::npos)
-            return corner;
-    throw std::logic_error("no corner " + part);
-}
-
 std::array<Vec3, 3> three_normals(const Corner& corner)
 {
     const std::vector<Vec3> span = normal_span(corner.surface(), corner.faces());
@@ -52,8 +43,8 @@ TEST_CASE("directions: they have unit length, no favourite side, and fill every 
 TEST_CASE("measurement: a board touches a cube's corner from an eighth of all sides, a flat vertex from none")
 {
     given("20000 directions");
-    expect("share of a cube's corner", measured_share(corner_named("cube"), 20000), 0.125, 0.002);
-    expect("share of a flat vertex", measured_share(corner_named("flat"), 20000), 0.0, 1e-3);
+    expect("share of a cube's corner", measured_share(sphere_corner("cube"), 20000), 0.125, 0.002);
+    expect("share of a flat vertex", measured_share(sphere_corner("flat"), 20000), 0.0, 1e-3);
 }
 
 TEST_CASE("law: three normals at right angles cover an eighth, three in a plane half of the sphere")
@@ -68,7 +59,7 @@ TEST_CASE("law: measured and law agree at a cube's corner and at a tetrahedron's
 {
     for (const std::string name : {"cube", "tetrahedron"}) {
         given("corner of a ", name, ", 20000 directions");
-        const double measured = measured_share(corner_named(name), 20000), law = law_of_share(three_normals(corner_named(name)));
+        const double measured = measured_share(sphere_corner(name), 20000), law = law_of_share(three_normals(sphere_corner(name)));
         expect("share", measured, law, 0.002);
         say(name == "cube" ? "a cube's corner: " : "a tetrahedron's tip: ", std::round(1000 * measured) / 1000, " measured, ", law, " by the law");
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace enduring::chapter05 {
 
@@ -39,6 +40,14 @@ std::vector<Corner> sphere_corners()
     return {cone_corner("tetrahedron's tip", 3, std::acos(std::sqrt(2.0 / 3))),
             cone_corner("cube's corner", 3, std::acos(std::sqrt(1.0 / 3))),
             cone_corner("flat surface", 6, std::numbers::pi / 2), fan("saddle", saddle)};
+}
+
+Corner sphere_corner(const std::string& part)
+{
+    for (const Corner& corner : sphere_corners())
+        if (corner.name.find(part) != std::string::npos)
+            return corner;
+    throw std::invalid_argument("no corner is called " + part);
 }
 
 Corner wedge_corner(std::string name, double opening)

@@ -27,6 +27,10 @@ Corner cone_corner(std::string name, int edges, double angle);
 /// The tip of a regular tetrahedron, the corner of a cube, a vertex of a flat surface, and of a saddle; all look to +y.
 std::vector<Corner> sphere_corners();
 
+/// The first of them with this in its name: "tetrahedron", "cube", "flat", "saddle".
+/// @throws std::invalid_argument  there is none
+Corner sphere_corner(const std::string& part);
+
 /// A point on the ridge of a wedge that runs along z and looks to -y: in the plane z = 0 a corner as in the thesis' drawings.
 /// @param opening  angle of the solid at the ridge [rad], in (0, pi]
 Corner wedge_corner(std::string name, double opening);
