@@ -43,10 +43,11 @@ def files_list(root, folder):
 
 def first_sentence(text):
     """Of the first documented declaration that is no mere constant, up to its full stop, or to a colon with some words before it."""
-    comment = re.search(r"((?:^/// .*\n)+)(?!///|(?:inline )?constexpr|using )", text, re.M)
+    comment = re.search(r"^((?:///.*\n)+)(?!///|(?:inline )?constexpr|using )", text, re.M)
     if not comment:
         return ""
-    words = " ".join(line[4:] for line in comment[1].splitlines() if not line.startswith("/// @"))
+    paragraph = comment[1].split("\n///\n")[0]
+    words = " ".join(line[4:] for line in paragraph.splitlines() if not line.startswith("/// @"))
     sentence = re.match(r"(.+?)(?:\.(?=\s|$)|(?<=.{25}):(?=\s|$)|$)", words)
     return sentence[1].replace("|", "\\|").replace("<", "&lt;") + "." if sentence else ""
 

@@ -108,6 +108,10 @@ class WhatChanged(InAFolder):
         self.assertEqual(changes.first_sentence("#pragma once\n\n/// Impulse of a pair at both ends of the step: all of it.\n/// @param k  stiffness\nvoid f();\n"),
                          "Impulse of a pair at both ends of the step.")
 
+    def test_only_the_first_paragraph_is_read(self):
+        self.assertEqual(changes.first_sentence("/// A file on its way.\n///\n///     File file(\"a\");\nclass File;\n"), "A file on its way.")
+        self.assertEqual(changes.first_sentence("/// Solves it\n///\n/// @see \"A paper\nvoid solve();\n"), "Solves it.")
+
     def test_a_constant_is_not_what_a_header_is_about(self):
         self.assertEqual(changes.first_sentence("/// Small.\nconstexpr int a = 1;\n\n/// Shares of mass.\nclass Shares;\n"), "Shares of mass.")
 
