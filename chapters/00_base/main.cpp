@@ -31,7 +31,7 @@ void convergence(const RunOptions&, Report& report)
 void spinning_bar(const RunOptions&, Report& report)
 {
     leave(report, "spinning_bar", verification::spinning_bar_growth());
-    report.plot(ENDURING_SOURCE_DIR "/common/fem/plots/spinning_bar.gp", "spinning_bar");
+    report.plot("common/fem/plots/spinning_bar.gp");
 }
 
 void one_worked_step(const RunOptions&, Report& report) { write_worked_step(worked_step_solver(worked_step().stiffness), report); }

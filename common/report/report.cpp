@@ -68,13 +68,13 @@ void Report::write_facts(const std::string& experiment, std::vector<Cell> fact)
     table("facts_" + experiment, all);
 }
 
-void Report::plot(const std::filesystem::path& script, const std::string& name)
+void Report::plot(const std::filesystem::path& script_in_sources, const std::string& name)
 {
+    const std::filesystem::path sources = ENDURING_SOURCE_DIR, script = sources / script_in_sources;
     if (!std::filesystem::is_regular_file(script))
         throw InputError(script.string() + ": no such gnuplot script");
-    PendingFile picture(file(name + ".svg"));
-    const std::filesystem::path style = std::filesystem::path(ENDURING_SOURCE_DIR) / "common/report/plot_style.gp";
-    const std::string variables = "folder=" + gnuplot_quoted(folder_) + "; style=" + gnuplot_quoted(style)
+    PendingFile picture(file((name.empty() ? script.stem().string() : name) + ".svg"));
+    const std::string variables = "folder=" + gnuplot_quoted(folder_) + "; style=" + gnuplot_quoted(sources / "common/report/plot_style.gp")
                                   + "; output=" + gnuplot_quoted(picture.neighbour());
     Subprocess gnuplot({"gnuplot", "-e", variables, script.string()}, "gnuplot-nox");
     gnuplot.finish();

@@ -17,6 +17,9 @@ public:
     explicit Table(std::vector<std::string> columns);
     /// @throws std::logic_error  as many cells as columns are needed
     void add(std::vector<Cell> row);
+    /// All rows of another table with the same columns.
+    /// @throws std::logic_error  it has other columns
+    void append(const Table& other);
     const std::vector<std::string>& columns() const { return columns_; }
     const std::vector<std::vector<Cell>>& rows() const { return rows_; }
 
@@ -44,9 +47,11 @@ public:
     void fact(const std::string& experiment, const std::string& name, const std::string& text);
     /// Runs a gnuplot script that writes NAME.svg. The script reads the tables in `folder` and begins with `load style`
     /// (plot_style.gp: the common look, and the picture's place from `output`).
+    /// @param script  seen from the root of the sources, e.g. "chapters/04_friction/plots/slope.gp"
+    /// @param name    of the picture; as the script when empty
     /// @throws InputError          there is no such script
     /// @throws std::runtime_error  gnuplot is missing, failed, or drew nothing
-    void plot(const std::filesystem::path& script, const std::string& name);
+    void plot(const std::filesystem::path& script, const std::string& name = "");
     /// Where a file that somebody else writes belongs: file("ground.png"). It counts as written by this report.
     std::filesystem::path file(const std::string& name);
     const std::filesystem::path& folder() const { return folder_; }

@@ -63,6 +63,13 @@ void Table::add(std::vector<Cell> row)
     rows_.push_back(std::move(row));
 }
 
+void Table::append(const Table& other)
+{
+    if (other.columns_ != columns_)
+        throw std::logic_error("rows of a table with other columns");
+    rows_.insert(rows_.end(), other.rows_.begin(), other.rows_.end());
+}
+
 std::string csv(const Table& table)
 {
     std::string text;

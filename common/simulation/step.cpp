@@ -1,9 +1,9 @@
 #include "common/simulation/step.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/processor_clock.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <stdexcept>
 
 namespace enduring {
@@ -11,14 +11,6 @@ namespace {
 
 /// How often a step answers what its own answers brought about (thesis 3.3, item 4).
 constexpr int max_responses = 5;
-
-/// What this thread has had of its processor [s]. Unlike the time of day it does not run on while others have their turn.
-double processor_seconds()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 template <typename Work>
 void timed(const PassTimer& timer, const std::string& name, const Work& work)

@@ -114,8 +114,10 @@ double VertexResponse::together(int vertex, std::span<const Push> pushes)
 
 void VertexResponse::begin_trial()
 {
-    for (const int place : tried_)
+    for (const int place : tried_) {
         vertices_[static_cast<std::size_t>(place)].tried.setZero();
+        vertices_[static_cast<std::size_t>(place)].is_tried = false;
+    }
     tried_.clear();
     ++trial_state_;
 }
@@ -124,8 +126,9 @@ void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
 {
     const int place = learnt(vertex);
     Vertex& known = vertices_[static_cast<std::size_t>(place)];
-    if (std::find(tried_.begin(), tried_.end(), place) == tried_.end())
+    if (!known.is_tried)
         tried_.push_back(place);
+    known.is_tried = true;
     ++trial_state_;
     known.tried += frame(known).transpose() * impulse;
 }

@@ -49,6 +49,7 @@ private:
         std::vector<Block> blocks;   ///< of this vertex with each one learnt before and itself, in the frames of both
         Mat3 frame = Mat3::Identity();
         int frame_of_step = -1;
+        bool is_tried = false;       ///< was pushed in this trial
         Vec3 tried = Vec3::Zero();   ///< impulse of the trial, in its frame
         Vec3 change = Vec3::Zero();  ///< what the trial changes here, in world axes
         long change_of = -1;         ///< state of the trial that `change` is for

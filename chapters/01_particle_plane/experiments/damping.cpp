@@ -123,8 +123,8 @@ void damping(const RunOptions&, Report& report)
     report.page_table("damping_decay", decays, 4);
     report.table("damping_rest", rest_table);
     report.page_table("damping_rest", rest_table, 4);
-    report.plot(plot_script("damping"), "damping");
-    report.plot(plot_script("force_loop"), "force_loop");
+    report.plot("chapters/01_particle_plane/plots/damping.gp");
+    report.plot("chapters/01_particle_plane/plots/force_loop.gp");
 }
 
 }  // namespace enduring::chapter01

@@ -34,7 +34,7 @@ void drop(const RunOptions&, Report& report)
     report.table("drop", trajectories);
     report.table("drop_outcome", outcome);
     report.page_table("drop_outcome", outcome);
-    report.plot(plot_script("drop"), "drop");
+    report.plot("chapters/01_particle_plane/plots/drop.gp");
 }
 
 }  // namespace enduring::chapter01

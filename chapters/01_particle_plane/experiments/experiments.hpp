@@ -11,7 +11,4 @@ void drop(const RunOptions& options, Report& report);
 void damping(const RunOptions& options, Report& report);
 void ground(const RunOptions& options, Report& report);
 
-/// Where this chapter's gnuplot scripts lie.
-std::filesystem::path plot_script(const std::string& name);
-
 }  // namespace enduring::chapter01

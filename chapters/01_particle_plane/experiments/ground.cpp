@@ -82,12 +82,6 @@ Solver watching_solver(const ContactParameters& parameters, std::vector<double>&
 }
 //! [watching_solver]
 
-void append(Table& all, const Table& some)
-{
-    for (const std::vector<Cell>& row : some.rows())
-        all.add(row);
-}
-
 void add_rest(Table& rest, const Scene& scene, const GroundProbe& probe, const std::vector<double>& falls)
 {
     const double g = scene.world.gravity.norm();
@@ -118,7 +112,7 @@ void ground(const RunOptions& options, Report& report)
             probes.push_back(&moments);
         std::vector<double> falls(scene.world.bodies.size(), 0.0);
         run(scene, watching_solver(scene.contact, falls), probes);
-        append(forces, touches.table());
+        forces.append(touches.table());
         add_rest(rest, scene, touches, falls);
         if (method == "cpf")
             write_png(moments.all(2), report.file("ground.png"));
@@ -126,7 +120,7 @@ void ground(const RunOptions& options, Report& report)
     report.table("ground", forces);
     report.table("ground_rest", rest);
     report.page_table("ground_rest", rest, 4);
-    report.plot(plot_script("ground"), "ground_force");
+    report.plot("chapters/01_particle_plane/plots/ground.gp", "ground_force");
 }
 
 }  // namespace enduring::chapter01

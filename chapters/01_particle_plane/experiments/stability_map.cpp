@@ -33,8 +33,8 @@ void stability_map(const RunOptions& options, Report& report)
     report.table("visited_heights", visited);
     report.fact("stability_map", "steps_tried", 2.0 * count, 4);
     report.fact("stability_map", "agree", static_cast<double>(agree), 4);
-    report.plot(plot_script("stability_map"), "stability_map");
-    report.plot(plot_script("visited_heights"), "visited_heights");
+    report.plot("chapters/01_particle_plane/plots/stability_map.gp");
+    report.plot("chapters/01_particle_plane/plots/visited_heights.gp");
 }
 
 }  // namespace enduring::chapter01

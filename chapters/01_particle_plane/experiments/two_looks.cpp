@@ -17,7 +17,7 @@ void two_looks(const RunOptions&, Report& report)
                    1000 * continuous_plane_impulse(c.depth_t0, c.depth_t1, 1, 1)});
     report.table("two_looks", table);
     report.page_table("two_looks", table);
-    report.plot(plot_script("two_looks"), "two_looks");
+    report.plot("chapters/01_particle_plane/plots/two_looks.gp");
 }
 
 }  // namespace enduring::chapter01

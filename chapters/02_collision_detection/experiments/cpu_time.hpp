@@ -1,7 +1,8 @@
 #pragma once
 
+#include "common/simulation/processor_clock.hpp"
+
 #include <algorithm>
-#include <ctime>
 
 namespace enduring::chapter02 {
 
@@ -11,16 +12,15 @@ namespace enduring::chapter02 {
 template <class Work>
 double best_cpu_seconds(const Work& work, int rounds = 5, double shortest_round = 0.02)
 {
-    const auto clock = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
     double best = 1e300;
     for (int round = 0; round < rounds && (round == 0 || best < 1); ++round) {
-        const double start = clock();
+        const double start = processor_seconds();
         double spent = 0;
         int calls = 0;
         while (spent < shortest_round) {
             work();
             ++calls;
-            spent = clock() - start;
+            spent = processor_seconds() - start;
         }
         best = std::min(best, spent / calls);
     }

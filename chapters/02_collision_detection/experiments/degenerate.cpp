@@ -144,7 +144,7 @@ void degenerate(const RunOptions&, Report& report)
     const Table wrong = wrong_answers(categories);
     report.table("degenerate_categories", wrong);
     report.page_table("degenerate_categories", wrong);
-    report.plot(plot_script("degenerate"), "degenerate");
+    report.plot("chapters/02_collision_detection/plots/degenerate.gp");
     tell_totals(report, categories);
 }
 

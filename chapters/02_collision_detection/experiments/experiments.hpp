@@ -19,7 +19,4 @@ struct QueryMode {
     bool run() const;
 };
 
-/// Where this chapter's gnuplot scripts lie.
-std::filesystem::path plot_script(const std::string& name);
-
 }  // namespace enduring::chapter02

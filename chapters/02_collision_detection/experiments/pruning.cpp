@@ -142,7 +142,7 @@ void pruning(const RunOptions& options, Report& report)
     report.fact("pruning", "bullet_over_tree", outcomes[3].back()->milliseconds / outcomes[2].back()->milliseconds, 2);
     report.table("pruning", table);
     report.page_table("pruning", page);
-    report.plot(plot_script("pruning"), "pruning");
+    report.plot("chapters/02_collision_detection/plots/pruning.gp");
 }
 
 }  // namespace enduring::chapter02

@@ -32,9 +32,4 @@ bool QueryMode::run() const
     return true;
 }
 
-std::filesystem::path plot_script(const std::string& name)
-{
-    return std::filesystem::path(ENDURING_SOURCE_DIR) / "chapters/02_collision_detection/plots" / (name + ".gp");
-}
-
 }  // namespace enduring::chapter02

@@ -53,8 +53,8 @@ void force_curves(const RunOptions& options, const std::filesystem::path& file, 
     report.table("bar_force", table);
     report.page_table("bar_pairs", pairs, 3);
     report.table("bar_pairs", pairs);
-    report.plot(plot_script("bar_force"), "bar_force");
-    report.plot(plot_script("bar_force_pairs"), "bar_force_pairs");
+    report.plot("chapters/03_penalty_impulses/plots/bar_force.gp");
+    report.plot("chapters/03_penalty_impulses/plots/bar_force_pairs.gp");
 }
 
 struct SweepPoint {
@@ -89,7 +89,7 @@ std::vector<SweepPoint> sweep(const RunOptions& options, const std::filesystem::
             progress.update(static_cast<int>(points.size()));
         }
     report.table("bar_jitter", table);
-    report.plot(plot_script("bar_jitter"), "bar_jitter");
+    report.plot("chapters/03_penalty_impulses/plots/bar_jitter.gp");
     return points;
 }
 

@@ -168,7 +168,7 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
             continue;
         film->finish();
         report.table("bunny_bowl", probe.table());
-        report.plot(plot_script("bunny_bowl"), "bunny_bowl");
+        report.plot("chapters/03_penalty_impulses/plots/bunny_bowl.gp");
         const Table passes = result.timings.table(scene.world.time, result.steps);
         report.table("bunny_passes", passes);
         report.page_table("bunny_passes", passes, 3);

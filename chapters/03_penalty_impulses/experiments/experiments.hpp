@@ -12,7 +12,4 @@ void hooked(const RunOptions& options, Report& report);
 /// @param elements  of the bunny: 363, 785, 1452 or 10668
 void bunny_bowl(const RunOptions& options, Report& report, int elements);
 
-/// Where this chapter's gnuplot scripts lie.
-std::filesystem::path plot_script(const std::string& name);
-
 }  // namespace enduring::chapter03

@@ -72,12 +72,6 @@ nlohmann::json plane_instead_of_floor(const std::filesystem::path& file)
     return {{"planes", {{{"name", "floor"}}}}, {"bodies", moving}};
 }
 
-void append(Table& all, const Table& some)
-{
-    for (const std::vector<Cell>& row : some.rows())
-        all.add(row);
-}
-
 }  // namespace
 
 /// Thesis 6.1.2: the same cube on a plane and on triangles that form the same plane.
@@ -95,10 +89,10 @@ void hooked(const RunOptions& options, Report& report)
     run(on_plane, chapter03_solver(on_plane.contact), {&plane});
 
     Table table({"floor", "time_s", "x_m", "speed_m_per_s", "pairs", "sideways"});
-    append(table, plane.table());
-    append(table, triangles.table());
+    table.append(plane.table());
+    table.append(triangles.table());
     report.table("hooked", table);
-    report.plot(plot_script("hooked"), "hooked");
+    report.plot("chapters/03_penalty_impulses/plots/hooked.gp");
     report.fact("hooked", "stopped_at", triangles.stopped_at(), 3);
     report.fact("hooked", "farthest", triangles.farthest(), 3);
     report.fact("hooked", "plane_farthest", plane.farthest(), 3);

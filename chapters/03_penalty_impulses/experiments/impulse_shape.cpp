@@ -72,7 +72,7 @@ void impulse_shape(const RunOptions&, Report& report)
     report.table("impulse_shape", curves);
     report.table("impulse_areas", areas);
     report.page_table("impulse_areas", areas, 4);
-    report.plot(plot_script("impulse_shape"), "impulse_shape");
+    report.plot("chapters/03_penalty_impulses/plots/impulse_shape.gp");
 }
 
 }  // namespace enduring::chapter03

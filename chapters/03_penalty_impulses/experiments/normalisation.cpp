@@ -88,7 +88,7 @@ void normalisation(const RunOptions& options, Report& report)
     }
     report.table("normalisation", table);
     report.page_table("normalisation", table, 2);
-    report.plot(plot_script("normalisation"), "normalisation");
+    report.plot("chapters/03_penalty_impulses/plots/normalisation.gp");
 }
 
 }  // namespace enduring::chapter03

@@ -24,7 +24,7 @@ void depth_over_step(const std::filesystem::path& file, Report& report)
     }
     report.table("depth_over_step", table);
     report.page_table("depth_over_step", table, 3);
-    report.plot(plot_script("depth_over_step"), "depth_over_step");
+    report.plot("chapters/03_penalty_impulses/plots/depth_over_step.gp");
 }
 
 /// What each method can do without jitter.
@@ -60,7 +60,7 @@ void depth_over_stiffness(const RunOptions& options, const std::filesystem::path
         }
     }
     report.table("depth_over_stiffness", table);
-    report.plot(plot_script("depth_over_stiffness"), "depth_over_stiffness");
+    report.plot("chapters/03_penalty_impulses/plots/depth_over_stiffness.gp");
 
     Table summary({"method", "largest smooth k [N/m]", "summed depth there [mm]", "thesis k [N/m]", "thesis depth [mm]"});
     summary.add({"DPF", best[0].stiffness, 1000 * best[0].depth, 3000l, 280l});

@@ -12,7 +12,4 @@ void rocking(const RunOptions& options, Report& report);
 void turning(const RunOptions& options, Report& report);
 void mesh_slope(const RunOptions& options, Report& report);
 
-/// Where this chapter's gnuplot scripts lie.
-std::filesystem::path plot_script(const std::string& name);
-
 }  // namespace enduring::chapter04

@@ -46,12 +46,6 @@ private:
     double angle_deg_, start_ = 0, farthest_ = 0;
 };
 
-void append(Table& all, const Table& some)
-{
-    for (const std::vector<Cell>& row : some.rows())
-        all.add(row);
-}
-
 }  // namespace
 
 /// What is left to do: on triangles friction works, and hooked pairs stop the block before it can.
@@ -79,10 +73,10 @@ void mesh_slope(const RunOptions& options, Report& report)
     run(plane, chapter04_solver(plane.contact), {&on_plane});
 
     Table table({"floor", "time_s", "way_m", "speed_m_per_s", "pairs", "sideways"});
-    append(table, on_plane.table());
-    append(table, on_mesh.table());
+    table.append(on_plane.table());
+    table.append(on_mesh.table());
     report.table("mesh_slope", table);
-    report.plot(plot_script("mesh_slope"), "mesh_slope");
+    report.plot("chapters/04_friction/plots/mesh_slope.gp");
     report.fact("mesh_slope", "farthest_mesh", on_mesh.farthest(), 3);
     report.fact("mesh_slope", "farthest_plane", on_plane.farthest(), 3);
 }

@@ -58,7 +58,7 @@ void rocking(const RunOptions& options, Report& report)
             loads.add(row);
     }
     report.table("rocking", loads);
-    report.plot(plot_script("rocking"), "rocking");
+    report.plot("chapters/04_friction/plots/rocking.gp");
 }
 
 }  // namespace enduring::chapter04

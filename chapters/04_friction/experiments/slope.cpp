@@ -49,12 +49,6 @@ private:
     Progress1d last_{};
 };
 
-void append(Table& all, const Table& some)
-{
-    for (const std::vector<Cell>& row : some.rows())
-        all.add(row);
-}
-
 }  // namespace
 
 /// Thesis figure 7.15: a cube is pushed up a slope of 10 degrees, and slides back or stays.
@@ -76,8 +70,8 @@ void slope(const RunOptions& options, Report& report)
         if (series.name == "mended 0.4")
             probes.push_back(&pictures);
         run(scene, chapter04_solver(scene.contact), probes);
-        append(ways, way.table());
-        append(energies, energy.table());
+        ways.append(way.table());
+        energies.append(energy.table());
         if (series.name.starts_with("mended"))
             mended_rise = std::max(mended_rise, energy.largest_rise());
         outcome.add({series.name, way.last().way, way.last().speed, energy.largest_rise()});
@@ -91,7 +85,7 @@ void slope(const RunOptions& options, Report& report)
     report.table("slope_energy", energies);
     report.page_table("slope_outcome", outcome, 3);
     report.table("slope_outcome", outcome);
-    report.plot(plot_script("slope"), "slope");
+    report.plot("chapters/04_friction/plots/slope.gp");
 }
 
 }  // namespace enduring::chapter04

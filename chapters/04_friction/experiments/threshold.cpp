@@ -111,7 +111,7 @@ void threshold(const RunOptions& options, Report& report)
     report.page_table("threshold_mended", mended, 3);
     report.fact("threshold", "worst_mended_percent", 100 * worst, 2);
     report.fact("threshold", "undamped_mu_s", peak_over_weight(0) * tangent(10), 3);
-    report.plot(plot_script("threshold"), "threshold");
+    report.plot("chapters/04_friction/plots/threshold.gp");
     report_slides(angles, report);
 }
 

@@ -81,7 +81,7 @@ void turning(const RunOptions&, Report& report)
     }
     report.table("turning_summary", summary);
     report.page_table("turning_summary", summary, 2);
-    report.plot(plot_script("turning"), "turning");
+    report.plot("chapters/04_friction/plots/turning.gp");
 }
 
 }  // namespace enduring::chapter04

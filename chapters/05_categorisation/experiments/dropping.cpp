@@ -30,7 +30,7 @@ void dropping(const RunOptions&, Report& report)
     report.table("dropping", table);
     report.page_table("dropping", table);
     report.table("wall", depths);
-    report.plot(plot_script("wall"), "wall");
+    report.plot("chapters/05_categorisation/plots/wall.gp");
     write_png(strip(pictures), report.file("dropping.png"));
 }
 

@@ -40,7 +40,7 @@ void slide(const std::filesystem::path& file, Report& report)
     run(scene, chapter05_solver(scene.contact), {&probe, &pictures});
     write_png(pictures.all(2), report.file("sliding.png"));
     report.table("sliding", probe.table());
-    report.plot(plot_script("sliding"), "sliding");
+    report.plot("chapters/05_categorisation/plots/sliding.gp");
     report.fact("sliding_categories", "hooked_share_percent", 100 * probe.total().hooked_sideways / probe.total().sideways, 4);
     report.fact("sliding_categories", "sideways", probe.total().sideways, 3);
     report.fact("sliding_categories", "stopped_at", probe.stopped_at(), 3);

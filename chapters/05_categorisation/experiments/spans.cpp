@@ -64,7 +64,7 @@ Table verdicts()
 void spans(const RunOptions& options, Report& report)
 {
     report.table("circles", circles());
-    report.plot(plot_script("circles"), "circles");
+    report.plot("chapters/05_categorisation/plots/circles.gp");
     report.table("verdicts", verdicts());
     report.page_table("verdicts", verdicts());
 

@@ -77,7 +77,7 @@ void bar_friction(const RunOptions& options, Report& report)
     report.table("bar_friction", moments);
     report.table("bar_friction_rest", table);
     report.page_table("bar_friction_rest", table);
-    report.plot(plot_script("bar_friction"), "bar_friction");
+    report.plot("chapters/06_redefinition/plots/bar_friction.gp");
     report.fact("bar_friction", "steps", static_cast<double>(steps));
     report.fact("bar_friction", "drift_um", 1e6 * worst, 2);
 }

@@ -113,7 +113,7 @@ void come_to_rest(const RunOptions& options, const std::filesystem::path& file, 
     write_png(strip.all(3), report.file("bunny_bowl.png"));
     clip.finish();
     report.table("bunny_bowl", rest.table());
-    report.plot(plot_script("bunny_bowl"), "bunny_bowl");
+    report.plot("chapters/06_redefinition/plots/bunny_bowl.gp");
     const Table passes = result.timings.table(scene.world.time, result.steps);
     report.table("bunny_passes", passes);
     report.page_table("bunny_passes", passes, 3);

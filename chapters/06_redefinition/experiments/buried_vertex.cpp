@@ -1,5 +1,6 @@
 #include "buried_vertex.hpp"
 
+#include "common/geometry/winding_number.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <Eigen/Geometry>
@@ -9,13 +10,6 @@
 
 namespace enduring::chapter06 {
 namespace {
-
-/// Of a triangle as seen from the origin, positive where its outer side looks away (van Oosterom and Strackee 1983).
-double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c)
-{
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + a.dot(c) * lb + b.dot(c) * la);
-}
 
 double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& b)
 {
@@ -44,14 +38,13 @@ bool is_pushed(const Contacts& contacts, int body_a, int vertex, int body_b)
 
 double depth_inside(const Body& body, const Vec3& point)
 {
-    double seen = 0, nearest = 1e300;
+    double nearest = 1e300;
     for (const auto& [f0, f1, f2] : body.surface().faces()) {
         const auto corner = [&](int vertex) { return body.positions_t0()[static_cast<std::size_t>(vertex)]; };
         const Vec3 a = corner(f0), b = corner(f1), c = corner(f2);
-        seen += solid_angle(a - point, b - point, c - point);
         nearest = std::min(nearest, distance_to_triangle(point, a, b, c));
     }
-    return seen > 2 * EIGEN_PI ? nearest : 0;
+    return winding_number(body.surface().faces(), body.positions_t0(), point) > 0.5 ? nearest : 0;
 }
 
 double deepest_without_pair(const World& world, const Contacts& contacts, int body_a, int body_b)

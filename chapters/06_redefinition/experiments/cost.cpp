@@ -66,7 +66,7 @@ void compose(const RunOptions& options, const std::filesystem::path& file, Repor
     }
     report.table("pair_cost", table);
     report.page_table("pair_cost", table, 3);
-    report.plot(plot_script("pair_cost"), "pair_cost");
+    report.plot("chapters/06_redefinition/plots/pair_cost.gp");
 }
 
 void grow(const RunOptions& options, const std::filesystem::path& file, Report& report)

@@ -16,7 +16,4 @@ void cost(const RunOptions& options, Report& report);
 void bunny_bowl(const RunOptions& options, Report& report);
 void ledger(const RunOptions& options, Report& report);
 
-/// Where this chapter's gnuplot scripts lie.
-std::filesystem::path plot_script(const std::string& name);
-
 }  // namespace enduring::chapter06

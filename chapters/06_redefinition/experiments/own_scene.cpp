@@ -81,7 +81,7 @@ public:
         report.table("penetration", penetration_.table());
         report.table("contacts", census_.table());
         report.table("inverted", inversion_.table());
-        report.plot(plot_script("own_scene"), "energy");
+        report.plot("chapters/06_redefinition/plots/own_scene.gp", "energy");
         write_png(strip_.all(columns), report.file("scene.png"));
         if (clip_)
             clip_->finish();

@@ -82,12 +82,6 @@ void with_omissions(bool quick, Report& report)
 constexpr double settled = 0.3;    // [s], by then the landing is over
 constexpr double front_at_end = 1.25;  // [m], x of the cube's middle when its front reaches the bar's end
 
-void append(Table& all, const Table& some)
-{
-    for (const std::vector<Cell>& row : some.rows())
-        all.add(row);
-}
-
 /// The slide that the pictures show, with a solver of this chapter or the one before.
 BarSlideOutcome along_bar(const std::filesystem::path& file, const std::string& name, const RunOptions& options, Report& report, Table& moments)
 {
@@ -102,7 +96,7 @@ BarSlideOutcome along_bar(const std::filesystem::path& file, const std::string& 
     run(scene, redefined ? chapter06_solver(scene.contact) : chapter05_solver(scene.contact), {&probe, &vertices, &edges}, limits);
     write_png(vertices.all(2), report.file(redefined ? "sliding_vertices.png" : "sliding_vertices_without.png"));
     write_png(edges.all(2), report.file(redefined ? "sliding_edges.png" : "sliding_edges_without.png"));
-    append(moments, probe.table());
+    moments.append(probe.table());
     return outcome_of(probe, settled, front_at_end);
 }
 
@@ -137,7 +131,7 @@ void along_bars(const RunOptions& options, Report& report)
     report.table("sliding_bar", moments);
     report.table("sliding_bars", table);
     report.page_table("sliding_bars", table);
-    report.plot(plot_script("sliding_bar"), "sliding_bar");
+    report.plot("chapters/06_redefinition/plots/sliding_bar.gp");
     report.fact("sliding", "bar_speed_kept_percent", 100 * with.speed_kept, 4);
     report.fact("sliding", "bar_stopped_at", without.stopped_at, 2);
     report.fact("sliding", "largest_leap_percent", 100 * with.largest_leap, 2);

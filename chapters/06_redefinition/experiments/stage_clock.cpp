@@ -7,22 +7,15 @@
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/05_categorisation/category.hpp"
+#include "common/simulation/processor_clock.hpp"
 
 #include <algorithm>
-#include <ctime>
 #include <iterator>
 
 namespace enduring::chapter06 {
 namespace {
 
 constexpr int rounds = 3;  ///< of each pass; the quickest counts, for others on the machine can only slow it down
-
-double seconds()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// The quickest of several rounds of one pass over a list, each from a fresh copy [s].
 template <class Pass>
@@ -33,9 +26,9 @@ double quickest(const Contacts& contacts, const Pass& pass)
     double best = 1e300;
     for (int round = 0; round < rounds; ++round) {
         Contacts copy = contacts;
-        const double begin = seconds();
+        const double begin = processor_seconds();
         pass(copy);
-        best = std::min(best, seconds() - begin);
+        best = std::min(best, processor_seconds() - begin);
     }
     return best;
 }

@@ -1,11 +1,11 @@
 #include "../closest_point.hpp"
 
 #include "common/geometry/shapes.hpp"
+#include "common/geometry/winding_number.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 using namespace enduring;
@@ -34,19 +34,6 @@ struct Surface {
     SurfaceTopology topology;
     FaceTree tree;
 };
-
-/// How often the surface winds around p: the sum of the solid angles of its faces (van Oosterom and Strackee 1983) over
-/// 4 pi. Knows nothing of closest points.
-double winding_number(const Surface& surface, const Vec3& p)
-{
-    double sum = 0;
-    for (const auto& [i, j, k] : surface.topology.faces()) {
-        const Vec3 a = surface.positions[static_cast<std::size_t>(i)] - p, b = surface.positions[static_cast<std::size_t>(j)] - p,
-                   c = surface.positions[static_cast<std::size_t>(k)] - p;
-        sum += 2 * std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() + b.dot(c) * a.norm() + c.dot(a) * b.norm());
-    }
-    return sum / (4 * std::numbers::pi);
-}
 
 /// A sharp tetrahedron with one of its sides cut into thin faces: a plain sum of normals would follow their number.
 SurfaceMesh fanned_spike()
@@ -151,7 +138,7 @@ TEST_CASE("closest point: the pseudonormal tells inside from outside as the wind
             const Vec3 near = mesh.vertices[static_cast<std::size_t>(i) % mesh.vertices.size()];
             const Vec3 p = near + random.vector(i % 2 ? 0.3 : 0.02);
             CAPTURE(p.transpose());
-            const double winding = winding_number(surface, p);
+            const double winding = winding_number(surface.topology.faces(), surface.positions, p);
             inside += winding > 0.5;
             REQUIRE(surface.has_inside(p) == (winding > 0.5));
         }

@@ -1,30 +1,16 @@
 #include "../redefinition_solver.hpp"
+#include "common/geometry/winding_number.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/run.hpp"
 #include "small_worlds.hpp"
 
 #include <cmath>
 #include <map>
-#include <numbers>
 
 using namespace enduring;
 using namespace enduring::small_worlds;
 
 namespace {
-
-/// How often a closed surface winds around a point: the sum of its faces' solid angles over 4 pi, 1 inside and 0 outside. Looks
-/// at all faces and at no history, where the layer follows crossings.
-double winding_number(const Body& body, const Vec3& p)
-{
-    const auto x = body.positions_t0();
-    double sum = 0;
-    for (const auto& [f0, f1, f2] : body.surface().faces()) {
-        const Vec3 a = x[static_cast<std::size_t>(f0)] - p, b = x[static_cast<std::size_t>(f1)] - p, c = x[static_cast<std::size_t>(f2)] - p;
-        const double la = a.norm(), lb = b.norm(), lc = c.norm();
-        sum += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-    }
-    return sum / (4 * std::numbers::pi);
-}
 
 struct Bookkeeping {
     long inside = 0, without_pair = 0, outside_with_pair = 0, twice = 0;
@@ -38,7 +24,7 @@ void check_bodies(const World& world, int a, int b, const Contacts& contacts, Bo
             ++pairs[c.feature_a];
     const Body &mine = *world.bodies[static_cast<std::size_t>(a)], &other = *world.bodies[static_cast<std::size_t>(b)];
     for (int v = 0; v < mine.surface().vertex_count(); ++v) {
-        const bool inside = winding_number(other, mine.positions_t0()[static_cast<std::size_t>(v)]) > 0.5;
+        const bool inside = winding_number(other.surface().faces(), other.positions_t0(), mine.positions_t0()[static_cast<std::size_t>(v)]) > 0.5;
         const int count = pairs.count(v) ? pairs[v] : 0;
         books.inside += inside;
         books.without_pair += inside && count == 0;

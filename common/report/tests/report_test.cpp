@@ -87,6 +87,18 @@ TEST_CASE("report: a row of the wrong length is refused")
     CHECK(table.rows().empty());
 }
 
+TEST_CASE("report: a table takes the rows of one with the same columns, and of no other")
+{
+    Table all({"dt_s", "depth_m"}), more({"dt_s", "depth_m"});
+    all.add({0.01, 1.0});
+    more.add({0.02, 2.0});
+    more.add({0.03, 3.0});
+    all.append(more);
+    REQUIRE(all.rows().size() == 3);
+    CHECK(std::get<double>(all.rows()[2][1]) == 3);
+    CHECK_THROWS_AS(all.append(Table({"dt_s"})), std::logic_error);
+}
+
 TEST_CASE("report: a fact told again replaces itself, and facts keep their order")
 {
     const TemporaryFolder folder;
