@@ -27,10 +27,17 @@ std::string gnuplot_quoted(const std::filesystem::path& path)
 Report::Report(std::filesystem::path folder) : folder_(std::move(folder))
 {
     std::error_code failure;
-    std::filesystem::create_directories(folder_, failure);
+    made_folder_ = std::filesystem::create_directories(folder_, failure);
     if (failure)
         throw InputError(folder_.string() + ": cannot be created (" + failure.message() + ")");
     PendingFile trial(folder_ / "writable");  // a run that could not leave its results should not start
+}
+
+Report::~Report()
+{
+    std::error_code ignored;  // a folder with files in it stays
+    if (made_folder_)
+        std::filesystem::remove(folder_, ignored);
 }
 
 void Report::table(const std::string& name, const Table& table)

@@ -35,6 +35,10 @@ public:
     /// @param folder  created if missing, e.g. build/results/01_particle_plane
     /// @throws InputError  it cannot be created or written
     explicit Report(std::filesystem::path folder);
+    /// Takes a folder away again that it made and nobody wrote into, as after a scene with a mistake.
+    ~Report();
+    Report(const Report&) = delete;
+    Report& operator=(const Report&) = delete;
 
     /// NAME.csv with all digits (shortest form that reads back the same double).
     void table(const std::string& name, const Table& table);
@@ -62,6 +66,7 @@ private:
     void write_facts(const std::string& experiment, std::vector<Cell> fact);
 
     std::filesystem::path folder_;
+    bool made_folder_ = false;
     std::map<std::string, std::vector<std::vector<Cell>>> facts_;  ///< by experiment, in the order they were told
     std::vector<std::filesystem::path> written_;
 };

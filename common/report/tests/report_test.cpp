@@ -110,6 +110,19 @@ TEST_CASE("report: a fact told again replaces itself, and facts keep their order
     CHECK(report.written().size() == 1);
 }
 
+TEST_CASE("report: a folder that it made and left empty goes again, any other stays")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path made = folder.path / "made", used = folder.path / "used";
+    {
+        Report unused(made), empty_before(folder.path), writing(used);
+        writing.fact("drop", "depth", 1.0);
+    }
+    CHECK_FALSE(std::filesystem::exists(made));
+    CHECK(std::filesystem::exists(folder.path));
+    CHECK(std::filesystem::exists(used / "facts_drop.csv"));
+}
+
 TEST_CASE("report: a folder that cannot be made is the user's mistake")
 {
     const TemporaryFolder folder;
