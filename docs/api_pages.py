@@ -20,8 +20,9 @@ def api_block(root, chapters):
 def headers(root, folder):
     for path in sorted((root / folder).glob("*.hpp")):
         shown = path.relative_to(root).as_posix()
-        idea = first_sentence(path.read_text(encoding="utf-8")) or declared(path.read_text(encoding="utf-8"))
-        yield f"- {shown}: {idea}" if idea else f"- {shown}"
+        idea = first_sentence(path.read_text(encoding="utf-8"), path.stem) or declared(path.read_text(encoding="utf-8"))
+        link = f"\\ref {shown} \"{path.name}\""
+        yield f"- {link}: {idea}" if idea else f"- {link}"
 
 
 def declared(text):

@@ -37,19 +37,23 @@ def passes_table(passes, chapter):
 def files_list(root, folder):
     """The layer's headers, each with the first sentence of what it declares first."""
     headers = sorted((root / "chapters" / folder).glob("*.hpp"))
-    items = [f"`{path.name}`: {idea}" for path in headers if (idea := first_sentence(path.read_text(encoding="utf-8")))]
+    items = [f"`{path.name}`: {idea}" for path in headers if (idea := first_sentence(path.read_text(encoding="utf-8"), path.stem))]
     return "\nThe layer's files:\n\n" + "\n".join(f"- {item}" for item in items) + "\n" if items else ""
 
 
-def first_sentence(text):
-    """Of the first documented declaration that is no mere constant, up to its full stop, or to a colon with some words before it."""
-    comment = re.search(r"^((?:///.*\n)+)(?!///|(?:inline )?constexpr|using )", text, re.M)
-    if not comment:
-        return ""
-    paragraph = comment[1].split("\n///\n")[0]
-    words = " ".join(line[4:] for line in paragraph.splitlines() if not line.startswith("/// @"))
-    sentence = re.match(r"(.+?)(?:\.(?=\s|$)|(?<=.{25}):(?=\s|$)|$)", words)
-    return sentence[1].replace("|", "\\|").replace("<", "&lt;") + "." if sentence else ""
+def first_sentence(text, stem=""):
+    """Of the documented declaration that the file is named after, else of the first that is no mere constant or other
+    name, else of the first: up to its full stop, or to a colon with some words before it.
+    @param stem  the file's name without its ending"""
+    named = re.compile(rf"\b({stem}|{''.join(part.title() for part in stem.split('_'))})\b") if stem else None
+    told = []
+    for comment, declared in re.findall(r"^((?:///.*\n)+)(?!///)(.*)", text, re.M):
+        paragraph = comment.split("\n///\n")[0]
+        words = " ".join(line[4:] for line in paragraph.splitlines() if not line.startswith("/// @"))
+        if sentence := re.match(r"(.+?)(?:([.?])(?=\s|$)|(?<=.{25}):(?=\s|$)|$)", words):
+            rank = 0 if named and named.search(declared) else 2 if re.match(r"(inline )?constexpr|using ", declared) else 1
+            told.append((rank, len(told), sentence[1] + (sentence[2] or ".")))
+    return min(told)[2].replace("|", "\\|").replace("<", "&lt;") if told else ""
 
 
 def verdicts(ledger, chapter):

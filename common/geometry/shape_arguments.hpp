@@ -9,6 +9,7 @@
 
 namespace enduring {
 
+/// What the generators of shapes refuse.
 /// @throws InputError  unless the length is positive and finite
 inline void require_length(const std::string& argument, double value)
 {

@@ -108,6 +108,12 @@ class WhatChanged(InAFolder):
         self.assertEqual(changes.first_sentence("#pragma once\n\n/// Impulse of a pair at both ends of the step: all of it.\n/// @param k  stiffness\nvoid f();\n"),
                          "Impulse of a pair at both ends of the step.")
 
+    def test_a_header_is_told_by_what_it_is_named_after(self):
+        text = "/// A half space.\nstruct Plane;\n/// One step of the world.\nvoid time_step(World&);\n"
+        self.assertEqual(changes.first_sentence(text, "time_step"), "One step of the world.")
+        self.assertEqual(changes.first_sentence(text.replace("void time_step(World&)", "class TimeStep"), "time_step"), "One step of the world.")
+        self.assertEqual(changes.first_sentence(text, "other"), "A half space.")
+
     def test_only_the_first_paragraph_is_read(self):
         self.assertEqual(changes.first_sentence("/// A file on its way.\n///\n///     File file(\"a\");\nclass File;\n"), "A file on its way.")
         self.assertEqual(changes.first_sentence("/// Solves it\n///\n/// @see \"A paper\nvoid solve();\n"), "Solves it.")
