@@ -146,7 +146,7 @@ TEST_CASE("cost: the pieces suffice, and half as many would not")
             };
             const int pieces = pieces_for(step, tolerance);
             given("a face that turns by ", degrees, " degrees, tolerance ", tolerance, "; you say ", pieces, " pieces");
-            expect_that("twice as many pieces change the impulse by less than the tolerance", change(pieces) <= tolerance);
+            expect_that("twice as many pieces change the impulse by at most the tolerance", change(pieces) <= tolerance);
             expect_that("half as many pieces are not enough", pieces == 1 || change(pieces / 2) > tolerance);
         }
 }

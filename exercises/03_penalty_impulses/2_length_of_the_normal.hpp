@@ -14,7 +14,7 @@ Vec3 impulse_by_length_of_visit(const PairStep& step, double start, double k, do
 /// @param pieces  of each penetration interval, 1 or more
 Vec3 impulse_by_unit_normals(const PairStep& step, double start, double k, double dt, int pieces);
 
-/// What the unit normal costs: the first of 1, 2, 4, ... 64 pieces whose impulse twice as many pieces change by less than
+/// What the unit normal costs: the first of 1, 2, 4, ... 64 pieces whose impulse twice as many pieces change by at most
 /// the part `tolerance` of its length; 64 if none does. For a start of 0.
 int pieces_for(const PairStep& step, double tolerance);
 

@@ -104,12 +104,17 @@ TEST_CASE("law: measurement and law agree, for every cut, step and method")
 {
     for (const RestingCube& cube : {cube_of(1, 0.02), cube_of(2), cube_of(3, 0.01, PenaltyMethod::discrete), cube_of(6, 0.005)}) {
         given(name_of(cube));
-        expect("depth, as by your law", 1000 * depth_at_rest(cube), 1000 * law_of_depth(cube), 0.02, "mm");
+        const double law = 1000 * law_of_depth(cube), measured = 1000 * depth_at_rest(cube);
+        expect_that("law and measurement agree to 0.02 mm; your law says " + readable(law) + " mm, your measurement " + readable(measured) + " mm",
+                    std::abs(measured - law) <= 0.02);
     }
 }
 
-TEST_CASE("comparison: what you predicted")
+TEST_CASE("comparison: the measured factor is the law's")
 {
     say("you predicted ", predicted_factor());
-    expect("the measured factor", measured_factor(cube_of(1), 4), law_of_depth(cube_of(1)) / law_of_depth(cube_of(4)), 0.05);
+    const double law = law_of_depth(cube_of(1)) / law_of_depth(cube_of(4)), measured = measured_factor(cube_of(1), 4);
+    given(name_of(cube_of(1)), ", and 4 cells a side");
+    expect_that("both factors agree to 0.05; your law says " + readable(law) + ", your measurement " + readable(measured),
+                std::abs(measured - law) <= 0.05);
 }

@@ -61,20 +61,24 @@ TEST_CASE("thesis: a slip of almost nothing is braked in proportion, and none gi
     FrictionParameters friction = thesis();
     friction.weighting = 20;
     SlidingPair pair{{1, 0}, {0, 1e-6}, 1};
-    given("stretch (1, 0) m, slip (0, 1e-6) m/s, normal impulse 1 N s, k_w 20 s/m");
-    expect("friction impulse over mu_d k_w |I_n| v", yamane_nakamura(pair, friction, dt).impulse.y() / (0.2 * 20 * 1e-6), -1.0, 1e-4);
+    {
+        given("stretch (1, 0) m, slip (0, 1e-6) m/s, normal impulse 1 N s, k_w 20 s/m");
+        expect("friction impulse over mu_d k_w |I_n| v", yamane_nakamura(pair, friction, dt).impulse.y() / (0.2 * 20 * 1e-6), -1.0, 1e-4);
+    }
     pair.velocity.setZero();
-    given("and no slip at all");
+    given("stretch (1, 0) m, no slip at all, normal impulse 1 N s, k_w 20 s/m");
     expect("friction impulse", yamane_nakamura(pair, friction, dt).impulse, Vec2(0, 0), 0, "N s");
 }
 
 TEST_CASE("anchor: the spring is capped at what brings the share back in one step, the damper goes with it")
 {
-    given("spring 2000 N/m, damping ratio 20, share of 2 kg, dt 0.01 s");
-    const Anchor soft = anchor_of(mended(), 0.5, {0.01, 0}, 0.01);
-    expect("spring", soft.spring, 2000.0, 1e-9, "N/m");
-    expect("damper", soft.damper, 40 * std::sqrt(4000.0), 1e-9, "N s/m");
-    given("and dt 0.1 s");
+    {
+        given("spring 2000 N/m, damping ratio 20, share of 2 kg, dt 0.01 s");
+        const Anchor soft = anchor_of(mended(), 0.5, {0.01, 0}, 0.01);
+        expect("spring", soft.spring, 2000.0, 1e-9, "N/m");
+        expect("damper", soft.damper, 40 * std::sqrt(4000.0), 1e-9, "N s/m");
+    }
+    given("spring 2000 N/m, damping ratio 20, share of 2 kg, dt 0.1 s");
     const Anchor capped = anchor_of(mended(), 0.5, {0.01, 0}, 0.1);
     expect("spring", capped.spring, 200.0, 1e-9, "N/m");
     expect("damper", capped.damper, 40 * std::sqrt(400.0), 1e-9, "N s/m");
@@ -86,12 +90,14 @@ TEST_CASE("mended: a pair alone comes to rest on backward Euler of its spring an
     const double inverse_mass = 0.5, step = 0.01;
     const Anchor anchor = anchor_of(mended(), inverse_mass, {0.001, -0.002}, step);
     const Vec2 free_slip(0.03, 0.01);
-    given("stretch (0.001, -0.002) m, slip (0.03, 0.01) m/s without friction, share of 2 kg, dt 0.01 s");
     const Vec2 impulse = better_impulse({0, 0}, free_slip, inverse_mass, 100, anchor, mended()).impulse;
     const Vec2 slip = free_slip + inverse_mass * impulse;
     const Vec2 wanted = -step * (anchor.spring * (anchor.stretch + step * slip) + anchor.damper * slip);
-    expect("J against -dt (k (s + dt u) + d u)", impulse, wanted, 1e-12, "N s");
-    given("and asked again, with that impulse in effect");
+    {
+        given("stretch (0.001, -0.002) m, slip (0.03, 0.01) m/s without friction, share of 2 kg, dt 0.01 s");
+        expect("J against -dt (k (s + dt u) + d u)", impulse, wanted, 1e-12, "N s");
+    }
+    given("the same pair asked again: impulse ", readable(impulse), " N s and slip ", readable(slip), " m/s, as its first answer made them");
     expect("friction impulse", better_impulse(impulse, slip, inverse_mass, 100, anchor, mended()).impulse, impulse, 1e-12, "N s");
 }
 

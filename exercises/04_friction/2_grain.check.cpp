@@ -70,6 +70,13 @@ TEST_CASE("floor: along and across the grain a block stops after v^2 / (2 mu g)"
     say("launched at 2 m/s, g 9.81 m/s^2: along the grain it stops after ", along.norm(), " m, across after ", across.norm(), " m");
 }
 
+TEST_CASE("floor: in each step the block moves by the new velocity")
+{
+    given("2 m/s along the grain, mu 0.2 along it, g 9.81 m/s^2, dt 0.1 s: it slows down by 0.1962 m/s a step, and moves in ten of them");
+    const double ten_steps = 0.1 * (10 * 2 - 55 * 0.1962);
+    expect("place", stopping_place(brushed, {2, 0}, 9.81, 0.1), Vec2(ten_steps, 0), 1e-6, "m");
+}
+
 TEST_CASE("floor: launched at an angle the block turns towards the grain")
 {
     given("2 m/s at 45 degrees to the grain, mu 0.2 along and 0.5 across, g 9.81 m/s^2, dt 0.1 ms");

@@ -69,6 +69,16 @@ TEST_CASE("step: at rest the bristles stay bent and hold")
     expect("impulse", 1000 * step.impulse, -5.0, 1e-12, "mN s");
 }
 
+TEST_CASE("step: at a speed of next to nothing they hold as at rest, to the last digits")
+{
+    for (const double velocity : {1e-17, 1e-20}) {
+        given("bend 0.0005 m, ", velocity, " m/s, dt 0.01 s");
+        const BristleStep step = bend_bristles(brush, 5e-4, velocity, 0.01);
+        expect("bend", 1000 * step.bend, 0.5, 1e-12, "mm");
+        expect("impulse", 1000 * step.impulse, -5.0, 1e-9, "mN s");
+    }
+}
+
 TEST_CASE("cycle: a long way costs Coulomb's four amplitudes, a short one far less")
 {
     double lost[2];

@@ -33,11 +33,12 @@ TEST_CASE("vertex: a wedge is hooked beyond 45 degrees from its outermost face, 
 {
     for (const double opening : {40.0, 90.0, 180.0})
         for (const double side : {-1.0, 1.0}) {
-            const double last = (180 - opening) / 2 + 45;
-            given("wedge of ", opening, " degrees that looks down, on a floor that leans by ", side * (last - 1), " degrees");
+            const double last = (180 - opening) / 2 + 45, inside = side * (last - 1), beyond = side * (last + 1);
             const Corner wedge = wedge_corner("wedge", opening * degree);
-            expect_that("one degree inside, the pair is regular", !is_hooked_vertex(wedge.surface(), 0, leaning(side * (last - 1))));
-            expect_that("one degree beyond, it is hooked", is_hooked_vertex(wedge.surface(), 0, leaning(side * (last + 1))));
+            given("wedge of ", opening, " degrees that looks down, on a floor that leans by ", inside, " degrees");
+            expect_that("one degree inside, the pair is regular", !is_hooked_vertex(wedge.surface(), 0, leaning(inside)));
+            given("wedge of ", opening, " degrees that looks down, on a floor that leans by ", beyond, " degrees");
+            expect_that("one degree beyond, the pair is hooked", is_hooked_vertex(wedge.surface(), 0, leaning(beyond)));
         }
     const Corner sharp = wedge_corner("wedge", 40 * degree);
     const auto word = [&](double angle) { return is_hooked_vertex(sharp.surface(), 0, leaning(angle)) ? "hooked" : "regular"; };
@@ -48,7 +49,7 @@ TEST_CASE("edges: a cube's lower edge on a floor's edge is regular upwards and h
 {
     const World world = cube_in_floor();
     for (const EdgeRule rule : {EdgeRule::both, EdgeRule::either}) {
-        given("rule \"", rule == EdgeRule::both ? "and" : "or", "\"");
+        given("rule \"", std::string(rule == EdgeRule::both ? "and" : "or"), "\"");
         expect_that("pushed up it is regular", categorise(world, edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()), 0, rule) == regular);
         expect_that("pushed down it is hooked", categorise(world, edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitY()), 0, rule) == hooked);
     }
@@ -69,7 +70,7 @@ TEST_CASE("edges: it does not matter which body is called A")
 {
     const World world = cube_in_floor();
     for (const double sign : {1.0, -1.0}) {
-        given("a cube's lower edge against a floor's edge, pushed ", sign > 0 ? "up" : "down");
+        given("a cube's lower edge against a floor's edge, pushed ", std::string(sign > 0 ? "up" : "down"));
         const Contact pair = edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), sign * Vec3::UnitY());
         Contact exchanged = pair;
         std::swap(exchanged.body_a, exchanged.body_b);
