@@ -24,7 +24,7 @@ function(enduring_exercises)
     foreach(target check_${number} exercise_${number})
       set_target_properties(${target} PROPERTIES ENDURING_ATTEMPT ON)
       # An attempt may leave arguments unused; an index out of range says so.
-      target_compile_options(${target} PRIVATE -O1 -Wno-unused-parameter -UNDEBUG -D_GLIBCXX_ASSERTIONS
+      target_compile_options(${target} PRIVATE -O1 -Wno-unused-parameter -Werror=return-type -UNDEBUG -D_GLIBCXX_ASSERTIONS
         "SHELL:-iquote ${PROJECT_SOURCE_DIR}/chapters/${chapter}" "SHELL:-iquote ${PROJECT_SOURCE_DIR}/exercises/${chapter}")
     endforeach()
   endforeach()

@@ -65,9 +65,20 @@ def exercise_page(root, folder, exercises):
         header = exercise.stub.with_suffix(".hpp")
         if header.is_file():
             yield from listing(root, header, header.read_text(encoding="utf-8"))
-        yield f"Your file is `{catalogue.shown(exercise.stub)}`; `./course check {exercise.number}` judges it. A right answer prints"
-        yield from ["", "```", *exercise.expected.strip().splitlines(), "```", ""]
+        if exercise.kind == "rebuild":
+            yield from [catalogue.CLOSE_THE_PAGE, ""]
+        yield from [f"Your file is `{catalogue.shown(exercise.stub)}`; `./course check {exercise.number}` judges it.", ""]
+        yield from expected(exercise)
         yield from hints(exercise.hints, 1)
+
+
+def expected(exercise):
+    """What a right answer prints; of a prediction, folded, for it tells the answer."""
+    printed = ["", "```", *exercise.expected.strip().splitlines(), "```", ""]
+    if exercise.kind == "predict":
+        yield from [opened("What a right answer prints: first write down your prediction"), *printed, CLOSED, ""]
+    else:
+        yield from ["A right answer prints", *printed]
 
 
 def hints(texts, step):

@@ -10,6 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 KINDS = {"rebuild": "rebuild the chapter's core", "extend": "go past the chapter", "predict": "write down a number, then measure it"}
+CLOSE_THE_PAGE = "The chapter prints what you are about to write. Close its page, and write from the formulas."
 FEWEST_MUTANTS = {"rebuild": 5, "extend": 3, "predict": 3}
 TEXTS = {"title": str, "kind": str, "minutes": int, "difficulty": int, "goal": str, "text": str, "hints": list,
          "expected": str, "missing": list}
@@ -82,7 +83,10 @@ class Exercise:
         return stub_of(self.source.read_text(encoding="utf-8"), self)
 
     def untouched(self, path=None):
-        return (path or self.stub).read_text(encoding="utf-8", errors="replace") == self.stub_text()
+        path = path or self.stub
+        if not path.is_file():
+            raise CatalogueError(f"{shown(path)} is gone; `git checkout {shown(path)}` brings the stub back")
+        return path.read_text(encoding="utf-8", errors="replace") == self.stub_text()
 
     def missing_functions(self):
         """The definitions, with their bodies, of the functions the student writes."""

@@ -11,9 +11,18 @@
 #include <type_traits>
 
 /// The input of the expectations that follow in this scope; shown when one of them fails. Takes values and texts.
-#define given(...) INFO(__VA_ARGS__)
+#define given(...) INFO(enduring::in_words(__VA_ARGS__))
 
 namespace enduring {
+
+/// Values and texts in a row, as a student reads them.
+template <class... Parts>
+std::string in_words(const Parts&... parts)
+{
+    std::ostringstream words;
+    (words << ... << parts);
+    return words.str();
+}
 
 /// A value as a student reads it: six digits, vectors in brackets, and no zero with a sign.
 template <class Value>

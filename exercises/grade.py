@@ -43,8 +43,9 @@ def row_of(student, exercise):
     results = {"passed": "right", "failed": "wrong", "untouched": "not started", "does_not_compile": "does not compile",
                "too_long": "took too long", "crashed": "crashed"}
     found = misconceptions(exercise, outcome) if outcome.state == "failed" else []
-    hold = outcome.cases - len(outcome.failed_cases) if outcome.cases else ""
-    return row(student, exercise, results[outcome.state], hold, outcome.cases or "", "; ".join(mutant.name for mutant in found))
+    properties = outcome.held_before + outcome.cases
+    hold = properties - len(outcome.failed_cases) if properties else ""
+    return row(student, exercise, results[outcome.state], hold, properties or "", "; ".join(mutant.name for mutant in found))
 
 
 def row(student, exercise, result, *rest):

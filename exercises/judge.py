@@ -18,7 +18,7 @@ THREW = "threw an exception"
 class Failure:
     """One expectation that does not hold."""
     case: str       # the property
-    given: list     # the input, line by line
+    given: list     # the input that was told last
     message: str    # expected and got
 
 
@@ -27,9 +27,10 @@ class Outcome:
     """What came of an answer: passed, failed, untouched, does_not_compile, too_long or crashed."""
     state: str
     message: str = ""
-    cases: int = 0                              # of the check
+    cases: int = 0                              # properties that were tried
     failures: list = field(default_factory=list)
     said: str = ""                              # what it printed
+    held_before: int = 0                        # properties of a rebuild's check, when `cases` are the chapter's tests
 
     @property
     def failed_cases(self):
@@ -65,7 +66,7 @@ def with_chapters_tests(exercise, answer, folder, outcome):
     own = run_cases(program, folder / "tests.xml", ["--test-case=" + ",".join(exercise.tests)])
     if own.state == "passed" and not own.cases:
         return Outcome("failed", f"no test of the chapter is called {' or '.join(exercise.tests)}")
-    own.cases += outcome.cases
+    own.held_before = outcome.cases
     own.said = outcome.said
     return own
 
@@ -74,19 +75,39 @@ def run_cases(program, report, options=()):
     """Runs a program of doctest cases, with a limit of time and memory."""
     report.unlink(missing_ok=True)
     command = [str(program), "--reporters=xml", f"--out={report}", "--no-breaks", *options]
-    try:
-        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, errors="replace", timeout=SECONDS,
-                              preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
-    except subprocess.TimeoutExpired:
-        return Outcome("too_long", f"Stopped after {SECONDS} s: a loop does not end, or takes far too many rounds.")
+    done, in_time = run_limited(command)
+    cases = cases_in(report)
+    checking = f" It was checking: {cases[-1].get('name')}" if cases else ""
+    if not in_time:
+        return Outcome("too_long", f"Stopped after {SECONDS} s: a loop does not end, or takes far too many rounds.{checking}")
+    if cases is None:
+        return Outcome("crashed", crash_of(done), said=done.stdout)
+    failures = [failure for case in cases for failure in failures_of(case)]
+    crash = crash_of(done) + checking if done.returncode < 0 else ""
+    return Outcome(state_of(done, cases, failures), crash, len(cases), failures, done.stdout)
+
+
+def run_limited(command):
+    """(CompletedProcess, whether it ended in time). Who does not is asked to end first, so that its report names the case."""
+    program = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
+                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
+    in_time = True
+    for seconds, end in ((SECONDS, program.terminate), (5, program.kill), (None, None)):
+        try:
+            out, err = program.communicate(timeout=seconds)
+            return subprocess.CompletedProcess(command, program.returncode, out, err), in_time
+        except subprocess.TimeoutExpired:
+            in_time = False
+            end()
+
+
+def cases_in(report):
+    """The cases that a report holds, without those that were not asked for; None where it was never finished."""
     try:
         cases = ElementTree.parse(report).getroot().findall(".//TestCase")
     except (ElementTree.ParseError, FileNotFoundError):
-        return Outcome("crashed", crash_of(done), said=done.stdout)
-    cases = [case for case in cases if case.get("skipped") != "true"]
-    failures = [failure for case in cases for failure in failures_of(case)]
-    crash = crash_of(done) + (f" It was checking: {cases[-1].get('name')}" if cases else "") if done.returncode < 0 else ""
-    return Outcome(state_of(done, cases, failures), crash, len(cases), failures, done.stdout)
+        return None
+    return [case for case in cases if case.get("skipped") != "true"]
 
 
 def state_of(done, cases, failures):
@@ -100,9 +121,13 @@ def state_of(done, cases, failures):
 
 def crash_of(done):
     """Why a program fell over, as its assertion says it."""
+    if done.returncode >= 0:
+        return "The program ended before its check did. Does it call exit()?"
     found = re.search(r"([^/\s]+:\d+): .*Assertion [`'](.*)' failed", done.stderr)
-    reason = f"at {found[1]} this should hold: {found[2]}" if found else "often an index or a pointer out of range"
-    return f"The program crashed: {reason}."
+    if not found:
+        return "The program crashed: often an index or a pointer out of range, or a function that calls itself without end."
+    past_the_end = "an index is past the end of a container: " if "this->size()" in found[2] else ""
+    return f"The program crashed: {past_the_end}at {found[1]} this should hold: {found[2]}."
 
 
 def failures_of(case):
@@ -111,11 +136,11 @@ def failures_of(case):
         if found.get("success") == "false":
             infos = [text_of(info) for info in found.findall("Info")]
             if text_of(found.find("Original")) == "right":  # from expect: its message is the last of the infos
-                yield Failure(case.get("name"), infos[:-1], infos[-1])
+                yield Failure(case.get("name"), infos[:-1][-1:], infos[-1])
             else:
                 thrown = found.find("Exception")
                 got = f"threw {text_of(thrown)}" if thrown is not None else f"got {text_of(found.find('Expanded'))}"
-                yield Failure(case.get("name"), infos, f"expected {text_of(found.find('Original'))}, {got}")
+                yield Failure(case.get("name"), infos[-1:], f"expected {text_of(found.find('Original'))}, {got}")
     for found in case.findall(".//Message"):
         if found.get("type") in ("ERROR", "FATAL ERROR"):
             yield Failure(case.get("name"), [], text_of(found.find("Text")))

@@ -1,13 +1,15 @@
 """What a student types: check, hint and solution."""
+import os
 import re
 import tempfile
 import textwrap
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import beside
 import workshop
-from catalogue import KINDS, shown
-from judge import THREW, judge
+from catalogue import CLOSE_THE_PAGE, KINDS, all_exercises, shown
+from judge import NOT_IMPLEMENTED, THREW, judge
 from progress import Progress
 
 MOST_FAILURES = 3
@@ -34,12 +36,14 @@ def check(exercises, named):
         tell_wrong(*wrong)
     if not named:
         tell_list(exercises, progress, wrong)
-    tell_next(exercises, progress, wrong)
+    if not wrong:
+        tell_next(exercises, progress, named)
     return 1 if wrong and wrong[1].state != "untouched" else 0
 
 
 def tell_right(exercise, outcome):
-    print(f"\n{exercise.number} {exercise.title}: right. All {outcome.cases} properties hold.")
+    own, chapters = (outcome.held_before, outcome.cases) if outcome.held_before else (outcome.cases, 0)
+    print(f"\n{exercise.number} {exercise.title}: right. All {own} properties hold" + (f", and {chapters} tests of the chapter." if chapters else "."))
     print(textwrap.indent(outcome.said.rstrip(), "   "))
     if exercise.kind == "rebuild":
         print(beside.told(beside.lay_beside(exercise, workshop.WORK / exercise.number)))
@@ -56,13 +60,15 @@ def tell_wrong(exercise, outcome):
         print(head + outcome.message)
     else:
         failed = outcome.failed_cases
-        print(head + f"{outcome.cases - len(failed)} of {outcome.cases} properties hold.")
+        if outcome.held_before:
+            print(head + f"its {outcome.held_before} properties hold, and of the chapter's {outcome.cases} tests {outcome.cases - len(failed)}.")
+        else:
+            print(head + f"{outcome.cases - len(failed)} of {outcome.cases} properties hold.")
         for case in failed[:MOST_FAILURES]:
             tell_failure(next(failure for failure in outcome.failures if failure.case == case))
         if len(failed) > MOST_FAILURES:
-            print(f"\n  ... and {len(failed) - MOST_FAILURES} more")
-        for mutant in misconceptions(exercise, outcome):
-            print("\n" + textwrap.fill("Perhaps: " + " ".join(mutant.diagnosis.split()), 100, subsequent_indent="   "))
+            print("\n  nor do these hold:", *failed[MOST_FAILURES:], sep="\n    ")
+        tell_misconceptions(exercise, outcome)
     print(f"\nYour file: {shown(exercise.stub)}    A hint: ./course hint {exercise.number}")
 
 
@@ -73,16 +79,38 @@ def tell_failure(failure):
     print(textwrap.indent(failure.message, "    "))
 
 
+def tell_misconceptions(exercise, outcome):
+    """Those with the same wrong numbers; else the one that fails in the same cases, said with care."""
+    found = misconceptions(exercise, outcome)
+    alike = [mutant for mutant in exercise.mutants if set(mutant.fails) == cases_to_explain(outcome)]
+    for mutant in found:
+        tell_diagnosis("Perhaps: ", mutant)
+    if not found and len(alike) == 1 and not any(re.search(r"\bnan\b", failure.message) for failure in outcome.failures):
+        tell_diagnosis("Another answer, with other numbers, failed in the same properties. Of that one we would say: ", alike[0])
+
+
+def tell_diagnosis(head, mutant):
+    print("\n" + textwrap.fill(head + " ".join(mutant.diagnosis.split()), 100, subsequent_indent="   "))
+
+
 def misconceptions(exercise, outcome):
-    """The mutants that fail in just the cases in which this answer fails; none where it threw an exception. Of several, those
-    that also get the same wrong numbers, if there are such."""
-    if any(failure.message.startswith(THREW) for failure in outcome.failures):
-        return []
-    alike = [mutant for mutant in exercise.mutants if set(mutant.fails) == set(outcome.failed_cases)]
-    if len(alike) < 2:
-        return alike
-    same_numbers = [mutant for mutant in alike if messages(judge_mutant(exercise, mutant)) == messages(outcome)]
-    return same_numbers or alike[:2]
+    """The mutants whose wrong numbers are all among this answer's; of these, those that explain the most cases. Where two
+    mistakes meet, one of them is still told."""
+    possible = [mutant for mutant in exercise.mutants if set(mutant.fails) <= cases_to_explain(outcome)]
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        outcomes = pool.map(lambda mutant: judge_mutant(exercise, mutant), possible)
+    found = [mutant for mutant, its in zip(possible, outcomes) if told(its) <= told(outcome)]
+    most = max((len(mutant.fails) for mutant in found), default=0)
+    return [mutant for mutant in found if len(mutant.fails) == most]
+
+
+def cases_to_explain(outcome):
+    """The cases with a wrong number: not those that are unwritten, or threw an exception."""
+    return {failure.case for failure in outcome.failures if not failure.message.startswith((THREW, NOT_IMPLEMENTED))}
+
+
+def told(outcome):
+    return {(failure.case, failure.message) for failure in outcome.failures}
 
 
 def judge_mutant(exercise, mutant):
@@ -90,10 +118,6 @@ def judge_mutant(exercise, mutant):
         source = Path(scratch) / f"{exercise.name}.cpp"
         source.write_text(exercise.mutated(mutant), encoding="utf-8")
         return judge(exercise, source, Path(scratch), chapters_tests=False)
-
-
-def messages(outcome):
-    return [failure.message for failure in outcome.failures]
 
 
 def tell_list(exercises, progress, wrong):
@@ -109,16 +133,18 @@ def tell_list(exercises, progress, wrong):
         print(f"  {exercise.number:5} {state:10}  {exercise.title}")
 
 
-def tell_next(exercises, progress, wrong):
-    if wrong:
-        return
+def tell_next(exercises, progress, named):
+    """Where to go on; after a single exercise, among all."""
+    if named and not exercises[0].untouched():
+        exercises = all_exercises()
     right = [exercise for exercise in exercises if progress.holds(exercise)]
     waiting = [exercise for exercise in exercises if exercise.untouched()]
     if not waiting:
         print(f"\nAll {len(right)} hold. Well done.")
         return
     exercise = waiting[0]
-    print(f"\n{len(right)} of {len(exercises)} hold. Next: {exercise.number} {exercise.title} "
+    count = "" if named and len(exercises) == 1 else f"{len(right)} of {len(exercises)} hold. "
+    print(f"\n{count}Next: {exercise.number} {exercise.title} "
           f"({KINDS[exercise.kind]}; {exercise.minutes} minutes, difficulty {exercise.difficulty} of 3)")
     print(textwrap.fill(" ".join(exercise.goal.split()), 100, initial_indent="   ", subsequent_indent="   "))
     print(f"   Its text: ./course exercise {exercise.number}    Your file: {shown(exercise.stub)}\n"
@@ -129,7 +155,12 @@ def show_text(exercise):
     """An exercise's text, as the terminal can show it."""
     print(f"{exercise.number} {exercise.title}\n{KINDS[exercise.kind]}; {exercise.minutes} minutes, difficulty {exercise.difficulty} of 3\n")
     print(plain(f"{exercise.goal.strip()}\n\n{exercise.text.strip()}"))
-    print(f"\nA right answer prints:\n{textwrap.indent(exercise.expected.strip(), '   ')}")
+    if exercise.kind == "rebuild":
+        print(f"\n{CLOSE_THE_PAGE}")
+    if exercise.kind == "predict" and exercise.untouched():
+        print("\nWhat a right answer prints is shown here once you have begun: first your prediction.")
+    else:
+        print(f"\nA right answer prints:\n{textwrap.indent(exercise.expected.strip(), '   ')}")
     print(f"\nYour file: {shown(exercise.stub)}    Judge it: ./course check {exercise.number}    A hint: ./course hint {exercise.number}")
 
 

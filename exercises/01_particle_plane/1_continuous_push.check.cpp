@@ -25,7 +25,7 @@ TEST_CASE("interval: a line that crosses is inside on one side of its crossing")
     REQUIRE(in.has_value());
     expect("begin of the interval", in->begin, 0.75, 1e-15);
     expect("end of the interval", in->end, 1.0, 0);
-    given("and from -0.01 m to 0.03 m");
+    given("depth from -0.01 m to 0.03 m");
     const auto out = find_plane_interval(-0.01, 0.03);
     REQUIRE(out.has_value());
     expect("begin of the interval", out->begin, 0.0, 0);

@@ -16,7 +16,7 @@ TEST_CASE("damper: without a spring its impulse is c times the way inside, upwar
 {
     given("depth from -0.01 m to -0.03 m, k 0, c 5 N s/m, dt 0.01 s");
     expect("impulse", damped_plane_impulse(-0.01, -0.03, 0, 5, 0.01), 0.1, 1e-15, "N s");
-    given("and back");
+    given("depth from -0.03 m to -0.01 m, k 0, c 5 N s/m, dt 0.01 s");
     expect("impulse", damped_plane_impulse(-0.03, -0.01, 0, 5, 0.01), -0.1, 1e-15, "N s");
 }
 

@@ -27,7 +27,7 @@ TEST_CASE("stiffness: it goes with the lightest mass over the square of the step
 {
     given("masses 0.7, 0.2 and 5 kg, dt 0.01 s, continuous, safety 0.9");
     expect("k", stiffness_for_step(masses, 0.01, PenaltyMethod::continuous, 0.9), 3600.0, 1e-6, "N/m");
-    given("and dt 0.02 s");
+    given("masses 0.7, 0.2 and 5 kg, dt 0.02 s, continuous, safety 0.9");
     expect("k", stiffness_for_step(masses, 0.02, PenaltyMethod::continuous, 0.9), 900.0, 1e-6, "N/m");
 }
 

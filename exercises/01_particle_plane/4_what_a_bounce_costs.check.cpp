@@ -45,7 +45,7 @@ TEST_CASE("law: the loss is one minus the square of the kept speed")
         const double per_swing = std::numbers::pi * ratio / std::sqrt(1 - ratio * ratio);
         expect("lost part of the height", 100 * law_of_loss(bounce(dt)), 100 * (1 - std::exp(-2 * per_swing)), 1e-9, "%");
     }
-    given("and discrete, dt 0.001 s");
+    given("1 kg, k 100 000 N/m, dt 0.001 s, discrete");
     const double ratio = 0.5 * std::sqrt(1e5) * 1e-3;
     expect("lost part of the height", 100 * law_of_loss(bounce(1e-3, PenaltyMethod::discrete)),
            100 * (1 - std::exp(-2 * std::numbers::pi * ratio / std::sqrt(1 - ratio * ratio))), 1e-9, "%");

@@ -51,9 +51,9 @@ TEST_CASE("vertex: it touches a face when it comes through, from above and from 
 {
     given("a vertex from (0.2, 1, 0.2) m to (0.2, -1, 0.2) m");
     expect_time(over_a_face({0.2, 1, 0.2}, {0.2, -1, 0.2}), 0.5);
-    given("and back");
+    given("a vertex from (0.2, -1, 0.2) m to (0.2, 1, 0.2) m");
     expect_time(over_a_face({0.2, -1, 0.2}, {0.2, 1, 0.2}), 0.5);
-    given("and twice as far below as above");
+    given("a vertex from (0.2, 1, 0.2) m to (0.2, -2, 0.2) m");
     expect_time(over_a_face({0.2, 1, 0.2}, {0.2, -2, 0.2}), 1 / 3.0);
     say("a vertex falls through a face: touch at ", textbook_time_of_impact(over_a_face({0.2, 1, 0.2}, {0.2, -1, 0.2})).value_or(-1));
 }
@@ -66,13 +66,25 @@ TEST_CASE("vertex: it misses a face that it passes on any of three sides")
     }
 }
 
-TEST_CASE("vertex: a meeting before or after the step does not count, within the tolerance it does")
+TEST_CASE("vertex: one within the tolerance of a side touches, on any of three sides")
+{
+    for (const Vec3& beside : {Vec3(-0.1, 0, 0.5), Vec3(0.5, 0, -0.1), Vec3(0.6, 0, 0.5)}) {
+        given("a vertex that falls through the face's plane at ", readable(beside), " m, tolerance 0.2 on the weights");
+        expect_time(over_a_face(beside + Vec3(0, 1, 0), beside - Vec3(0, 1, 0)), 0.5, {.weight = 0.2});
+    }
+}
+
+TEST_CASE("vertex: a meeting before or after the step does not count")
 {
     given("a vertex that stops 0.1 m above the face");
     expect_none(over_a_face({0.2, 1, 0.2}, {0.2, 0.1, 0.2}));
     given("a vertex that begins 0.1 m below it and goes on down");
     expect_none(over_a_face({0.2, -0.1, 0.2}, {0.2, -1, 0.2}));
-    given("and with a tolerance of 0.2 on the time");
+}
+
+TEST_CASE("vertex: a meeting within the tolerance of the step's end counts, and is told as that end")
+{
+    given("a vertex that stops 0.1 m above the face, tolerance 0.2 on the time");
     expect_time(over_a_face({0.2, 1, 0.2}, {0.2, 0.1, 0.2}), 1.0, {.time = 0.2});
 }
 

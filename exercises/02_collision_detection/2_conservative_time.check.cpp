@@ -51,6 +51,17 @@ TEST_CASE("distance: above the face, beside a side, before a corner")
     expect("from (0, 3, 0) of a face that is a line", distance_to_triangle({0, 3, 0}, {1, 3, 0}, {2, 3, 0}, {4, 3, 0}), 1.0, 1e-12, "m");
 }
 
+TEST_CASE("distance: a face with equal corners is a segment or a point")
+{
+    const Vec3 a(0, 0, 0), b(2, 0, 0), point(1, 1, 0);
+    given("from (1, 1, 0) m, corners (0, 0, 0) and (2, 0, 0) m, one of them twice");
+    expect("distance, first and second equal", distance_to_triangle(point, a, a, b), 1.0, 1e-12, "m");
+    expect("distance, second and third equal", distance_to_triangle(point, a, b, b), 1.0, 1e-12, "m");
+    expect("distance, third and first equal", distance_to_triangle(point, a, b, a), 1.0, 1e-12, "m");
+    given("from (1, 1, 0) m, all three corners (0, 0, 0) m");
+    expect("distance", distance_to_triangle(point, a, a, a), std::sqrt(2), 1e-12, "m");
+}
+
 TEST_CASE("distance: it is that of the nearest of many points of the triangle")
 {
     for (const VertexFaceStep& s : random_steps(60)) {
@@ -82,6 +93,9 @@ TEST_CASE("time: a straight fall stops at the gap")
     given("a vertex that begins 0.05 m above it");
     const auto begin = conservative_time(over_a_face({0.2, 0.05, 0.2}, {0.2, 1, 0.2}), 0.1, 1e-6);
     expect_that("the time is 0", begin.has_value() && *begin == 0);
+    given("a vertex at rest 0.05 m above the face");
+    const auto rest = conservative_time(over_a_face({0.2, 0.05, 0.2}, {0.2, 0.05, 0.2}), 0.1, 1e-6);
+    expect_that("the time is 0", rest.has_value() && *rest == 0);
     given("a vertex at rest 1 m above the face");
     expect_that("there is no time", !conservative_time(over_a_face({0.2, 1, 0.2}, {0.2, 1, 0.2}), 0.1, 1e-6).has_value());
 }

@@ -35,7 +35,7 @@ TEST_CASE("directions: they have unit length, no favourite side, and fill every 
         int near = 0;
         for (const Vec3& direction : directions)
             near += direction.dot(axis) > 0.5;
-        given("within 60 degrees of ", readable(axis));
+        given("5000 directions, and of them those within 60 degrees of ", readable(axis));
         expect("share", near / 5000.0, 0.25, 0.005);
     }
 }

@@ -58,9 +58,9 @@ TEST_CASE("beside: a foot outside the face counts only below the tolerance")
     // On face 0 the foot of (0.3, -0.3) has the weight -0.3 for the corner (-1, 1).
     given("a tip 0.1 m below face 1, asked of face 0, where its foot overshoots by 0.3");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 0), FaceVerdict::beside);
-    given("and a tolerance of 0.29");
+    given("the same tip asked of face 0, tolerance 0.29");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 0, {.tolerance = 0.29}), FaceVerdict::beside);
-    given("and a tolerance of 0.31");
+    given("the same tip asked of face 0, tolerance 0.31");
     const FaceTrial trial = tried(square(), {0.3, -0.1, -0.3}, 0, {.tolerance = 0.31});
     expect_verdict(trial, FaceVerdict::fit);
     expect("overshoot", trial.overshoot, 0.3, 1e-12);
@@ -70,7 +70,7 @@ TEST_CASE("deep: a face that is too far away, or that looks the other way")
 {
     given("a tip 0.1 m below, and at most 0.09 m allowed");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.deepest = 0.09}), FaceVerdict::deep);
-    given("and at most 0.11 m allowed");
+    given("a tip 0.1 m below, and at most 0.11 m allowed");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.deepest = 0.11}), FaceVerdict::fit);
     given("a pair that came in through a face that looks down, (0, -3, 0)");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0, -3, 0)}), FaceVerdict::deep);

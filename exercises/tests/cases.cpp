@@ -3,6 +3,7 @@
 #include "exercises/checking.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
+#include <cstdlib>
 #include <vector>
 
 namespace enduring {
@@ -17,6 +18,7 @@ TEST_CASE("right")
 
 TEST_CASE("wrong number")
 {
+    given("t = ", 1, " s");
     given("t = ", 2, " s");
     expect("speed", -9.81, 9.81, 1e-9, "m/s");
 }
@@ -37,6 +39,21 @@ TEST_CASE("loop")
 {
     for (volatile int i = 0; i < 1;)
         i = 0;
+}
+
+volatile int one = 1;
+
+int deeper(int depth) { return deeper(depth + one) + depth; }
+
+TEST_CASE("recursion") { expect("depth", deeper(0), 0, 0); }
+
+TEST_CASE("leaves") { std::exit(0); }
+
+TEST_CASE("chosen text")
+{
+    const volatile bool flat = true;
+    given("a plate", flat ? ", flat" : "");
+    expect("thickness", 1.0, 0.0, 0, "m");
 }
 
 TEST_CASE("index")

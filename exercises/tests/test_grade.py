@@ -8,6 +8,7 @@ from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import grade  # noqa: E402
+import student  # noqa: E402
 from judge import Failure, Outcome  # noqa: E402
 
 MUTANT = SimpleNamespace(name="flipped", fails=["push: out"])
@@ -48,7 +49,21 @@ class Grading(unittest.TestCase):
     def test_a_wrong_answer_says_how_many_hold_and_which_misconception(self):
         self.hand_in("01_fall", "mine")
         wrong = Outcome("failed", cases=4, failures=[Failure("push: out", [], "expected 1 N s, got -1 N s")] * 2)
-        self.assertEqual(self.row(wrong)[3:], ["wrong", 3, 4, "flipped"])
+        with mock.patch.object(student, "judge_mutant", return_value=wrong):
+            self.assertEqual(self.row(wrong)[3:], ["wrong", 3, 4, "flipped"])
+
+    def test_other_numbers_are_another_mistake(self):
+        self.hand_in("01_fall", "mine")
+        wrong, flipped = (Outcome("failed", cases=4, failures=[Failure("push: out", [], f"got {number} N s")]) for number in (2, -1))
+        with mock.patch.object(student, "judge_mutant", return_value=flipped):
+            self.assertEqual(self.row(wrong)[3:], ["wrong", 3, 4, ""])
+
+    def test_of_two_mistakes_one_is_told(self):
+        self.hand_in("01_fall", "mine")
+        flipped = Failure("push: out", [], "got -1 N s")
+        wrong = Outcome("failed", cases=4, failures=[flipped, Failure("rest", [], "got 2 m")])
+        with mock.patch.object(student, "judge_mutant", return_value=Outcome("failed", failures=[flipped])):
+            self.assertEqual(self.row(wrong)[3:], ["wrong", 2, 4, "flipped"])
 
     def test_an_exception_is_no_misconception(self):
         self.hand_in("01_fall", "mine")

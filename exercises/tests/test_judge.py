@@ -68,12 +68,23 @@ class Judging(unittest.TestCase):
     def test_a_loop_without_end_is_stopped(self):
         outcome = self.run_case("loop")
         self.assertEqual(outcome.state, "too_long")
-        self.assertIn("Stopped after 2 s", outcome.message)
+        self.assertRegex(outcome.message, "Stopped after 2 s.*checking: loop")
 
     def test_a_crash_says_where(self):
         outcome = self.run_case("index")
         self.assertEqual(outcome.state, "crashed")
-        self.assertRegex(outcome.message, r"stl_vector.h:\d+ this should hold: __n < this->size\(\).*checking: index")
+        self.assertRegex(outcome.message, r"past the end of a container: at stl_vector.h:\d+ this should hold: __n < this->size\(\).*checking: index")
+
+    def test_an_endless_recursion_is_a_crash(self):
+        outcome = self.run_case("recursion")
+        self.assertEqual(outcome.state, "crashed")
+        self.assertIn("calls itself without end", outcome.message)
+
+    def test_a_program_that_leaves_early_is_told_so(self):
+        self.assertIn("exit()", self.run_case("leaves").message)
+
+    def test_a_text_among_the_inputs_stays_a_text(self):
+        self.assertEqual(self.the_failure("chosen text").given, ["a plate, flat"])
 
 
 @unittest.skipUnless(COMPILER, "needs g++")

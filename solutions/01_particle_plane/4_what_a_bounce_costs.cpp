@@ -19,9 +19,8 @@ double lost_by_a_bounce(const ParticleProblem& problem, double height)
         state = step(state, problem);
     while (state.height <= 0)
         state = step(state, problem);
-    // One step more, so that no part of this step was spent in the ground.
-    state = step(state, problem);
-    return 1 - top_of_flight(state, problem) / height;
+    const double top = top_of_flight(state, problem);
+    return 1 - top / height;
 }
 
 double measured_factor(ParticleProblem problem, double height)

@@ -17,7 +17,7 @@ static Vec3 closest_point(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
     if (d6 >= 0 && d5 <= d6)
         return c;
     const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0)
+    if (vc <= 0 && d1 >= 0 && d3 <= 0 && d1 > d3)
         return a + d1 / (d1 - d3) * ab;
     if (vb <= 0 && d2 >= 0 && d6 <= 0)
         return a + d2 / (d2 - d6) * ac;
