@@ -12,7 +12,7 @@ inline constexpr Corners all_corners{true, true, true};
 /// The corners on whose side a foot beyond the face lies: those of positive weight.
 inline Corners corners_towards(const FaceFoot& foot) { return {foot.weights[0] > 0, foot.weights[1] > 0, foot.weights[2] > 0}; }
 
-/// What algorithm 6.1 finds out about a candidate, in the order in which it asks.
+/// What algorithm 6.1 finds out about a candidate. It asks whether it is above, beside, deep, hooked, in this order.
 enum class FaceVerdict {
     above,   ///< the vertex is not below this face, or the face has no area
     deep,    ///< on the far side of the body, see FaceLimits
