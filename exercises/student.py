@@ -94,14 +94,15 @@ def tell_diagnosis(head, mutant):
 
 
 def misconceptions(exercise, outcome):
-    """The mutants whose wrong numbers are all among this answer's; of these, those that explain the most cases. Where two
-    mistakes meet, one of them is still told."""
+    """The mutants most of whose wrong numbers are this answer's too; of these, those that explain the most. Where two mistakes
+    meet, one of them is still told."""
     possible = [mutant for mutant in exercise.mutants if set(mutant.fails) <= cases_to_explain(outcome)]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         outcomes = pool.map(lambda mutant: judge_mutant(exercise, mutant), possible)
-    found = [mutant for mutant, its in zip(possible, outcomes) if told(its) <= told(outcome)]
-    most = max((len(mutant.fails) for mutant in found), default=0)
-    return [mutant for mutant in found if len(mutant.fails) == most]
+    shared = [(len(told(its) & told(outcome)), len(told(its)), mutant) for mutant, its in zip(possible, outcomes)]
+    found = [(same, mutant) for same, all_of_it, mutant in shared if 2 * same > all_of_it]
+    most = max((same for same, _ in found), default=0)
+    return [mutant for same, mutant in found if same == most]
 
 
 def cases_to_explain(outcome):

@@ -58,6 +58,12 @@ class Grading(unittest.TestCase):
         with mock.patch.object(student, "judge_mutant", return_value=flipped):
             self.assertEqual(self.row(wrong)[3:], ["wrong", 3, 4, ""])
 
+    def test_half_of_the_numbers_is_not_enough(self):
+        self.hand_in("01_fall", "mine")
+        same, other = Failure("push: out", [], "got -1 N s"), Failure("push: out", [], "got -2 N s")
+        with mock.patch.object(student, "judge_mutant", return_value=Outcome("failed", failures=[same, other])):
+            self.assertEqual(self.row(Outcome("failed", cases=4, failures=[same]))[3:], ["wrong", 3, 4, ""])
+
     def test_of_two_mistakes_one_is_told(self):
         self.hand_in("01_fall", "mine")
         flipped = Failure("push: out", [], "got -1 N s")
