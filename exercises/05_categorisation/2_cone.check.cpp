@@ -50,7 +50,7 @@ TEST_CASE("cone: at a cube's corner and at a tetrahedron's tip it touches all th
     expect("half angle", cube.half_angle / degree, std::acos(1 / std::sqrt(3.0)) / degree, 0.01, "degrees");
     std::vector<Vec3> backwards = face_normals(sphere_corner("cube"));
     std::reverse(backwards.begin(), backwards.end());
-    given("the same in the opposite order");
+    given("the three normals at a cube's corner, in the opposite order");
     expect("half angle", smallest_cone(backwards).half_angle / degree, cube.half_angle / degree, 0.01, "degrees");
     given("the three normals at the tip of a regular tetrahedron");
     expect("half angle", tip.half_angle / degree, std::acos(1.0 / 3) / degree, 0.01, "degrees");
@@ -79,24 +79,24 @@ TEST_CASE("cone: turning the directions turns the cone")
     expect("half angle", smallest_cone(turned).half_angle / degree, smallest_cone(normals).half_angle / degree, 0.01, "degrees");
 }
 
-TEST_CASE("rule: a flat vertex is pushed within 45 degrees of its normal, against the contact normal")
+TEST_CASE("rule: a flat vertex is regular where the contact normal looks against its own, give or take 45 degrees")
 {
     const std::vector<Vec3> up(6, Vec3::UnitY());
     given("six faces that look up");
-    expect_that("pushed 44 degrees from down it is regular",
+    expect_that("with a contact normal 44 degrees from down it is regular",
                 cone_says_regular(up, Vec3(std::sin(44 * degree), -std::cos(44 * degree), 0)));
-    expect_that("pushed 46 degrees from down it is hooked",
+    expect_that("with a contact normal 46 degrees from down it is hooked",
                 !cone_says_regular(up, Vec3(std::sin(46 * degree), -std::cos(46 * degree), 0)));
-    expect_that("pushed along its own normal it is hooked", !cone_says_regular(up, Vec3::UnitY()));
+    expect_that("with a contact normal that looks up it is hooked", !cone_says_regular(up, Vec3::UnitY()));
 }
 
 TEST_CASE("rule: the 45 degrees come on top of the half angle")
 {
     const std::vector<Vec3> edge = {Vec3::UnitX(), Vec3::UnitY()};
-    const auto pushed = [](double angle) { return Vec3(-std::cos((45 + angle) * degree), -std::sin((45 + angle) * degree), 0); };
+    const auto pressed = [](double angle) { return Vec3(-std::cos((45 + angle) * degree), -std::sin((45 + angle) * degree), 0); };
     given("two faces that look along x and y; their cone has a half angle of 45 degrees");
-    expect_that("pushed 88 degrees from the axis it is regular", cone_says_regular(edge, pushed(88)));
-    expect_that("pushed 92 degrees from the axis it is hooked", !cone_says_regular(edge, pushed(92)));
+    expect_that("pressed on from 88 degrees beside the axis it is regular", cone_says_regular(edge, pressed(88)));
+    expect_that("pressed on from 92 degrees beside the axis it is hooked", !cone_says_regular(edge, pressed(92)));
 }
 
 TEST_CASE("rule: at the tip of a tetrahedron no direction in which a board can touch is called hooked")
@@ -110,7 +110,7 @@ TEST_CASE("rule: at the tip of a tetrahedron no direction in which a board can t
             span_misses += !span_says_regular(tip, direction);
             cone_misses += !cone_says_regular(normals, direction);
         }
-    given(touching, " of 4000 directions can touch");
+    given("the tip of a tetrahedron, and the ", touching, " of 4000 directions in which a board can touch it");
     expect("called hooked by the cone", cone_misses, 0, 0, "directions");
     say("of the directions in which a board can touch the tip, the span misses ", 100.0 * span_misses / touching, " %, the cone ",
         100.0 * cone_misses / touching, " %");

@@ -24,12 +24,16 @@ TEST_CASE("directions: they have unit length, no favourite side, and fill every 
 {
     const std::vector<Vec3> directions = even_directions(5000);
     given("5000 directions");
-    REQUIRE(directions.size() == 5000);
+    expect("how many there are", directions.size(), 5000, 0);
+    if (directions.size() != 5000)
+        return;
     Vec3 sum = Vec3::Zero();
+    int of_other_length = 0;
     for (const Vec3& direction : directions) {
         sum += direction;
-        REQUIRE(std::abs(direction.norm() - 1) < 1e-12);
+        of_other_length += !(std::abs(direction.norm() - 1) < 1e-12);
     }
+    expect("how many have not unit length", of_other_length, 0, 0);
     expect("their mean", Vec3(sum / 5000), Vec3(0, 0, 0), 1e-3);
     for (const Vec3& axis : {Vec3(0, 1, 0), Vec3(1, 0, 0), Vec3(2, -1, 3).normalized().eval()}) {
         int near = 0;
@@ -38,6 +42,15 @@ TEST_CASE("directions: they have unit length, no favourite side, and fill every 
         given("5000 directions, and of them those within 60 degrees of ", readable(axis));
         expect("share", near / 5000.0, 0.25, 0.005);
     }
+}
+
+TEST_CASE("directions: every ring's direction stands at half its height, so the poles are alike")
+{
+    given("4 directions, one in each of four rings of the height 0.5");
+    const std::vector<Vec3> directions = even_directions(4);
+    expect("how many there are", directions.size(), 4, 0);
+    for (std::size_t i = 0; i < directions.size() && i < 4; ++i)
+        expect("height of number " + readable(i), directions[i].y(), 0.75 - 0.5 * static_cast<double>(i), 1e-12);
 }
 
 TEST_CASE("measurement: a board touches a cube's corner from an eighth of all sides, a flat vertex from none")

@@ -37,9 +37,11 @@ TEST_CASE("above: a vertex over the face, or exactly in it, and a face without a
 {
     given("a tip 0.1 m over face 1 of a square");
     expect_verdict(tried(square(), {0.3, 0.1, -0.3}, 1), FaceVerdict::above);
-    given("a tip exactly in the face");
+    given("a tip exactly in face 1 of a square");
     expect_verdict(tried(square(), {0.3, 0, -0.3}, 1), FaceVerdict::above);
-    given("a face whose corners lie on a line");
+    given("a tip 0.1 m over the square, asked of face 0, where its foot overshoots by 0.3");
+    expect_verdict(tried(square(), {0.3, 0.1, -0.3}, 0), FaceVerdict::above);
+    given("a tip 0.1 m below a face whose corners lie on a line");
     expect_verdict(tried({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, {{0, 1, 2}}}, {0.3, -0.1, 0}, 0), FaceVerdict::above);
 }
 
@@ -66,16 +68,43 @@ TEST_CASE("beside: a foot outside the face counts only below the tolerance")
     expect("overshoot", trial.overshoot, 0.3, 1e-12);
 }
 
-TEST_CASE("deep: a face that is too far away, or that looks the other way")
+TEST_CASE("beside: an overshoot as large as the tolerance is beside")
 {
-    given("a tip 0.1 m below, and at most 0.09 m allowed");
+    // Every number on the way is a sum of a few powers of two, so the overshoot is 0.25 in every bit.
+    given("a tip 0.125 m below face 1, asked of face 0, where its foot overshoots by 0.25, and the tolerance is 0.25");
+    expect_verdict(tried(square(), {0.25, -0.125, -0.25}, 0, {.tolerance = 0.25}), FaceVerdict::beside);
+}
+
+TEST_CASE("order: a face that is both beside and deep is beside")
+{
+    given("a tip 0.1 m below face 1, asked of face 0, where its foot overshoots by 0.3, and at most 0.09 m allowed");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 0, {.deepest = 0.09}), FaceVerdict::beside);
+}
+
+TEST_CASE("deep: a face that is too far away")
+{
+    given("a tip 0.1 m below face 1, and at most 0.09 m allowed");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.deepest = 0.09}), FaceVerdict::deep);
-    given("a tip 0.1 m below, and at most 0.11 m allowed");
+    given("a tip 0.1 m below face 1, and at most 0.11 m allowed");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.deepest = 0.11}), FaceVerdict::fit);
-    given("a pair that came in through a face that looks down, (0, -3, 0)");
+}
+
+TEST_CASE("deep: a face that looks more than 135 degrees away from where the pair came in")
+{
+    given("a tip below face 1, which looks up; its pair came in through a face that looks down, (0, -3, 0)");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0, -3, 0)}), FaceVerdict::deep);
-    given("a pair that came in from the side, (5, -1, 0)");
+    given("a tip below face 1, which looks up; its pair came in through a face 138 degrees from that, (0.9, -1, 0)");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0.9, -1, 0)}), FaceVerdict::deep);
+    given("a tip below face 1, which looks up; its pair came in through a face 132 degrees from that, (0.1, -0.09, 0)");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0.1, -0.09, 0)}), FaceVerdict::fit);
+}
+
+TEST_CASE("deep: of the two normals the angle counts, and not the lengths")
+{
+    given("a tip below face 1, which looks up; its pair came in through a large face 101 degrees from that, (5, -1, 0)");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(5, -1, 0)}), FaceVerdict::fit);
+    given("a tip below face 1, which looks up; its pair came in through a small face that looks down, (0, -0.1, 0)");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0, -0.1, 0)}), FaceVerdict::deep);
 }
 
 TEST_CASE("hooked: a face that would push a tip that looks down to the side")
@@ -93,6 +122,9 @@ TEST_CASE("better: on the face before beside it, and then the smaller penetratio
     given("0.1 m and 0.2 m deep, both on their faces");
     expect_that("the one 0.1 m deep is better", is_better(trial(-0.1, 0), trial(-0.2, 0)));
     expect_that("and not the other way round", !is_better(trial(-0.2, 0), trial(-0.1, 0)));
+    given("both beside their faces: 0.1 m deep with an overshoot of 0.2, and 0.2 m deep with one of 0.1");
+    expect_that("the one 0.1 m deep is better, though farther beside", is_better(trial(-0.1, 0.2), trial(-0.2, 0.1)));
+    expect_that("and the one 0.2 m deep is not", !is_better(trial(-0.2, 0.1), trial(-0.1, 0.2)));
 }
 
 TEST_CASE("choice: the face above the vertex is found, and none where none fits")
@@ -105,7 +137,7 @@ TEST_CASE("choice: the face above the vertex is found, and none where none fits"
         expect("face", choice->face, 1, 0);
         say("the tip at (0.3, -0.1, -0.3) m belongs to face ", choice->face, ", at a depth of ", -choice->foot.depth, " m");
     }
-    given("a tip over the square");
+    given("a tip 0.1 m over the square");
     expect_that("no face is found", !find_face(above, on_face(above, 0), 0, all_corners, {}).has_value());
 }
 

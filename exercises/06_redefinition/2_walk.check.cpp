@@ -73,14 +73,65 @@ TEST_CASE("walk: who is there already crosses nothing, and who goes straight cro
     given("a floor of 12 by 2 cells of 1 m");
     const Vec3 begin(-5.9, 0, 0.5), end(5.9, 0, 0.5);
     const auto here = walk_to_foot(floor.surface(), 0, begin);
-    REQUIRE(here.has_value());
+    expect_that("the walk from face 0 to (-5.9, 0, 0.5) m arrives", here.has_value());
+    if (!here)
+        return;
     const auto again = walk_to_foot(floor.surface(), here->face, begin), there = walk_to_foot(floor.surface(), here->face, end);
-    REQUIRE(again.has_value());
-    REQUIRE(there.has_value());
+    expect_that("from there, the walk to the same point arrives", again.has_value());
+    expect_that("from there, the walk to (5.9, 0, 0.5) m arrives", there.has_value());
+    if (!again || !there)
+        return;
     expect("edges crossed without moving", again->crossed, 0, 0);
     // 11 borders between cells and the diagonals of 12: the first or the last is not crossed where the way begins or ends beyond it.
     expect("edges crossed along the row", there->crossed, 23, 1);
     say("from one end of 12 cells to the other: ", there->crossed, " edges crossed");
+}
+
+TEST_CASE("walk: of two negative weights the most negative shows the way")
+{
+    // The point lies beyond two edges of face 0. Across one is face 1, which holds its foot; across the other face 2, and then an open border.
+    const Face orders[] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
+    for (const Face& corners : orders) {
+        const Still fan{{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(6, 0, -3), Vec3(1, 0, 1)}, {corners, {0, 2, 3}, {2, 1, 4}}}};
+        const Vec3 point(1.7, -0.1, -0.6);
+        given("a face with corners at (0, 0, 0), (0, 0, 1), (1, 0, 0) m, where the foot has the weights -0.1, -0.6 and 1.7; the face's list begins with corner ",
+              corners[0], " of these");
+        const auto walk = walk_to_foot(fan.surface(), 0, point);
+        expect_that("the walk arrives", walk.has_value());
+        if (walk) {
+            expect("face", walk->face, 1, 0);
+            expect("edges crossed", walk->crossed, 1, 0);
+        }
+    }
+}
+
+TEST_CASE("walk: a foot within 1e-12 of the face is on it, and one farther out is not")
+{
+    const Still two{{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(1, 0, -1)}, {{0, 1, 2}, {0, 2, 3}}}};
+    for (const double beyond : {5e-13, 1e-9}) {
+        given("two faces that meet in the line z = 0, from face 0 to a point whose foot has one weight there of -", beyond);
+        const auto walk = walk_to_foot(two.surface(), 0, Vec3(0.5, 0.1, -beyond));
+        expect_that("the walk arrives", walk.has_value());
+        if (walk)
+            expect("edges crossed", walk->crossed, beyond < 1e-12 ? 0 : 1, 0);
+    }
+}
+
+TEST_CASE("walk: `most` edges may be crossed, and not one more")
+{
+    const Still floor{plane_grid(12, 2, {12, 2})};
+    const Vec3 begin(-5.9, 0, 0.5), end(0.1, 0, 0.5);
+    given("a floor of 12 by 2 cells of 1 m, a way of 6 m along a row");
+    const auto here = walk_to_foot(floor.surface(), 0, begin);
+    const auto there = here ? walk_to_foot(floor.surface(), here->face, end) : std::nullopt;
+    expect_that("the walk arrives when 100 edges are allowed", there.has_value());
+    if (!there)
+        return;
+    const int needed = there->crossed;
+    given("a floor of 12 by 2 cells of 1 m, a way of 6 m along a row that crosses ", needed, " edges");
+    expect_that("it arrives when just so many are allowed", walk_to_foot(floor.surface(), here->face, end, needed).has_value());
+    expect_that("it does not when one less is", !walk_to_foot(floor.surface(), here->face, end, needed - 1).has_value());
+    expect_that("with none allowed, who is there already has arrived", walk_to_foot(floor.surface(), here->face, begin, 0).has_value());
 }
 
 TEST_CASE("walk: over an open border, or too far, there is no answer")
@@ -88,7 +139,7 @@ TEST_CASE("walk: over an open border, or too far, there is no answer")
     const Still floor{plane_grid(12, 2, {12, 2})};
     given("a floor of 12 by 2 m, the point (7, 0, 0) m beyond its border");
     expect_that("the walk has no end", !walk_to_foot(floor.surface(), 0, Vec3(7, 0, 0)).has_value());
-    given("a point at the other end, and at most 5 edges");
+    given("a floor of 12 by 2 m, from face 0 to the point (5.9, 0, 0.5) m at the other end, at most 5 edges");
     expect_that("the walk has no end", !walk_to_foot(floor.surface(), 0, Vec3(5.9, 0, 0.5), 5).has_value());
 }
 
@@ -98,10 +149,12 @@ TEST_CASE("walk: around a sphere it finds the face that looks at the point")
     const Vec3 point = Vec3(0.3, -0.8, 0.5).normalized() * 0.95;
     given("a sphere of radius 1 m, from its face 0 to a point 0.95 m from its centre in the direction (0.3, -0.8, 0.5)");
     const auto near = walk_to_foot(ball.surface(), 0, point);
+    expect_that("the walk arrives", near.has_value());
     if (near)
         expect_that("the foot lies within 0.1 m of the point", (point_of(ball, *near) - point).norm() < 0.1);
+    given("a sphere of radius 1 m, from its face 17 to a point 0.1 m below that face");
     const auto here = walk_to_foot(ball.surface(), 17, ball.surface().face_normal(17).normalized() * 0.9);
-    expect_that("from a face to the point below its middle the walk is short", here.has_value() && here->crossed <= 1);
+    expect_that("the walk arrives, and crosses one edge at most", here.has_value() && here->crossed <= 1);
 }
 
 }  // namespace enduring

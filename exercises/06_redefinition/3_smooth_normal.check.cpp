@@ -101,7 +101,15 @@ TEST_CASE("leap: it is the largest angle between neighbours, small ones and wide
     expect("largest leap", 1e6 * largest_leap(tiny) / degree, 1.0, 1e-6, "millionths of a degree");
     given("two directions 170 degrees apart");
     expect("largest leap", largest_leap(wide) / degree, 170.0, 1e-9, "degrees");
-    expect("of a single direction", largest_leap(std::span(path).first(1)), 0.0, 0, "rad");
+}
+
+TEST_CASE("leap: a single normal has none, nor has an empty list")
+{
+    const std::vector<Vec3> one = {Vec3::UnitX()}, none;
+    given("one direction");
+    expect("largest leap", largest_leap(one), 0.0, 0, "rad");
+    given("an empty list of directions");
+    expect("largest leap", largest_leap(none), 0.0, 0, "rad");
 }
 
 TEST_CASE("path: along a sphere the faces' normals leap and the smooth one does not")
