@@ -126,7 +126,7 @@ def crash_of(done):
     found = re.search(r"([^/\s]+:\d+): .*Assertion [`'](.*)' failed", done.stderr)
     if not found:
         return "The program crashed: often an index or a pointer out of range, or a function that calls itself without end."
-    past_the_end = "an index is past the end of a container: " if "this->size()" in found[2] else ""
+    past_the_end = "an index is past the end of a container: " if "size()" in found[2] else ""
     return f"The program crashed: {past_the_end}at {found[1]} this should hold: {found[2]}."
 
 

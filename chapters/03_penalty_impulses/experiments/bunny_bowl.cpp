@@ -104,6 +104,23 @@ RunLimits until_it_explodes(const BunnyProbe& probe, double duration, double dt)
     return limits;
 }
 
+/// How heavy the bunny's surface vertices are against an impulse, and how many are too light for the step: chapter 1's
+/// k dt^2 < 2 m for each. Before the first step each answers with the mass of its nodes alone, later through its elements.
+void tell_masses(const Scene& scene, const std::string& when, Report& report)
+{
+    const Body& bunny = body_named(scene.world, "bunny");
+    const double limit = 0.5 * scene.contact.stiffness * scene.dt * scene.dt;
+    std::vector<double> masses;
+    for (int v = 0; v < bunny.surface().vertex_count(); ++v)
+        masses.push_back(1 / bunny.inverse_mass(v)(0, 0));
+    std::sort(masses.begin(), masses.end());
+    const auto too_light = std::lower_bound(masses.begin(), masses.end(), limit) - masses.begin();
+    report.fact("bunny_bowl", "light_below_g", 1000 * limit, 2);
+    report.fact("bunny_bowl", "lightest_" + when + "_g", 1000 * masses.front(), 1);
+    report.fact("bunny_bowl", "heaviest_" + when + "_g", 1000 * masses.back(), 2);
+    report.fact("bunny_bowl", "light_" + when + "_percent", 100 * static_cast<double>(too_light) / static_cast<double>(masses.size()), 2);
+}
+
 /// Cost and outcome of one run; the only numbers of this experiment that a clock takes part in.
 void add_cost(Table& costs, int elements, const RunResult& result, double dt, const BunnyProbe& probe)
 {
@@ -162,6 +179,8 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
             for (Probe* probe_of_film : film->probes())
                 probes.push_back(probe_of_film);
         }
+        if (film)
+            tell_masses(scene, "alone", report);
         const RunResult result = run(scene, chapter03_solver(scene.contact), probes);
         add_cost(costs, size, result, scene.dt, probe);
         if (!film)
@@ -180,6 +199,7 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
         report.fact("bunny_bowl", "pairs_at_end", static_cast<double>(std::get<long>(end[1])), 3);
         report.fact("bunny_bowl", "nk_at_end", std::get<double>(end[4]) / 1000, 2);
         report.fact("bunny_bowl", "stable_step_at_end", std::get<double>(end[5]), 2);
+        tell_masses(scene, "together", report);
         report.fact("bunny_bowl", "mean_lever_mm", 1000 * probe.mean_lever(), 2);
         report.fact("bunny_bowl", "deepest_at_end_mm", 1000 * probe.deepest(), 2);
     }
