@@ -1,13 +1,9 @@
 #include "../penalty_contact.hpp"
 #include "../penalty_impulse.hpp"
-#include "common/geometry/quadratic.hpp"
-#include "common/geometry/shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/deformable_body.hpp"
 #include "common/simulation/point_masses.hpp"
-#include "common/simulation/rigid_body.hpp"
-#include "common/simulation/static_body.hpp"
 #include "common/simulation/step_record.hpp"
+#include "common/simulation/tests/block_of_any_kind.hpp"
 #include "common/simulation/worked_step.hpp"
 
 #include <doctest/doctest.h>
@@ -17,49 +13,17 @@
 #include <tuple>
 
 using namespace enduring;
+using tests::BodyKind;
 
 namespace {
-
-enum class BodyKind { rigid, linear, quadratic, still };
-
-SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
-{
-    for (Vec3& x : mesh.vertices)
-        x += by;
-    return mesh;
-}
-
-/// A block of side about 1 around a place, of any kind.
-std::unique_ptr<Body> block(const std::string& name, BodyKind kind, const Vec3& place, const Vec3& velocity)
-{
-    if (kind == BodyKind::rigid) {
-        const SurfaceMesh mesh = moved(box({1, 0.9, 1.1}, {2, 2, 2}), place);
-        return std::make_unique<RigidBody>(name, mesh, mass_properties(mesh, 10), velocity, Vec3(0.3, 0.2, -0.5));
-    }
-    if (kind == BodyKind::still) {
-        const SurfaceMesh mesh = moved(box({1, 0.9, 1.1}, {2, 2, 2}), place);
-        return std::make_unique<StaticBody>(name, SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
-    }
-    DeformableSettings settings;
-    settings.material.density = 10;
-    settings.material.young = 1e4;
-    settings.material.poisson = 0.3;
-    settings.position = place;
-    settings.velocity = velocity;
-    settings.angular_velocity = {0.3, 0.2, -0.5};
-    const TetrahedralMesh mesh = bar({1, 0.9, 1.1}, {2, 1, 1});
-    if (kind == BodyKind::quadratic)
-        return std::make_unique<DeformableBody>(name, with_edge_midpoints(mesh), settings);
-    return std::make_unique<DeformableBody>(name, mesh, settings);
-}
 
 /// One block above another, turned against it by its place only, and falling on it.
 World two_blocks(BodyKind above, BodyKind below)
 {
     World world;
     world.gravity.setZero();
-    world.bodies.push_back(block("above", above, {0.13, 0.93, 0.21}, {0.1, -1, 0.05}));
-    world.bodies.push_back(block("below", below, {0, 0, 0}, {0, 0.2, 0}));
+    world.bodies.push_back(tests::block("above", above, {0.13, 0.93, 0.21}, {0.1, -1, 0.05}));
+    world.bodies.push_back(tests::block("below", below, {0, 0, 0}, {0, 0.2, 0}));
     return world;
 }
 

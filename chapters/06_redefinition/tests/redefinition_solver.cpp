@@ -1,13 +1,10 @@
 #include "../edge_edge_dismissal.hpp"
 #include "../redefinition_solver.hpp"
 #include "../resolution.hpp"
-#include "common/geometry/quadratic.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/deformable_body.hpp"
-#include "common/simulation/rigid_body.hpp"
 #include "common/simulation/run.hpp"
-#include "common/simulation/step_record.hpp"
-#include "common/simulation/worked_step.hpp"
+#include "common/simulation/tests/block_of_any_kind.hpp"
+#include "common/simulation/tests/worked_step_numbers.hpp"
 #include "small_worlds.hpp"
 
 #include <cmath>
@@ -28,37 +25,11 @@ Solver without_edge_pairs(double stiffness)
     return solver;
 }
 
-void check_equal(const std::vector<Vec3>& found, const std::vector<Vec3>& expected)
-{
-    REQUIRE(found.size() == expected.size());
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        CAPTURE(i);
-        CHECK((found[i] - expected[i]).norm() < 1e-14);
-    }
-}
-
 }  // namespace
 
 TEST_CASE("worked step: redefinition, detection and impulses of this chapter give the page's numbers")
 {
-    WorkedStep by_hand = worked_step(), by_chapter = worked_step();
-    const StageRecord expected =
-        record_step(by_hand.world, by_hand.contacts, worked_step_solver(by_hand.stiffness), by_hand.dt).back();
-    const StageRecord found =
-        record_step(by_chapter.world, by_chapter.contacts, without_edge_pairs(by_chapter.stiffness), by_chapter.dt).back();
-    for (std::size_t body = 0; body < 2; ++body) {
-        check_equal(found.bodies[body].velocities, expected.bodies[body].velocities);
-        check_equal(found.bodies[body].positions_t0, expected.bodies[body].positions_t0);
-    }
-    REQUIRE(found.contacts.size() == expected.contacts.size());
-    for (std::size_t i = 0; i < expected.contacts.size(); ++i) {
-        CAPTURE(i);
-        CHECK(found.contacts[i].vertices == expected.contacts[i].vertices);
-        for (std::size_t j = 0; j < 4; ++j)
-            CHECK(found.contacts[i].weights[j] == doctest::Approx(expected.contacts[i].weights[j]).epsilon(1e-14));
-        CHECK(found.contacts[i].start == doctest::Approx(expected.contacts[i].start).epsilon(1e-6));
-        CHECK((found.contacts[i].impulse - expected.contacts[i].impulse).norm() < 1e-14);
-    }
+    tests::check_worked_step(without_edge_pairs(worked_step().stiffness));
 }
 
 TEST_CASE("worked step: with vertex 2 come the two edges that lie over the diagonal, at depths worked out by hand")
@@ -83,29 +54,6 @@ TEST_CASE("worked step: with vertex 2 come the two edges that lie over the diago
 
 namespace {
 
-enum class BodyKind { rigid, linear, quadratic };
-
-std::unique_ptr<Body> block(const std::string& name, BodyKind kind, const Vec3& place, const Vec3& velocity)
-{
-    if (kind == BodyKind::rigid) {
-        SurfaceMesh mesh = box({1, 0.9, 1.1}, {3, 3, 3});
-        for (Vec3& x : mesh.vertices)
-            x += place;
-        return std::make_unique<RigidBody>(name, mesh, mass_properties(mesh, 10), velocity, Vec3(0.3, 0.2, -0.5));
-    }
-    DeformableSettings settings;
-    settings.material.density = 10;
-    settings.material.young = 1e4;
-    settings.material.poisson = 0.3;
-    settings.position = place;
-    settings.velocity = velocity;
-    settings.angular_velocity = {0.3, 0.2, -0.5};
-    const TetrahedralMesh mesh = bar({1, 0.9, 1.1}, {2, 1, 2});
-    if (kind == BodyKind::quadratic)
-        return std::make_unique<DeformableBody>(name, with_edge_midpoints(mesh), settings);
-    return std::make_unique<DeformableBody>(name, mesh, settings);
-}
-
 Vec3 momentum(const World& world)
 {
     Vec3 sum = Vec3::Zero();
@@ -118,15 +66,17 @@ Vec3 momentum(const World& world)
 
 TEST_CASE("momentum: sliding, redefined pairs of every two kinds of bodies keep it to rounding")
 {
+    using tests::BodyKind;
     using enum BodyKind;
+    const tests::BlockCells finer{{3, 3, 3}, {2, 1, 2}};
     for (const std::pair<BodyKind, BodyKind>& kinds :
          {std::pair{rigid, rigid}, {rigid, linear}, {linear, rigid}, {linear, quadratic}, {quadratic, rigid}}) {
         CAPTURE(static_cast<int>(kinds.first));
         CAPTURE(static_cast<int>(kinds.second));
         World world;
         world.gravity.setZero();
-        world.bodies.push_back(block("above", kinds.first, {-0.3, 0.93, 0.21}, {2, -1, 0.4}));
-        world.bodies.push_back(block("below", kinds.second, {0, 0, 0}, {0, 0.2, 0}));
+        world.bodies.push_back(tests::block("above", kinds.first, {-0.3, 0.93, 0.21}, {2, -1, 0.4}, finer));
+        world.bodies.push_back(tests::block("below", kinds.second, {0, 0, 0}, {0, 0.2, 0}, finer));
         const Vec3 before = momentum(world);
         Contacts contacts;
         const Solver solver = chapter06_solver({PenaltyMethod::continuous, 300});
