@@ -12,6 +12,7 @@ from pathlib import Path
 
 import checks
 import live
+import weave
 
 ROOT = Path(__file__).resolve().parent.parent
 WORK = ROOT / "build/docs"
@@ -91,6 +92,18 @@ def mend_member_lists(book):
             page.write_text(re.sub(r'<a href="#nested-classes">Classes</a>(\s*&#124;)?', "", text), encoding="utf-8")
 
 
+HELD = {"listings": r"^\\snippet ", "measured numbers": r"@fact\{", "figures": r"^@(?:figure|live)\{", "live ones among them": r"^@live\{",
+        "tables": r"^@table\{", "tests named": r"@test\{"}
+
+
+def what_it_holds(book):
+    """One line about the book: its pages, and what the run and the code put into them."""
+    pages = weave.all_pages(ROOT)
+    text = "\n".join("\n".join(page.lines) for page in pages if page.label != "page_writing")  # that one shows how it is written
+    counts = ", ".join(f"{len(re.findall(pattern, text, re.M))} {what}" for what, pattern in HELD.items())
+    return f"{len(pages)} pages of text, {len(list(book.glob('*.html')))} with those of the code: {counts}"
+
+
 def copy_mathjax(book):
     for part in MATHJAX_PARTS:
         source, place = MATHJAX / part, book / "mathjax" / part
@@ -133,6 +146,7 @@ def main():
     (html / ".made_from").write_text(str(options.results))
     shutil.rmtree(options.book, ignore_errors=True)
     html.rename(options.book)
+    print(what_it_holds(options.book))
 
 
 if __name__ == "__main__":
