@@ -125,6 +125,10 @@ def main():
     pages = sorted(book.glob(options.pages))
     if not pages:
         sys.exit(f"{book} has no pages: ./course docs builds them")
+    try:
+        browser().quit()
+    except WebDriverException as error:
+        sys.exit(f"The browser does not start: {str(error).splitlines()[0]}")
     workers = cpu_count()
     with ThreadPoolExecutor(workers) as pool:
         reports = {name: report for part in pool.map(probe_all, [pages[i::workers] for i in range(workers)]) for name, report in part.items()}

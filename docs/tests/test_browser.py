@@ -45,6 +45,13 @@ class TheBrowserTest(unittest.TestCase):
     def test_faults_are_an_exit_status(self):
         self.assertEqual(self.done.returncode, 1)
 
+    def test_a_browser_that_does_not_start_is_told_at_once(self):
+        with tempfile.TemporaryDirectory() as book:
+            (Path(book) / "good.html").write_text(GOOD % "fine")
+            done = subprocess.run([PYTHON, TEST, "--book", book], capture_output=True, text=True, env={"PATH": book})
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("The browser does not start: ", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
