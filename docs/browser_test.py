@@ -45,9 +45,16 @@ def screen(driver, size):
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
 
 
+def open_page(driver, page):
+    """Opens a page and waits until it is there: on a busy machine the browser says so before it has read it."""
+    driver.get(page.as_uri())
+    there = "return location.href.startsWith(arguments[0]) && document.readyState === 'complete'"
+    WebDriverWait(driver, 60).until(lambda d: d.execute_script(there, page.as_uri()))
+
+
 def probe(driver, page):
     """What one page shows."""
-    driver.get(page.as_uri())
+    open_page(driver, page)
     report = driver.execute_async_script(PROBE)
     report["faults"] += [f"console: {entry['message'][:160]}" for entry in driver.get_log("browser") if entry["level"] == "SEVERE"]
     return report
@@ -77,7 +84,7 @@ def probe_all(pages):
 def search_faults(driver, book):
     """The search finds a word that stands in the book."""
     screen(driver, DESKTOP)
-    driver.get((book / "index.html").as_uri())
+    open_page(driver, book / "index.html")
     field = WebDriverWait(driver, 20).until(lambda d: d.find_element(By.ID, "MSearchField"))
     field.send_keys("continuous_impulse")
     found = "return [...document.querySelectorAll('#MSearchResults, #SRResults')].map(e => (e.contentDocument?.body ?? e)?.innerText ?? '').join(' ')"
@@ -91,7 +98,7 @@ def print_faults(driver, book, out):
     """A chapter prints: its first and its last heading are there, on several pages, and the navigation is not."""
     screen(driver, DESKTOP)
     for name, (first, last) in PRINTED.items():
-        driver.get((book / name).as_uri())
+        open_page(driver, book / name)
         driver.execute_async_script("const go = arguments[0]; document.documentElement.classList.add('dark-mode'); MathJax.Hub.Queue(() => setTimeout(go, 300));")
         pdf = out / name.replace(".html", ".pdf")
         printed = driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": True, "paperWidth": 8.27, "paperHeight": 11.69})
