@@ -1,6 +1,4 @@
 """The list of headers, by chapter and by folder of the base, each with its idea."""
-import re
-
 from changes import first_sentence
 
 
@@ -10,22 +8,14 @@ def api_block(root, chapters):
     lines = []
     for page in chapters:
         lines += ["", f"## {page.title}", "", *headers(root, f"chapters/{page.folder}")]
-    for folder in sorted(path.parent for path in (root / "common").glob("*/*.hpp")):
-        heading = f"## The base: {folder.name}"
-        if heading not in lines:
-            lines += ["", heading, "", *headers(root, f"common/{folder.name}")]
+    for folder in sorted({path.parent for path in (root / "common").glob("*/*.hpp")}):
+        lines += ["", f"## The base: {folder.name}", "", *headers(root, f"common/{folder.name}")]
     return "\n".join(lines)
 
 
 def headers(root, folder):
     for path in sorted((root / folder).glob("*.hpp")):
         shown = path.relative_to(root).as_posix()
-        idea = first_sentence(path.read_text(encoding="utf-8"), path.stem) or declared(path.read_text(encoding="utf-8"))
+        idea = first_sentence(path.read_text(encoding="utf-8"), path.stem)
         link = f"\\ref {shown} \"{path.name}\""
         yield f"- {link}: {idea}" if idea else f"- {link}"
-
-
-def declared(text):
-    """What a header without a comment declares first."""
-    found = re.search(r"^(?:class|struct|enum class) (\w+)", text, re.M)
-    return f"`{found[1]}`." if found else ""

@@ -1,11 +1,8 @@
 """For instructors: the goals of each chapter and the minutes of each section, from chapters/NN_name/teaching.toml."""
 import re
-import sys
 import tomllib
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "exercises"))
-import catalogue  # noqa: E402
+from exercise_pages import by_chapter
 
 NOT_TAUGHT = {"Exercises", "Try it", "Further reading", "What changed"}  # sections without minutes of their own
 
@@ -33,14 +30,14 @@ def plan_of(root, page):
 def block(root, kind, chapters):
     """All chapters' goals, or all sections' minutes, as Markdown."""
     told = []
-    exercises = catalogue.all_exercises(root)
+    exercises = by_chapter(root)
     for page in chapters:
         goals, minutes = plan_of(root, page)
         told += ["", f"### {page.title}", ""]
         if kind == "goals":
             told += [f"A student who has worked through \\ref {page.label} \"it\" can", "", *(f"- {goal}" for goal in goals)]
         else:
-            practice = sum(exercise.minutes for exercise in exercises if exercise.chapter == page.folder)
+            practice = sum(exercise.minutes for exercise in exercises.get(page.folder, []))
             told += ["<div class=\"data\">", "", "| Section | Minutes |", "|:--|--:|", *(f"| {section} | {m} |" for section, m in minutes),
                      f"| **to read and discuss** | **{sum(m for _, m in minutes)}** |", f"| exercises, all | {practice} |", "", "</div>"]
     return "\n".join(told)

@@ -166,25 +166,31 @@ def number_figures(page, results):
 
 
 # --------------------------------------------------------------------------------------------------- what is woven in
+def plain_words(caption):
+    """A caption for who cannot see the figure."""
+    return html.escape(re.sub(r"\\f\$|[*`_]|@\w+\{.*?\}", "", caption))
+
+
+def with_caption(figure, shown, caption):
+    return f'<div class="figure">\n\\anchor {figure.anchor}\n{shown}\n<div class="caption"><b>Figure {figure.number}.</b> {caption}</div>\n</div>'
+
+
 def figure_block(figure, caption):
-    plain = html.escape(re.sub(r"\\f\$|[*`_]|@\w+\{.*?\}", "", caption))
+    plain = plain_words(caption)
     if figure.place.endswith(".mp4"):
         shown = f'<video src="{figure.place}" autoplay loop muted controls playsinline aria-label="{plain}"></video>'
     else:
         shown = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain}" loading="lazy"></a>'
-    return (f'<div class="figure">\n\\anchor {figure.anchor}\n\\htmlonly{shown}\\endhtmlonly\n'
-            f'<div class="caption"><b>Figure {figure.number}.</b> {caption}</div>\n</div>')
+    return with_caption(figure, f"\\htmlonly{shown}\\endhtmlonly", caption)
 
 
 def live_block(figure, name, caption, live):
     """A picture that a script replaces where the chapters were compiled for the browser."""
-    plain = html.escape(re.sub(r"\\f\$|[*`_]|@\w+\{.*?\}", "", caption))
-    picture = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain}"></a>'
+    picture = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain_words(caption)}"></a>'
     scripts = "".join(f'<script src="live/{script}.js"></script>' for script in ("live", "figure", name)) if live else ""
     note = "" if live else '<p class="live-note">In the live book this figure answers to your hand: <code>./course docs --live</code></p>'
     shown = f'<div class="live" data-figure="{name}"{" data-live=" + chr(34) + name + chr(34) if live else ""}>{picture}</div>{note}{scripts}'
-    return (f'<div class="figure">\n\\anchor {figure.anchor}\n\\htmlonly[block]\n{shown}\n\\endhtmlonly\n'
-            f'<div class="caption"><b>Figure {figure.number}.</b> {caption}</div>\n</div>')
+    return with_caption(figure, f"\\htmlonly[block]\n{shown}\n\\endhtmlonly", caption)
 
 
 def table_block(page, name, caption, results):
@@ -249,6 +255,7 @@ class Weaver:
     def __init__(self, root, pages, results, live=False):
         self.live = live
         self.root, self.pages, self.results, self.tests = root, pages, results, test_names(root)
+        self.chapters = [page for page in pages if page.folder]
         self.concordance, self.by_label = Concordance(root), {page.label: page for page in pages}
         self.orphans = self.concordance.check(self.tests, self.by_label)
 
@@ -286,13 +293,13 @@ class Weaver:
         if line.startswith("@local{"):
             return ""
         if line.strip() == "@map":
-            return course_map.map_block([other for other in self.pages if other.folder], self.by_label)
+            return course_map.map_block(self.chapters, self.by_label)
         if line.strip() == "@api":
-            return api_pages.api_block(self.root, [other for other in self.pages if other.folder])
+            return api_pages.api_block(self.root, self.chapters)
         if line.strip() == "@changes":
             return changes.changes_block(self.root, self.results.root, page.folder)
         if match := re.match(r"^@(minutes|goals)\s*$", line):
-            return teaching.block(self.root, match[1], [other for other in self.pages if other.folder])
+            return teaching.block(self.root, match[1], self.chapters)
         if line.strip() == "@exercises":
             return exercise_pages.list_block(self.root, page.folder)
         if match := re.match(r"^@concordance\{(\w+)\}\s*$", line):

@@ -136,7 +136,7 @@ def failures_of(case):
         if found.get("success") == "false":
             infos = [text_of(info) for info in found.findall("Info")]
             if text_of(found.find("Original")) == "right":  # from expect: its message is the last of the infos
-                yield Failure(case.get("name"), infos[:-1][-1:], infos[-1])
+                yield Failure(case.get("name"), infos[-2:-1], infos[-1])
             else:
                 thrown = found.find("Exception")
                 got = f"threw {text_of(thrown)}" if thrown is not None else f"got {text_of(found.find('Expanded'))}"

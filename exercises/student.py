@@ -13,6 +13,8 @@ from judge import NOT_IMPLEMENTED, THREW, judge
 from progress import Progress
 
 MOST_FAILURES = 3
+MUTANT_JUDGES = ThreadPoolExecutor(os.cpu_count())  # one for all answers: a class is graded by as many threads again
+JUDGED_MUTANTS = {}  # outcomes by the exercise's number and the mutant's name
 
 
 def check(exercises, named):
@@ -96,11 +98,10 @@ def tell_diagnosis(head, mutant):
 def misconceptions(exercise, outcome):
     """The mutants most of whose wrong numbers are this answer's too; of these, those that explain the most. Where two mistakes
     meet, one of them is still told."""
-    possible = [mutant for mutant in exercise.mutants if set(mutant.fails) <= cases_to_explain(outcome)]
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        outcomes = pool.map(lambda mutant: judge_mutant(exercise, mutant), possible)
-    shared = [(len(told(its) & told(outcome)), len(told(its)), mutant) for mutant, its in zip(possible, outcomes)]
-    found = [(same, mutant) for same, all_of_it, mutant in shared if 2 * same > all_of_it]
+    cases, mine = cases_to_explain(outcome), told(outcome)
+    possible = [mutant for mutant in exercise.mutants if set(mutant.fails) <= cases]
+    theirs = [told(its) for its in MUTANT_JUDGES.map(lambda mutant: judge_mutant(exercise, mutant), possible)]
+    found = [(len(its & mine), mutant) for mutant, its in zip(possible, theirs) if 2 * len(its & mine) > len(its)]
     most = max((same for same, _ in found), default=0)
     return [mutant for same, mutant in found if same == most]
 
@@ -115,10 +116,14 @@ def told(outcome):
 
 
 def judge_mutant(exercise, mutant):
-    with tempfile.TemporaryDirectory() as scratch:
-        source = Path(scratch) / f"{exercise.name}.cpp"
-        source.write_text(exercise.mutated(mutant), encoding="utf-8")
-        return judge(exercise, source, Path(scratch), chapters_tests=False)
+    """The same for every answer, so a class's wrong answers ask for each mutant once."""
+    key = exercise.number, mutant.name
+    if key not in JUDGED_MUTANTS:
+        with tempfile.TemporaryDirectory() as scratch:
+            source = Path(scratch) / f"{exercise.name}.cpp"
+            source.write_text(exercise.mutated(mutant), encoding="utf-8")
+            JUDGED_MUTANTS[key] = judge(exercise, source, Path(scratch), chapters_tests=False)
+    return JUDGED_MUTANTS[key]
 
 
 def tell_list(exercises, progress, wrong):

@@ -114,9 +114,9 @@ const Live = (() => {
       this.element.dataset.answer = text;
     }
 
-    // Calls step(seconds since the last frame) while the figure is in view and the reader allows motion.
+    // Calls step(seconds since the last frame) from start() to stop(), or until the figure is out of view.
     animate(step) {
-      let last = null, seen = false, running = false;
+      let last = null, running = false;
       const frame = now => {
         if (!running) return;
         step(Math.min(0.05, last === null ? 0 : (now - last) / 1000));
@@ -124,9 +124,10 @@ const Live = (() => {
         this.paint();
         requestAnimationFrame(frame);
       };
-      const decide = () => { if (running) { last = null; requestAnimationFrame(frame); } };
-      new IntersectionObserver(entries => { seen = entries[0].isIntersecting; if (!seen) { running = false; } }).observe(this.canvas);
-      return { start: () => { if (!running) { running = true; decide(); } }, stop: () => { running = false; }, get running() { return running; } };
+      const start = () => { if (!running) { running = true; last = null; requestAnimationFrame(frame); } };
+      const stop = () => { running = false; };
+      new IntersectionObserver(entries => { if (!entries[0].isIntersecting) stop(); }).observe(this.canvas);
+      return { start, stop };
     }
   }
 

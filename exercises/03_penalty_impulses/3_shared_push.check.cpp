@@ -98,7 +98,7 @@ TEST_CASE("weights: their sum is one, so momentum is kept")
     for (unsigned seed = 1; seed <= 20; ++seed)
         for (const bool flat : {true, false}) {
             const Patch patch = random_patch(seed, flat);
-            given("eight nodes at random", std::string(flat ? ", in one plane" : ""));
+            given("eight nodes at random", flat ? ", in one plane" : "");
             expect("sum of the weights", sum_of(spread_weights(patch, a_point_of(patch))), 1.0, 1e-9);
         }
 }
@@ -109,7 +109,7 @@ TEST_CASE("weights: their mean position is p, so angular momentum is kept")
         for (const bool flat : {true, false}) {
             const Patch patch = random_patch(seed, flat);
             const Vec3 p = a_point_of(patch);
-            given("eight nodes at random", std::string(flat ? ", in one plane" : ""), ", p = ", readable(p), " m");
+            given("eight nodes at random", flat ? ", in one plane" : "", ", p = ", readable(p), " m");
             expect("mean position", mean_position(patch, spread_weights(patch, p)), p, 1e-9, "m");
         }
 }

@@ -49,7 +49,7 @@ TEST_CASE("edges: a cube's lower edge on a floor's edge is regular upwards and h
 {
     const World world = cube_in_floor();
     for (const EdgeRule rule : {EdgeRule::both, EdgeRule::either}) {
-        given("rule \"", std::string(rule == EdgeRule::both ? "and" : "or"), "\"");
+        given("rule \"", rule == EdgeRule::both ? "and" : "or", "\"");
         expect_that("pushed up it is regular", categorise(world, edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()), 0, rule) == regular);
         expect_that("pushed down it is hooked", categorise(world, edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitY()), 0, rule) == hooked);
     }
@@ -70,7 +70,7 @@ TEST_CASE("edges: it does not matter which body is called A")
 {
     const World world = cube_in_floor();
     for (const double sign : {1.0, -1.0}) {
-        given("a cube's lower edge against a floor's edge, pushed ", std::string(sign > 0 ? "up" : "down"));
+        given("a cube's lower edge against a floor's edge, pushed ", sign > 0 ? "up" : "down");
         const Contact pair = edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), sign * Vec3::UnitY());
         Contact exchanged = pair;
         std::swap(exchanged.body_a, exchanged.body_b);
