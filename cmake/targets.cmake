@@ -4,7 +4,7 @@
 add_library(enduring_options INTERFACE)
 target_include_directories(enduring_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(enduring_options INTERFACE
-  ENDURING_SOURCE_DIR="${PROJECT_SOURCE_DIR}" EIGEN_MAX_ALIGN_BYTES=16
+  EIGEN_MAX_ALIGN_BYTES=16
   # A Vec3 written as three doubles and read back as a pair and a single stalls the processor: an impulse inlined where
   # its pair is made took 43 ns with Eigen's unaligned packets and 30 ns without. Since the impulses have a file of their
   # own, packets would be a tenth faster (44 against 48 ns), and elements 3 %.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/render/picture.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <filesystem>
 #include <string>
@@ -9,8 +10,8 @@ namespace enduring {
 
 /// Where references lie, and where a picture that differs is left to be looked at.
 struct ReferencePlaces {
-    std::filesystem::path renders = std::filesystem::path(ENDURING_SOURCE_DIR) / "renders";
-    std::filesystem::path differences = std::filesystem::path(ENDURING_SOURCE_DIR) / "build/results/differences";
+    std::filesystem::path renders = source_directory() / "renders";
+    std::filesystem::path differences = source_directory() / "build/results/differences";
 };
 
 struct ReferenceCheck {

@@ -2,6 +2,7 @@
 
 #include "common/report/input_error.hpp"
 #include "common/report/pending_file.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <algorithm>
 #include <iomanip>
@@ -72,7 +73,7 @@ RunOptions settle(const ChapterProgram& program, const CommandLine& line)
     RunOptions options;
     options.out = line.out;
     if (line.out.empty()) {
-        options.out = std::filesystem::path(ENDURING_SOURCE_DIR) / "build" / (line.quick ? "results-quick" : "results") / program.folder;
+        options.out = source_directory() / "build" / (line.quick ? "results-quick" : "results") / program.folder;
         if (is_own_scene(program, line))
             options.out /= std::filesystem::path(line.scene).stem();
     }

@@ -3,6 +3,7 @@
 #include "common/report/input_error.hpp"
 #include "common/report/number_text.hpp"
 #include "common/report/pending_file.hpp"
+#include "common/report/source_directory.hpp"
 #include "common/report/subprocess.hpp"
 #include "common/report/table_text.hpp"
 
@@ -77,7 +78,7 @@ void Report::write_facts(const std::string& experiment, std::vector<Cell> fact)
 
 void Report::plot(const std::filesystem::path& script_in_sources, const std::string& name)
 {
-    const std::filesystem::path sources = ENDURING_SOURCE_DIR, script = sources / script_in_sources;
+    const std::filesystem::path sources = source_directory(), script = sources / script_in_sources;
     if (!std::filesystem::is_regular_file(script))
         throw InputError(script.string() + ": no such gnuplot script");
     PendingFile picture(file((name.empty() ? script.stem().string() : name) + ".svg"));

@@ -4,6 +4,7 @@
 #include "common/simulation/friction_reader.hpp"
 #include "common/simulation/json_value.hpp"
 #include "common/simulation/mistakes.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <algorithm>
 #include <set>
@@ -131,13 +132,13 @@ Scene read_scene(const std::string& text, const std::string& patch, const std::s
 Scene load_scene(const std::filesystem::path& path, const std::string& patch)
 {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    const std::filesystem::path course_meshes = std::filesystem::path(ENDURING_SOURCE_DIR) / "common" / "meshes";
+    const std::filesystem::path course_meshes = source_directory() / "common" / "meshes";
     return read_scene(read_text_file(path), patch, path.string(), {{folder, course_meshes}});
 }
 
 std::filesystem::path scene_file(const std::string& name)
 {
-    return std::filesystem::path(ENDURING_SOURCE_DIR) / "common" / "scenes" / (name + ".json");
+    return source_directory() / "common" / "scenes" / (name + ".json");
 }
 
 }  // namespace enduring

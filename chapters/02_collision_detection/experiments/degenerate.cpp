@@ -6,6 +6,7 @@
 #include "chapters/02_collision_detection/textbook.hpp"
 
 #include "common/report/number_text.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <algorithm>
 #include <array>
@@ -86,7 +87,7 @@ void add_file(Comparison& comparison, const std::filesystem::path& file)
 std::map<std::string, Comparison> compare_by_category()
 {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(ENDURING_SOURCE_DIR) / "chapters/02_collision_detection/data"))
+    for (const auto& entry : std::filesystem::directory_iterator(source_directory() / "chapters/02_collision_detection/data"))
         if (entry.path().extension() == ".csv")
             files.push_back(entry.path());
     std::map<std::string, Comparison> categories;

@@ -2,6 +2,7 @@
 #include "chapters/02_collision_detection/query_files.hpp"
 #include "exact_oracle.hpp"
 #include "step_generators.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <doctest/doctest.h>
 
@@ -54,7 +55,7 @@ void require_certified(const Record& record)
 std::vector<std::filesystem::path> data_files()
 {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(ENDURING_SOURCE_DIR "/chapters/02_collision_detection/data"))
+    for (const auto& entry : std::filesystem::directory_iterator(source_directory() / "chapters/02_collision_detection/data"))
         if (entry.path().extension() == ".csv")
             files.push_back(entry.path());
     std::sort(files.begin(), files.end());

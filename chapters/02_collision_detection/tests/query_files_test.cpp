@@ -2,6 +2,7 @@
 #include "chapters/02_collision_detection/query_files.hpp"
 #include "common/report/input_error.hpp"
 #include "common/report/report.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <doctest/doctest.h>
@@ -66,7 +67,7 @@ Outcome run(const std::vector<std::string>& words)
     return {code, out.str(), err.str()};
 }
 
-const std::string data = ENDURING_SOURCE_DIR "/chapters/02_collision_detection/data/";
+const std::string data = (source_directory() / "chapters/02_collision_detection/data/").string();
 
 }  // namespace
 
@@ -128,5 +129,5 @@ TEST_CASE("query files: what the user gave wrong ends the program with 2 and a r
     CHECK(run({"--queries", data + "random_vf.csv"}).code == 2);
     CHECK(run({"--queries", data + "random_vf.csv", "--kind", "vv"}).err.find("--kind must be vf or ee, not 'vv'") != std::string::npos);
     CHECK(run({"--kind", "vf"}).code == 2);
-    CHECK(run({"--queries", ENDURING_SOURCE_DIR "/README.md", "--kind", "vf"}).code == 2);
+    CHECK(run({"--queries", (source_directory() / "README.md").string(), "--kind", "vf"}).code == 2);
 }

@@ -1,6 +1,7 @@
 #include "common/fem/elastic_body.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/read_gmsh.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -15,7 +16,7 @@ namespace {
 std::unique_ptr<ElasticBody> bending_bunny(long elements, double young)
 {
     QuadraticTetrahedralMesh mesh =
-        read_gmsh_quadratic(std::string(ENDURING_SOURCE_DIR "/common/meshes/bunny_") + std::to_string(elements) + ".msh");
+        read_gmsh_quadratic(source_directory() / ("common/meshes/bunny_" + std::to_string(elements) + ".msh"));
     for (Vec3& node : mesh.nodes)
         node *= 0.1;
     auto body = std::make_unique<ElasticBody>(ElasticMesh(mesh), ElasticMaterial{.young = young, .poisson = 0.4});

@@ -5,6 +5,7 @@
 #include "common/geometry/shapes.hpp"
 #include "common/geometry/surface_checks.hpp"
 #include "common/geometry/surface_extraction.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +17,7 @@ using namespace enduring;
 
 namespace {
 
-const std::filesystem::path meshes = std::filesystem::path(ENDURING_SOURCE_DIR) / "common/meshes";
+const std::filesystem::path meshes = source_directory() / "common/meshes";
 
 std::string gmsh_text(const std::vector<Vec3>& nodes, int type, const std::vector<std::vector<int>>& elements)
 {

@@ -4,6 +4,7 @@
 #include "common/geometry/shapes.hpp"
 #include "common/geometry/surface_extraction.hpp"
 #include "common/render/stage.hpp"
+#include "common/report/source_directory.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -36,7 +37,7 @@ inline Stage bunny_in_bowl()
     BowlShape shape;
     shape.segments_around = 48;
     shape.foot_radius = 0.4;
-    SurfaceMesh bunny = surface_of(read_gmsh(std::filesystem::path(ENDURING_SOURCE_DIR) / "common/meshes/bunny_1452.msh")).mesh;
+    SurfaceMesh bunny = surface_of(read_gmsh(source_directory() / "common/meshes/bunny_1452.msh")).mesh;
     for (Vec3& vertex : bunny.vertices)
         vertex *= 0.14;
     Stage stage;
