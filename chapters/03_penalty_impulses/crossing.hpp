@@ -39,7 +39,9 @@ std::optional<Crossing> find_entry(const Step& step, const Enters& enters)
         if (enters(crossing))
             return crossing;
         const double after = *touch + 2 * time_of_impact_slack;
-        touch = after <= 1 ? time_of_impact(step, after) : std::nullopt;
+        if (after > 1)
+            return std::nullopt;
+        touch = time_of_impact(step, after);
     }
     return std::nullopt;
 }

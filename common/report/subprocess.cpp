@@ -11,6 +11,21 @@
 extern char** environ;
 
 namespace enduring {
+namespace {
+
+/// Our own environment, but one locale on every machine: where there is none, gnuplot cannot convert its degree sign.
+std::vector<char*> environment()
+{
+    static std::string locale = "LC_ALL=C.UTF-8";
+    std::vector<char*> variables;
+    for (char** variable = environ; *variable != nullptr; ++variable)
+        if (!std::string_view(*variable).starts_with("LC_ALL="))
+            variables.push_back(*variable);
+    variables.insert(variables.end(), {locale.data(), nullptr});
+    return variables;
+}
+
+}  // namespace
 
 Subprocess::Subprocess(const std::vector<std::string>& words, const std::string& package) : name_(words.at(0))
 {
@@ -28,7 +43,7 @@ Subprocess::Subprocess(const std::vector<std::string>& words, const std::string&
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-    const int failure = ::posix_spawnp(&process_, name_.c_str(), &actions, nullptr, arguments.data(), environ);
+    const int failure = ::posix_spawnp(&process_, name_.c_str(), &actions, nullptr, arguments.data(), environment().data());
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
     if (failure != 0) {

@@ -9,7 +9,7 @@
 
 namespace enduring {
 
-const Body& body_named(const World& world, const std::string& name)
+const Body& body_named(const World& world, std::string_view name)
 {
     std::string known;
     for (const std::unique_ptr<Body>& body : world.bodies) {
@@ -17,7 +17,7 @@ const Body& body_named(const World& world, const std::string& name)
             return *body;
         known += (known.empty() ? "" : ", ") + body->name();
     }
-    throw InputError("the scene has no body \"" + name + "\"; it has " + known);
+    throw InputError("the scene has no body \"" + std::string(name) + "\"; it has " + known);
 }
 
 EnergyProbe::EnergyProbe() : TableProbe({"time_s", "kinetic_j", "gravitational_j", "elastic_j", "total_j"}) {}

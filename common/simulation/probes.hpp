@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace enduring {
 
@@ -99,6 +100,6 @@ public:
 
 /// The body of this name.
 /// @throws InputError  there is none; lists those there are
-const Body& body_named(const World& world, const std::string& name);
+const Body& body_named(const World& world, std::string_view name);
 
 }  // namespace enduring

@@ -53,6 +53,22 @@ for main in chapters/06_*/main.cpp; do
     if [[ ! -s $scratch/own/energy.svg ]]; then echo "FAILED: the own scene left no plot of its energy"; failed=1; fi
 done
 
+# A warning does not stop a reader's build. CI's it stops, in the same folder.
+echo 'void leaves_it_alone(int number) {}' >"$scratch/warns.cpp"
+compiles_with_a_warning() { # by the command of a file of ours
+    ninja -C "$scratch/build" -t commands CMakeFiles/enduring_report.dir/common/report/number_text.cpp.o | tail -1 |
+        sed "s, [^ ]*/number_text.cpp$, $scratch/warns.cpp," >"$scratch/command"
+    (cd "$scratch/build" && mkdir -p CMakeFiles/enduring_report.dir/common/report && bash "$scratch/command" 2>"$scratch/said")
+}
+env -u CI cmake --preset release -B "$scratch/build" >/dev/null
+if ! compiles_with_a_warning || ! grep -q 'warning: unused parameter' "$scratch/said"; then
+    echo "FAILED: a warning is not shown, or stops a reader's build: $(cat "$scratch/said")"; failed=1
+fi
+CI=true ENDURING_BUILD=$scratch/build expect 0 'of [0-9]* hold' check --no-install
+if compiles_with_a_warning || ! grep -q 'error: unused parameter' "$scratch/said"; then
+    echo "FAILED: a warning does not stop CI's build: $(cat "$scratch/said")"; failed=1
+fi
+
 # A false dpkg-query that knows every package but one, and fails for it as the real one does, and a false apt-get that writes down what it is asked for.
 cat >"$scratch/dpkg-query" <<END
 #!/bin/bash

@@ -47,6 +47,19 @@ TEST_CASE("plots: a script that fails or draws nothing leaves no picture")
     CHECK(results.count() == 0);
 }
 
+TEST_CASE("plots: gnuplot has nothing to complain about where the reader's locale knows no degree sign")
+{
+    const TemporaryFolder folder;
+    const std::string said = (folder.path / "said").string();
+    const char* before = std::getenv("LC_ALL");
+    const std::string locale = before ? before : "";
+    ::setenv("LC_ALL", "C", 1);
+    Subprocess gnuplot({"sh", "-c", "gnuplot -e 'set encoding utf8' 2>'" + said + "'"}, "gnuplot-nox");
+    gnuplot.finish();
+    before ? ::setenv("LC_ALL", locale.c_str(), 1) : ::unsetenv("LC_ALL");
+    CHECK(content(said) == "");
+}
+
 TEST_CASE("plots: a missing program is named with the package that brings it")
 {
     try {
