@@ -28,7 +28,7 @@ enduring_need(pugixml_FOUND libpugixml-dev "pugixml")
 pkg_check_modules(BULLET QUIET IMPORTED_TARGET bullet-float64)
 enduring_need(BULLET_FOUND "libbullet-dev libbullet-extras-dev" "Bullet in double precision (bullet-float64.pc)")
 
-find_package(Boost QUIET)
+find_package(Boost QUIET CONFIG)
 enduring_need(Boost_FOUND libboost-dev "Boost (multiprecision, header only)")
 
 find_path(TINYOBJLOADER_INCLUDE tiny_obj_loader.h)

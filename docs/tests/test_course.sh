@@ -91,5 +91,15 @@ rm -f "$scratch/asked"
 PATH=$scratch:$PATH expect 0 'Everything is installed' setup
 if [[ -e $scratch/asked ]]; then echo "FAILED: setup asked apt although nothing is missing"; failed=1; fi
 
-if command -v shellcheck >/dev/null; then shellcheck course .ci/run docs/tests/test_course.sh || failed=1; fi
+# A bare root that cannot be made: its exit code, and nothing left behind.
+if ((EUID == 0)); then
+    printf '#!/bin/bash\nexit 7\n' >"$scratch/debootstrap"
+    chmod +x "$scratch/debootstrap"
+    PATH=$scratch:$PATH TMPDIR=$scratch .ci/bare_root trixie --mirror file:///nowhere >"$scratch/said" 2>&1
+    if [[ $? -ne 7 ]] || ! grep -q 'MB   a bare root: exit code 7' "$scratch/said" || [[ -n $(find "$scratch" -name 'enduring_trixie*') ]]; then
+        echo "FAILED: a bare root that cannot be made: $(cat "$scratch/said")"; failed=1
+    fi
+fi
+
+if command -v shellcheck >/dev/null; then shellcheck course .ci/run .ci/bare_root docs/tests/test_course.sh || failed=1; fi
 exit $failed
