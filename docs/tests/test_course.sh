@@ -28,6 +28,7 @@ expect 2 "unknown word: 'word'" test word
 expect 2 '--list means nothing here' test --list
 expect 2 '--quick means nothing here' bench --quick
 expect 2 '--live means nothing here' run --live
+expect 2 'holds no tables' compare "$scratch" "$scratch"
 
 # The exercises: an untouched clone is told what is next, and nothing is compiled for that.
 expect 0 'of [0-9]* hold. Next: ' check --no-install
