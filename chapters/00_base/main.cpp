@@ -1,6 +1,7 @@
 #include "common/fem/verification.hpp"
 #include "common/report/chapter_program.hpp"
 #include "common/rigid/verification.hpp"
+#include "common/simulation/response_verification.hpp"
 #include "common/simulation/worked_step.hpp"
 
 // Not a chapter of its own: what the pages on the base say about elastic and rigid bodies is measured here.
@@ -21,6 +22,17 @@ void lumping(const RunOptions&, Report& report) { leave(report, "lumping", verif
 void cantilever(const RunOptions&, Report& report) { leave(report, "cantilever", verification::cantilever()); }
 
 void frequency(const RunOptions&, Report& report) { leave(report, "frequency", verification::bending_frequency()); }
+
+void torsion(const RunOptions&, Report& report) { leave(report, "torsion", verification::torsion_frequency()); }
+
+void inertia(const RunOptions&, Report& report)
+{
+    leave(report, "inertia", verification::inertia_ratios());
+    report.table("inertia_over_cells", verification::inertia_over_cells());
+    report.plot("common/fem/plots/inertia_over_cells.gp");
+}
+
+void pushed_bar(const RunOptions&, Report& report) { leave(report, "pushed_bar", verification::pushed_bar()); }
 
 void convergence(const RunOptions&, Report& report)
 {
@@ -49,6 +61,9 @@ int main(int argc, char** argv)
             {"lumping", "masses of the ten-node element: row sums, and two ways that stay positive", lumping},
             {"cantilever", "deflection of a clamped bar against beam theory with shear", cantilever},
             {"frequency", "first bending frequency of a clamped bar against beam theory", frequency},
+            {"torsion", "first torsional frequency of a clamped bar against Saint-Venant's torsion", torsion},
+            {"inertia", "moments of inertia of bars and bunnies, by the mass matrix and by lumped masses", inertia},
+            {"pushed_bar", "angular momentum and work that a bar gains from a push at its edge, with each response", pushed_bar},
             {"convergence", "orders in space and time", convergence},
             {"spinning_bar", "how much energy the once-a-step rotations add", spinning_bar},
             {"free_top", "drift of a rigid body that tumbles freely, by Bullet's steps and by ours", free_top},

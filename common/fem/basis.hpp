@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/geometry/meshes.hpp"
+
 #include <array>
 
 namespace enduring {
@@ -21,6 +23,10 @@ struct LinearBasis {
     static constexpr double gradient_scale = 1;
     /// Mean over the element of the product of the weights of points k and l.
     static constexpr double coupling(int, int) { return 1; }
+    /// Power of a barycentric coordinate in a node's basis function.
+    static constexpr int exponent(int node, int corner) { return node == corner ? 1 : 0; }
+    /// Product of the exponents' binomials, summed over all pairs of nodes.
+    static constexpr double ways_in_all = 20;
 };
 
 struct QuadraticBasis {
@@ -29,6 +35,14 @@ struct QuadraticBasis {
         {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}}};
     static constexpr double gradient_scale = 2;
     static constexpr double coupling(int k, int l) { return (k == l ? 2.0 : 1.0) / 20; }
+    static constexpr int exponent(int node, int corner)
+    {
+        if (node < 4)
+            return node == corner ? 2 : 0;
+        const auto& edge = tetrahedron_edges[node - 4];
+        return edge[0] == corner || edge[1] == corner ? 1 : 0;
+    }
+    static constexpr double ways_in_all = 210;
 };
 //! [bases]
 

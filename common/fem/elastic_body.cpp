@@ -24,7 +24,8 @@ ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, cons
       material_(checked(material)),
       options_(options),
       lame_(lame_constants(material)),
-      masses_(lumped_masses(mesh_, material.density)),
+      mass_matrix_(enduring::mass_matrix(mesh_, material.density)),
+      masses_(lumped_masses(mass_matrix_)),
       inverse_masses_(masses_.cwiseInverse()),
       fixed_(mesh_.node_count(), 0),
       positions_(mesh_.rest()),
@@ -33,7 +34,7 @@ ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, cons
       last_prediction_(NodalVectors::Zero(3, mesh_.node_count())),
       last_response_(NodalVectors::Zero(3, mesh_.node_count())),
       rotations_(mesh_.elements().size(), Mat3::Identity()),
-      solver_(mesh_, masses_, options.solver_tolerance)
+      solver_(mesh_, mass_matrix_, options.solver_tolerance)
 {
     // A node of no element has no mass, and no equation.
     for (int n = 0; n < mesh_.node_count(); ++n)
@@ -71,7 +72,7 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
 
     NodalVectors forces = external_forces_ + gravity * masses_.transpose();
     elasticity.add_forces(positions_, forces);
-    const NodalVectors rhs = velocities_ * masses_.asDiagonal() + dt * forces;
+    const NodalVectors rhs = momenta() + dt * forces;
 
     const NodalVectors before = velocities_;
     velocities_ += last_prediction_;  // the first guess: the same change again, right for a free fall and for a body at rest
@@ -120,7 +121,7 @@ double ElasticBody::elastic_energy() const
 
 double ElasticBody::kinetic_energy() const
 {
-    return 0.5 * velocities_.colwise().squaredNorm() * masses_;
+    return 0.5 * velocities_.cwiseProduct(momenta()).sum();
 }
 
 Vec3 ElasticBody::centre_of_mass() const
@@ -135,9 +136,10 @@ Vec3 ElasticBody::linear_momentum() const
 
 Vec3 ElasticBody::angular_momentum(const Vec3& about) const
 {
+    const NodalVectors momenta = this->momenta();
     Vec3 sum = Vec3::Zero();
     for (int n = 0; n < node_count(); ++n)
-        sum += masses_[n] * (positions_.col(n) - about).cross(velocities_.col(n));
+        sum += (positions_.col(n) - about).cross(momenta.col(n));
     return sum;
 }
 

@@ -2,6 +2,7 @@
 
 #include "common/fem/corotated_elasticity.hpp"
 #include "common/fem/implicit_solver.hpp"
+#include "common/fem/mass_matrix.hpp"
 
 #include <vector>
 
@@ -14,7 +15,7 @@ struct ElasticOptions {
     double solver_tolerance = 1e-10;  ///< relative error of the velocities in the norm of the system's matrix
 };
 
-/// A deformable body: masses at nodes, held together by corotated elements. It knows nothing of surfaces or contact.
+/// A deformable body: a mass that is spread over elements as their basis says, held together by their corotated stiffness. It knows nothing of surfaces or contact.
 ///
 /// One step is predict (new velocities, positions unchanged), then whatever changes velocities(), then commit. Positions
 /// and velocities may be written at any time in between. The hidden state is the rotations of the last prediction, and what
@@ -43,8 +44,9 @@ public:
     /// @throws InputError  no such node
     void fix(int node);
 
-    const Eigen::VectorXd& masses() const { return masses_; }                  ///< [kg], all positive
-    const Eigen::VectorXd& inverse_masses() const { return inverse_masses_; }  ///< [1/kg], zero for fixed nodes
+    const Eigen::SparseMatrix<double>& mass_matrix() const { return mass_matrix_; }  ///< M [kg], of all nodes
+    const Eigen::VectorXd& masses() const { return masses_; }                        ///< row sums of M [kg], all positive
+    const Eigen::VectorXd& inverse_masses() const { return inverse_masses_; }        ///< of those [1/kg], zero for fixed nodes
 
     /// New velocities by implicit Euler, linearised about the start of the step:
     ///   (M + dt C + dt^2 K_R) v_new = M v + dt (f_ext + M g + f_el(x)),  C = alpha M + beta K_R.
@@ -64,6 +66,8 @@ public:
     /// Elastic forces on the nodes at the present positions [N].
     NodalVectors elastic_forces() const;
     double mass() const { return masses_.sum(); }
+    /// What each node has of the linear momentum, M v [kg m/s].
+    NodalVectors momenta() const { return velocities_ * mass_matrix_; }
     double kinetic_energy() const;  ///< [J]
     /// With the rotations that fit the present positions (or the frozen ones) [J].
     double elastic_energy() const;
@@ -83,6 +87,7 @@ private:
     ElasticMaterial material_;
     ElasticOptions options_;
     LameConstants lame_;
+    Eigen::SparseMatrix<double> mass_matrix_;
     Eigen::VectorXd masses_, inverse_masses_;
     std::vector<char> fixed_;
     NodalVectors positions_, velocities_, external_forces_;

@@ -92,16 +92,4 @@ double ElasticMesh::volume() const
     return sum;
 }
 
-//! [masses]
-Eigen::VectorXd lumped_masses(const ElasticMesh& mesh, double density)
-{
-    const int per_element = nodes_of(mesh.basis());
-    Eigen::VectorXd masses = Eigen::VectorXd::Zero(mesh.node_count());
-    for (const ElasticElement& element : mesh.elements())
-        for (int i = 0; i < per_element; ++i)
-            masses[element.nodes[i]] += density * element.volume / per_element;
-    return masses;
-}
-//! [masses]
-
 }  // namespace enduring

@@ -45,8 +45,4 @@ private:
     std::vector<ElasticElement> elements_;
 };
 
-/// The mass of every node [kg], all positive: density times the integral of the node's basis function, V/4 a node
-/// for linear elements and V/10 for quadratic ones in Bernstein form. Their sum is the body's mass.
-Eigen::VectorXd lumped_masses(const ElasticMesh& mesh, double density);
-
 }  // namespace enduring

@@ -1,5 +1,7 @@
 #include "common/fem/implicit_solver.hpp"
 
+#include "common/fem/mass_matrix.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -22,7 +24,7 @@ double dot(const NodalVectors& a, const NodalVectors& b)
 
 struct ImplicitSolver::System {
     const CorotatedElasticity& elasticity;
-    const Eigen::VectorXd& masses;
+    const Eigen::SparseMatrix<double>& mass_matrix;
     const std::vector<char>& fixed;
     double mass_scale, stiffness_scale;
 
@@ -35,7 +37,8 @@ struct ImplicitSolver::System {
 
     void multiply(const NodalVectors& v, NodalVectors& result) const
     {
-        result.noalias() = v * (mass_scale * masses).asDiagonal();
+        result.noalias() = v * mass_matrix;
+        result *= mass_scale;
         elasticity.add_stiffness_times(v, stiffness_scale, result);
         clear_fixed(result);
     }
@@ -47,14 +50,14 @@ struct ImplicitSolver::System {
     }
 };
 
-ImplicitSolver::ImplicitSolver(const ElasticMesh& mesh, Eigen::VectorXd masses, double tolerance)
-    : masses_(std::move(masses)), tolerance_(tolerance), factor_(mesh)
+ImplicitSolver::ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance)
+    : mass_matrix_(mass_matrix), masses_(lumped_masses(mass_matrix)), tolerance_(tolerance), factor_(mesh)
 {
 }
 
 void ImplicitSolver::renew_factor(const System& system)
 {
-    factor_.factor(system.elasticity, masses_, system.fixed, system.mass_scale, system.stiffness_scale);
+    factor_.factor(system.elasticity, mass_matrix_, system.fixed, system.mass_scale, system.stiffness_scale);
     ++factorisations_;
     solves_with_factor_ = early_iterations_ = wasted_iterations_ = 0;
 }
@@ -99,7 +102,7 @@ bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVector
 void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
                            double stiffness_scale, const NodalVectors& rhs_of_all, NodalVectors& v)
 {
-    const System system{elasticity, masses_, fixed, mass_scale, stiffness_scale};
+    const System system{elasticity, mass_matrix_, fixed, mass_scale, stiffness_scale};
     NodalVectors rhs = rhs_of_all;
     system.clear_fixed(rhs);
     system.clear_fixed(v);

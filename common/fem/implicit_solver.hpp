@@ -12,8 +12,9 @@ namespace enduring {
 /// in its first few solves (its very first is always quick, since there nothing has turned yet).
 class ImplicitSolver {
 public:
-    /// @param tolerance  stop when the error, in the norm of the matrix, is this small relative to the solution
-    ImplicitSolver(const ElasticMesh& mesh, Eigen::VectorXd masses, double tolerance);
+    /// @param mass_matrix  M, one row a node; outlives the solver
+    /// @param tolerance    stop when the error, in the norm of the matrix, is this small relative to the solution
+    ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance);
 
     /// @param elasticity      with the rotations of this step
     /// @param fixed           one flag a node: its velocity is zero whatever rhs says
@@ -40,7 +41,8 @@ private:
     void renew_factor(const System& system);
     void account_for_iterations();
 
-    Eigen::VectorXd masses_;
+    const Eigen::SparseMatrix<double>& mass_matrix_;
+    Eigen::VectorXd masses_;  ///< its row sums
     double tolerance_;
     TurnedFactor factor_;
     int iterations_ = 0, factorisations_ = 0;

@@ -1,6 +1,6 @@
 #include "common/fem/tetrahedron_quadrature.hpp"
 #include "common/fem/verification.hpp"
-#include "common/geometry/quadratic.hpp"
+#include "common/fem/verification_bars.hpp"
 #include "common/geometry/shapes.hpp"
 
 #include <Eigen/Geometry>
@@ -15,28 +15,6 @@ constexpr double pi = std::numbers::pi;
 
 /// Long against every period of vibration: inertia is (omega dt)^-2 of the stiffness.
 constexpr double eternity = 1e6;
-
-ElasticMesh with_elements(const TetrahedralMesh& mesh, Basis basis)
-{
-    return basis == Basis::linear ? ElasticMesh(mesh) : ElasticMesh(with_edge_midpoints(mesh));
-}
-
-const char* name_of(Basis basis)
-{
-    return basis == Basis::linear ? "linear" : "quadratic";
-}
-
-/// A square bar along x, clamped at its lower end.
-std::unique_ptr<ElasticBody> clamped_bar(double length, double thickness, std::array<int, 3> cells, Basis basis,
-                                         const ElasticMaterial& material)
-{
-    auto body = std::make_unique<ElasticBody>(with_elements(bar({length, thickness, thickness}, cells), basis), material,
-                                              ElasticOptions{.freeze_rotations = true});
-    for (int n = 0; n < body->node_count(); ++n)
-        if (body->positions()(0, n) < -0.5 * length + 1e-9)
-            body->fix(n);
-    return body;
-}
 
 }  // namespace
 
@@ -94,71 +72,6 @@ Table cantilever()
     return table;
 }
 //! [cantilever]
-
-namespace {
-
-/// The slowest mode by inverse iteration; returns its circular frequency [rad/s] and leaves its shape in `mode`.
-double first_mode(ElasticBody& body, NodalVectors& mode)
-{
-    mode = Vec3::UnitY() * Eigen::RowVectorXd::Ones(body.node_count());
-    double square = 0;
-    for (int iteration = 0; iteration < 8; ++iteration) {
-        const NodalVectors inertia = mode * body.masses().asDiagonal();
-        const NodalVectors next = static_displacement(body, inertia);  // K next = M mode
-        const NodalVectors next_inertia = next * body.masses().asDiagonal();
-        square = next.cwiseProduct(inertia).sum() / next.cwiseProduct(next_inertia).sum();  // Rayleigh's quotient
-        mode = next / next.norm();
-    }
-    return std::sqrt(square);
-}
-
-std::unique_ptr<ElasticBody> slender_bar(int cells_along, Basis basis)
-{
-    return clamped_bar(1, 0.05, {cells_along, 1, 1}, basis, {.young = 1e6, .poisson = 0.3});
-}
-
-}  // namespace
-
-Table bending_frequency()
-{
-    const double wave_number = 1.8751040687;  // of cos(x) cosh(x) = -1, for length 1
-    const double radius_of_gyration = 0.05 / std::sqrt(12.0);
-    const double theory = wave_number * wave_number * radius_of_gyration * std::sqrt(1e6 / 1000) / (2 * pi);
-
-    Table table({"basis", "cells_along", "unknowns", "frequency_hz", "theory_hz", "ratio"});
-    for (Basis basis : {Basis::linear, Basis::quadratic})
-        for (int cells : {10, 20, 40}) {
-            const auto body = slender_bar(cells, basis);
-            NodalVectors mode;
-            const double frequency = first_mode(*body, mode) / (2 * pi);
-            table.add({name_of(basis), long{cells}, 3L * body->node_count(), frequency, theory, frequency / theory});
-        }
-    return table;
-}
-
-Table convergence_in_time()
-{
-    const auto body = slender_bar(10, Basis::quadratic);
-    NodalVectors mode;
-    const double omega = first_mode(*body, mode);
-    mode *= 0.001 / mode.cwiseAbs().maxCoeff();
-    Table table({"steps_per_period", "error", "order"});
-    double previous = 0;
-    for (int steps : {100, 200, 400, 800}) {
-        const double dt = 2 * pi / omega / steps;
-        body->positions() = body->mesh().rest() + mode;
-        body->velocities().setZero();
-        for (int step = 0; step < steps / 2; ++step) {
-            body->predict(Vec3::Zero(), dt);
-            body->commit(dt);
-        }
-        const NodalVectors exact = body->mesh().rest() - mode;  // cos(pi) = -1
-        const double error = (body->positions() - exact).norm() / mode.norm();
-        table.add({long{steps}, error, previous > 0 ? Cell{std::log2(previous / error)} : Cell{"-"}});  // an order needs two steps
-        previous = error;
-    }
-    return table;
-}
 
 namespace {
 

@@ -67,9 +67,29 @@ double* StiffnessAssembly::block_column(int row_node, int column_node, int colum
     return row_node == column_node ? start : start + (3 - column) + 3 * rank;
 }
 
+/// M links the nodes that K links, in the same order: what stands below the diagonal of its column n are the lower neighbours of n.
+void StiffnessAssembly::add_masses(const Eigen::SparseMatrix<double>& mass_matrix, const std::vector<char>& fixed, double scale)
+{
+    for (int n = 0; n < static_cast<int>(mass_matrix.cols()); ++n) {
+        int rank = 0;
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(mass_matrix, n); entry; ++entry) {
+            const int row = static_cast<int>(entry.row());
+            if (row < n)
+                continue;
+            for (int j = 0; j < 3; ++j) {
+                if (row == n)
+                    *block_column(n, n, j, 0) += fixed[n] ? 1 : scale * entry.value();
+                else if (!fixed[row] && !fixed[n])
+                    block_column(row, n, j, rank)[j] += scale * entry.value();
+            }
+            rank += row > n;
+        }
+    }
+}
+
 const Eigen::SparseMatrix<double>& StiffnessAssembly::assemble(const CorotatedElasticity& elasticity,
-                                                               const Eigen::VectorXd& masses, const std::vector<char>& fixed,
-                                                               double mass_scale, double stiffness_scale)
+                                                               const Eigen::SparseMatrix<double>& mass_matrix,
+                                                               const std::vector<char>& fixed, double mass_scale, double stiffness_scale)
 {
     const ElasticMesh& mesh = elasticity.mesh();
     const auto hooke = hooke_matrix(elasticity.lame());
@@ -90,9 +110,7 @@ const Eigen::SparseMatrix<double>& StiffnessAssembly::assemble(const CorotatedEl
             }
         });
     }
-    for (int n = 0; n < mesh.node_count(); ++n)
-        for (int j = 0; j < 3; ++j)
-            *block_column(n, n, j, 0) += fixed[n] ? 1 : mass_scale * masses[n];
+    add_masses(mass_matrix, fixed, mass_scale);
     return matrix_;
 }
 

@@ -18,12 +18,12 @@ TurnedFactor::TurnedFactor(const ElasticMesh& mesh) : mesh_(mesh) {}
 
 TurnedFactor::~TurnedFactor() = default;
 
-void TurnedFactor::factor(const CorotatedElasticity& elasticity, const Eigen::VectorXd& masses,
+void TurnedFactor::factor(const CorotatedElasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
                           const std::vector<char>& fixed, double mass_scale, double stiffness_scale)
 {
     if (!cholesky_)
         cholesky_ = std::make_unique<Cholesky>(mesh_);
-    if (!cholesky_->factor.factor(cholesky_->assembly.assemble(elasticity, masses, fixed, mass_scale, stiffness_scale)))
+    if (!cholesky_->factor.factor(cholesky_->assembly.assemble(elasticity, mass_matrix, fixed, mass_scale, stiffness_scale)))
         throw std::runtime_error("the elastic system could not be factored");
     mass_scale_ = mass_scale;
     stiffness_scale_ = stiffness_scale;

@@ -2,6 +2,8 @@
 
 #include "common/fem/corotated_elasticity.hpp"
 
+#include <Eigen/SparseCore>
+
 #include <memory>
 #include <vector>
 
@@ -10,7 +12,7 @@ namespace enduring {
 /// A factorisation of A = a M + b K_R that stays useful while the body turns and bends.
 ///
 /// If every element turned by the same W since the matrix was factored, the new matrix is W A W^T exactly. Otherwise this
-/// holds nearly, with one W a node: the mean of its elements' turns. So W A^-1 W^T, a turn, a solve with the old
+/// holds nearly, with one W a node: the mean of its elements' turns. (M is the same along every axis, so W M W^T = M.) So W A^-1 W^T, a turn, a solve with the old
 /// factor and a turn back, approximates the new inverse, is symmetric and positive definite, and serves conjugate gradients
 /// as preconditioner over many steps (the idea of stiffness warping, Mueller et al. 2002, where it cannot harm).
 class TurnedFactor {
@@ -20,8 +22,8 @@ public:
 
     /// Factors the matrix with the present rotations.
     /// @throws std::runtime_error  the factorisation broke down (out of memory, or masses and stiffness without a common scale)
-    void factor(const CorotatedElasticity& elasticity, const Eigen::VectorXd& masses, const std::vector<char>& fixed,
-                double mass_scale, double stiffness_scale);
+    void factor(const CorotatedElasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
+                const std::vector<char>& fixed, double mass_scale, double stiffness_scale);
     /// Is there a factor, of these scales?
     bool matches(double mass_scale, double stiffness_scale) const;
     /// Finds every node's turn since then.

@@ -10,8 +10,12 @@ namespace enduring {
 
 /// How contact impulses change a deformable body's velocities.
 enum class ImpulseResponse {
-    lumped,   ///< at once, each node by its own mass alone, as the thesis does
-    implicit  ///< at the next update_prediction, through the elasticity's system: light nodes move with their neighbours
+    /// At once, each node by its row sum of the mass matrix alone, as the thesis does. The linear momentum is exact. The body between
+    /// the nodes lags behind them, though: it gains less than the lever's angular momentum, and another energy than the work.
+    lumped,
+    /// At the next update_prediction, through the elasticity's system: light nodes move with their neighbours. Momenta and work are
+    /// exact up to the strain there is.
+    implicit
 };
 
 /// What a deformable body is made of, and where it starts.
@@ -26,7 +30,7 @@ struct DeformableSettings {
     ElasticOptions options;
 };
 
-/// An elastic body as the contact code sees it. Each surface vertex is a fixed combination of nodes, x = sum_i w_i c_i;
+/// An elastic body as the contact code sees it; it moves, and its energy and momenta are, by the consistent mass matrix. Each surface vertex is a fixed combination of nodes, x = sum_i w_i c_i;
 /// an impulse on it goes back through the transpose, w_i of it to node i.
 class DeformableBody final : public Body {
 public:

@@ -81,7 +81,7 @@ struct Factored {
         find_rotations(body->mesh(), body->positions(), turned);
         refactor();
     }
-    void refactor() { factor.factor(elasticity, body->masses(), free, 1, dt * dt); }
+    void refactor() { factor.factor(elasticity, body->mass_matrix(), free, 1, dt * dt); }
 
     std::unique_ptr<ElasticBody> body;
     ElementRotations turned;

@@ -1,5 +1,6 @@
 #include "bodies.hpp"
 
+#include "common/fem/mass_matrix.hpp"
 #include "common/fem/tetrahedron_quadrature.hpp"
 #include "common/report/input_error.hpp"
 
@@ -150,12 +151,32 @@ TEST_CASE("elements: forces are the negative gradient of the energy, rotations h
     }
 }
 
+TEST_CASE("elements: M_ij = density int phi_i phi_j equals a quadrature, and no entry is negative")
+{
+    for (Basis basis : both_bases) {
+        CAPTURE(name_of(basis));
+        const ElasticMesh mesh = elastic(one_element(), basis);
+        const Eigen::MatrixXd masses = mass_matrix(mesh, 700);
+        const auto& nodes = mesh.elements()[0].nodes;
+        for (int i = 0; i < mesh.node_count(); ++i)
+            for (int j = 0; j < mesh.node_count(); ++j) {
+                double integral = 0;
+                for (const auto& [lambda, weight] : degree_five_quadrature())
+                    integral += 700 * mesh.volume() * weight * shape(basis, i, lambda) * shape(basis, j, lambda);
+                CAPTURE(i);
+                CAPTURE(j);
+                CHECK(masses(nodes[i], nodes[j]) > 0);
+                CHECK(std::abs(masses(nodes[i], nodes[j]) - integral) <= 1e-15 * 700);
+            }
+    }
+}
+
 TEST_CASE("elements: lumped masses are the integrals of the basis, positive, and sum to the body's mass")
 {
     for (Basis basis : both_bases) {
         CAPTURE(name_of(basis));
         const ElasticMesh mesh = elastic(one_element(), basis);
-        const Eigen::VectorXd masses = lumped_masses(mesh, 700);
+        const Eigen::VectorXd masses = lumped_masses(mass_matrix(mesh, 700));
         for (int node = 0; node < mesh.node_count(); ++node) {
             double integral = 0;
             for (const auto& [lambda, weight] : degree_five_quadrature())

@@ -62,6 +62,44 @@ TEST_CASE("bending: the first frequency of a slender bar is within 2% of Euler a
     CHECK(number(table, 0, 5) > 1.5);  // linear elements lock
 }
 
+TEST_CASE("torsion: quadratic elements, three across a square bar, are within 2% of Saint-Venant's first frequency")
+{
+    const Table table = torsion_frequency();
+    double before = 2;
+    for (std::size_t row = 0; row < table.rows().size(); ++row)
+        if (is(table, row, "quadratic")) {
+            CAPTURE(row);
+            CHECK(number(table, row, 5) > 1);  // a section that cannot warp freely is too stiff
+            CHECK(number(table, row, 5) < before);
+            before = number(table, row, 5);
+        }
+    CHECK(before < 1.02);
+    CHECK(number(table, 3, 6) < 0.8);  // lumped masses turn too slowly
+}
+
+TEST_CASE("inertia: the mass matrix has the integral's for bars and bunnies, to rounding; lumps at the nodes have up to three times that")
+{
+    const Table table = inertia_ratios();
+    for (std::size_t row = 0; row < table.rows().size(); ++row) {
+        CAPTURE(row);
+        CHECK(std::abs(number(table, row, 5) - 1) <= 1e-12);
+        for (std::size_t axis : {2u, 3u, 4u})
+            CHECK(number(table, row, axis) > 1.005);
+    }
+    CHECK(number(table, 0, 2) == doctest::Approx(3));
+    CHECK(number(table, 1, 2) == doctest::Approx(2));
+}
+
+TEST_CASE("inertia: the excess of lumped masses falls with the square of the cells")
+{
+    const Table table = inertia_over_cells();
+    for (std::size_t row = 0; row < table.rows().size(); ++row) {
+        const double across = static_cast<double>(std::get<long>(table.rows()[row][0]));
+        CHECK(number(table, row, 1) - 1 == doctest::Approx(2 / (across * across)));
+        CHECK(number(table, row, 2) - 1 == doctest::Approx(1 / (across * across)));
+    }
+}
+
 TEST_CASE("convergence: the errors vanish with the orders 2 and 1 of linear, 3 and 2 of quadratic elements")
 {
     const Table table = convergence_in_space();
