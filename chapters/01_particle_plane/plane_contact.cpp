@@ -1,5 +1,6 @@
 #include "plane_contact.hpp"
 
+#include "common/simulation/contact_geometry.hpp"
 #include "plane_impulse.hpp"
 
 #include <algorithm>
@@ -87,9 +88,10 @@ void push_out_of_planes(const World& world, Contacts& contacts, PenaltyMethod me
         if (contact.kind != ContactKind::vertex_plane || !contact.waiting())
             continue;
         const PlaneStep step = plane_step(world, contact);
+        const double k = pair_stiffness(world, contact, stiffness);
         const double impulse = method == PenaltyMethod::discrete
-                                   ? discrete_plane_impulse(step.depth_t1, stiffness, dt)
-                                   : continuous_plane_impulse(step.depth_t0, step.depth_t1, stiffness, dt);
+                                   ? discrete_plane_impulse(step.depth_t1, k, dt)
+                                   : continuous_plane_impulse(step.depth_t0, step.depth_t1, k, dt);
         contact.impulse = impulse * world.planes[static_cast<std::size_t>(contact.body_b)].normal;
     }
 }

@@ -14,7 +14,7 @@ void resolve_plane_contacts(World& world, Contacts& contacts);
 
 /// Response: gives every waiting plane contact its impulse along the normal. All come from the same predicted positions,
 /// and the step applies them together.
-/// @param stiffness  k of one vertex [N/m], positive
+/// @param stiffness  k of one vertex [N/m], positive; a plane with a stiffness of its own takes that
 /// @param dt         length of the step [s], positive
 void push_out_of_planes(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
 

@@ -52,6 +52,13 @@ ContactGeometry contact_geometry(const World& world, const Contact& contact, dou
     return geometry;
 }
 
+double pair_stiffness(const World& world, const Contact& contact, double of_all_pairs)
+{
+    if (contact.kind != ContactKind::vertex_plane)
+        return of_all_pairs;
+    return world.planes[static_cast<std::size_t>(contact.body_b)].stiffness.value_or(of_all_pairs);
+}
+
 const std::string& name_of_a(const World& world, const Contact& contact)
 {
     return world.bodies[static_cast<std::size_t>(contact.body_a)]->name();

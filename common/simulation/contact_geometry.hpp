@@ -19,6 +19,9 @@ struct ContactGeometry {
 /// over tau by closed forms of their own; this is for probes, pictures and checks.
 ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau);
 
+/// Stiffness of a pair [N/m]: its plane's own where it has one, else that of all pairs.
+double pair_stiffness(const World& world, const Contact& contact, double of_all_pairs);
+
 /// The names of the two sides; B may be a plane.
 const std::string& name_of_a(const World& world, const Contact& contact);
 const std::string& name_of_b(const World& world, const Contact& contact);

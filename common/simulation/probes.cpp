@@ -55,7 +55,7 @@ namespace {
 struct BodyPair {
     int a, b;
     bool with_plane;
-    long inside = 0;
+    double stiffness = 0;  ///< n k [N/m]
 };
 
 BodyPair& pair_of(std::vector<BodyPair>& pairs, const Contact& contact)
@@ -75,16 +75,16 @@ double inverse_mass(const World& world, int body)
     return mass > 0 ? 1 / mass : 0;
 }
 
-double stable_step(const World& world, const BodyPair& pair, double stiffness)
+double stable_step(const World& world, const BodyPair& pair)
 {
     const double inverse = inverse_mass(world, pair.a) + (pair.with_plane ? 0 : inverse_mass(world, pair.b));
-    return std::sqrt(2 / (inverse * static_cast<double>(pair.inside) * stiffness));
+    return std::sqrt(2 / (inverse * pair.stiffness));
 }
 
 }  // namespace
 
 PenetrationProbe::PenetrationProbe(double stiffness)
-    : TableProbe({"time_s", "pairs", "pairs_inside", "depth_sum_m", "depth_max_m", "nk_n_per_m", "stable_step_s", "dt_s"}),
+    : TableProbe({"time_s", "pairs", "pairs_inside", "depth_sum_m", "depth_max_m", "nk_n_per_m", "stable_step_s", "dt_s", "plane_depth_m"}),
       stiffness_(stiffness)
 {
 }
@@ -92,7 +92,7 @@ PenetrationProbe::PenetrationProbe(double stiffness)
 void PenetrationProbe::observe(const World& world, const Contacts& contacts, double dt)
 {
     std::vector<BodyPair> pairs;
-    double sum = 0, deepest = 0;
+    double sum = 0, deepest = 0, in_plane = 0;
     long inside = 0;
     for (const Contact& contact : contacts) {
         const double depth = -contact_geometry(world, contact, 1).depth;
@@ -100,15 +100,17 @@ void PenetrationProbe::observe(const World& world, const Contacts& contacts, dou
             continue;
         sum += depth;
         deepest = std::max(deepest, depth);
+        if (contact.kind == ContactKind::vertex_plane)
+            in_plane = std::max(in_plane, depth);
         ++inside;
-        ++pair_of(pairs, contact).inside;
+        pair_of(pairs, contact).stiffness += pair_stiffness(world, contact, stiffness_);
     }
     double stiffest = 0, shortest = std::numeric_limits<double>::infinity();
     for (const BodyPair& pair : pairs) {
-        stiffest = std::max(stiffest, static_cast<double>(pair.inside) * stiffness_);
-        shortest = std::min(shortest, stable_step(world, pair, stiffness_));
+        stiffest = std::max(stiffest, pair.stiffness);
+        shortest = std::min(shortest, stable_step(world, pair));
     }
-    table_.add({world.time, static_cast<long>(contacts.size()), inside, sum, deepest, stiffest, pairs.empty() ? 0 : shortest, dt});
+    table_.add({world.time, static_cast<long>(contacts.size()), inside, sum, deepest, stiffest, pairs.empty() ? 0 : shortest, dt, in_plane});
 }
 
 ForceProbe::ForceProbe(std::string on, std::string from)

@@ -13,6 +13,7 @@ namespace enduring {
 namespace {
 
 constexpr std::size_t most_planes = 100;
+const NumberRange stiffness_range{0, 1e12, false, true, "N/m"};
 
 ContactParameters read_contact(const JsonValue& value)
 {
@@ -23,7 +24,7 @@ ContactParameters read_contact(const JsonValue& value)
         if (const std::optional<JsonValue> method = value.find("method"))
             contact.method = method->choice({"dpf", "cpf"}) == 0 ? PenaltyMethod::discrete : PenaltyMethod::continuous;
     });
-    mistakes.gather([&] { contact.stiffness = value.number_or("stiffness", {0, 1e12, false, true, "N/m"}, contact.stiffness); });
+    mistakes.gather([&] { contact.stiffness = value.number_or("stiffness", stiffness_range, contact.stiffness); });
     mistakes.gather([&] {
         if (const std::optional<JsonValue> friction = value.find("friction"))
             contact.friction = read_friction(*friction, contact.stiffness);
@@ -56,12 +57,14 @@ BodyLook read_look(const JsonValue& value)
 
 Plane read_plane(const JsonValue& value)
 {
-    value.require_keys({"name", "point", "normal"});
+    value.require_keys({"name", "point", "normal", "stiffness"});
     Plane plane;
     plane.name = value.at("name").text();
     plane.point = value.vector_or("point", {-1e4, 1e4, true, true, "m"}, plane.point);
     if (const std::optional<JsonValue> normal = value.find("normal"))
         plane.normal = normal->direction();
+    if (const std::optional<JsonValue> stiffness = value.find("stiffness"))
+        plane.stiffness = stiffness->number(stiffness_range);
     return plane;
 }
 

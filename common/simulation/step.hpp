@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Plane {
     std::string name;
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();  ///< unit length, points out
+    std::optional<double> stiffness{};  ///< k of one vertex on it [N/m], positive; without it, that of all pairs
 };
 
 /// The bodies and planes of a scene, and where time stands.

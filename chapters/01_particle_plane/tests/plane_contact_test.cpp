@@ -53,6 +53,23 @@ TEST_CASE("plane contact: a rigid cube that falls flat is a particle on a spring
     }
 }
 
+TEST_CASE("plane contact: a plane with a stiffness of its own takes that, whatever all pairs have")
+{
+    for (const PenaltyMethod method : both) {
+        CAPTURE(short_name(method));
+        const double dt = 0.005;
+        World with_its_own = cube_above_plane(), with_that_of_all = cube_above_plane();
+        with_its_own.planes[0].stiffness = k;
+        Contacts first, second;
+        for (int i = 0; i < 100; ++i) {
+            advance(with_its_own, first, chapter01_solver({method, k / 50}), dt);
+            advance(with_that_of_all, second, solver_of(method), dt);
+        }
+        CHECK(first.size() == 4);
+        CHECK(centre(with_its_own) == centre(with_that_of_all));
+    }
+}
+
 TEST_CASE("plane contact: at rest the four impulses carry the weight, at the depth that the particle predicts")
 {
     for (const PenaltyMethod method : both) {

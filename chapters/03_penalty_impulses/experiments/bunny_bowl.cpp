@@ -9,42 +9,32 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace enduring::chapter03 {
 namespace {
 
-/// Depths of the pairs of features alone: what stands on the plane is chapter 1's.
-struct PairDepths {
-    long inside = 0;
-    double sum = 0, deepest = 0;  ///< [m], positive
-};
-
-PairDepths pair_depths(const World& world, const Contacts& contacts)
+/// Pairs that are inside, on the plane or between bodies.
+long count_inside(const World& world, const Contacts& contacts, bool on_plane)
 {
-    PairDepths depths;
-    for (const Contact& contact : contacts) {
-        const double depth = contact.kind == ContactKind::vertex_plane ? 0 : -contact_geometry(world, contact, 0).depth;
-        depths.inside += depth > 0;
-        depths.sum += std::max(depth, 0.0);
-        depths.deepest = std::max(depths.deepest, depth);
-    }
-    return depths;
+    return std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+        return (contact.kind == ContactKind::vertex_plane) == on_plane && contact_geometry(world, contact, 0).depth < 0;
+    });
 }
 
-/// time_s, pairs, depth_sum_m, depth_max_m, nk_n_per_m, stable_step_s, kinetic_j, total_j, inverted.
+/// time_s, pairs (of bunny and bowl), depth_sum_m, depth_max_m (planes counted), plane_depth_m, kinetic_j, total_j, inverted.
 class BunnyProbe final : public TableProbe {
 public:
     explicit BunnyProbe(double stiffness)
-        : TableProbe({"time_s", "pairs", "depth_sum_m", "depth_max_m", "nk_n_per_m", "stable_step_s", "kinetic_j", "total_j", "inverted"}),
+        : TableProbe({"time_s", "pairs", "depth_sum_m", "depth_max_m", "plane_depth_m", "kinetic_j", "total_j", "inverted"}),
           penetration_(stiffness)
     {
     }
     void observe(const World& world, const Contacts& contacts, double dt) override
     {
         penetration_.observe(world, contacts, dt);
-        const std::vector<Cell>& stiff = penetration_.table().rows().back();
-        const PairDepths depths = pair_depths(world, contacts);
+        const std::vector<Cell>& depths = penetration_.table().rows().back();
         Energy energy;
         int inverted = 0;
         for (const auto& body : world.bodies) {
@@ -54,7 +44,7 @@ public:
             energy.elastic += part.elastic;
             inverted += body->inverted_elements();
         }
-        table_.add({world.time, depths.inside, depths.sum, depths.deepest, stiff[5], stiff[6], energy.kinetic, energy.total(),
+        table_.add({world.time, count_inside(world, contacts, false), depths[3], depths[4], depths[8], energy.kinetic, energy.total(),
                     static_cast<long>(inverted)});
         if (world.step == 0)
             first_energy_ = energy.total();
@@ -62,7 +52,7 @@ public:
         most_inverted_ = std::max(most_inverted_, inverted);
         steps_with_inverted_ += inverted > 0;
         kinetic_ = energy.kinetic;
-        deepest_ = depths.deepest;
+        deepest_in_ground_ = std::max(deepest_in_ground_, std::get<double>(depths[8]));
         add_levers(world, contacts);
     }
 
@@ -70,7 +60,7 @@ public:
     int most_inverted() const { return most_inverted_; }           ///< elements in one step
     int steps_with_inverted() const { return steps_with_inverted_; }
     double kinetic() const { return kinetic_; }                    ///< at the end [J]
-    double deepest() const { return deepest_; }                    ///< pair at the end [m]
+    double deepest_in_ground() const { return deepest_in_ground_; }  ///< of all steps [m]
     double mean_lever() const { return turned_ / pushed_; }        ///< of the impulses that turn the whole by (p - q) x I [m]
 
 private:
@@ -86,7 +76,7 @@ private:
 
     PenetrationProbe penetration_;
     double turned_ = 0, pushed_ = 1e-300;
-    double first_energy_ = 1, highest_energy_ = 0, kinetic_ = 0, deepest_ = 0;
+    double first_energy_ = 1, highest_energy_ = 0, kinetic_ = 0, deepest_in_ground_ = 0;
     int most_inverted_ = 0, steps_with_inverted_ = 0;
 };
 
@@ -119,6 +109,27 @@ void tell_masses(const Scene& scene, const std::string& when, Report& report)
     report.fact("bunny_bowl", "lightest_" + when + "_g", 1000 * masses.front(), 1);
     report.fact("bunny_bowl", "heaviest_" + when + "_g", 1000 * masses.back(), 2);
     report.fact("bunny_bowl", "light_" + when + "_percent", 100 * static_cast<double>(too_light) / static_cast<double>(masses.size()), 2);
+}
+
+/// How the bunny lies in the bowl and the bowl on the ground at the end, and whether either contact is too stiff for the step.
+void tell_rest(const Scene& scene, const Contacts& contacts, const BunnyProbe& probe, Report& report)
+{
+    const World& world = scene.world;
+    const std::vector<Cell>& end = probe.table().rows().back();
+    const double bunny = body_named(world, "bunny").mass(), bowl = body_named(world, "bowl").mass(), reduced = bunny * bowl / (bunny + bowl);
+    const double nk = static_cast<double>(std::get<long>(end[1])) * scene.contact.stiffness;
+    report.fact("bunny_bowl", "pairs_at_end", static_cast<double>(std::get<long>(end[1])), 3);
+    report.fact("bunny_bowl", "nk_at_end", nk / 1000, 2);
+    report.fact("bunny_bowl", "stable_step_at_end", std::sqrt(2 * reduced / nk), 2);
+    report.fact("bunny_bowl", "deepest_at_end_mm", 1000 * std::get<double>(end[3]), 2);
+    report.fact("bunny_bowl", "ground_at_end_mm", 1000 * std::get<double>(end[4]), 2);
+    report.fact("bunny_bowl", "ground_at_most_mm", 1000 * probe.deepest_in_ground(), 2);
+    if (world.planes.empty())
+        return;
+    const double feet = static_cast<double>(count_inside(world, contacts, true)), k = world.planes[0].stiffness.value_or(scene.contact.stiffness);
+    report.fact("bunny_bowl", "feet", feet, 3);
+    report.fact("bunny_bowl", "ground_stiffness", k, 3);
+    report.fact("bunny_bowl", "ground_share", feet * k * scene.dt * scene.dt / bowl, 2);
 }
 
 /// Cost and outcome of one run; the only numbers of this experiment that a clock takes part in.
@@ -195,13 +206,9 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
         report.fact("bunny_bowl", "step_ms", 1000 * result.timings.total() / result.steps, 2);
         report.fact("bunny_bowl", "most_inverted", probe.most_inverted());
         report.fact("bunny_bowl", "kinetic_at_end", probe.kinetic(), 2);
-        const std::vector<Cell>& end = probe.table().rows().back();
-        report.fact("bunny_bowl", "pairs_at_end", static_cast<double>(std::get<long>(end[1])), 3);
-        report.fact("bunny_bowl", "nk_at_end", std::get<double>(end[4]) / 1000, 2);
-        report.fact("bunny_bowl", "stable_step_at_end", std::get<double>(end[5]), 2);
         tell_masses(scene, "together", report);
         report.fact("bunny_bowl", "mean_lever_mm", 1000 * probe.mean_lever(), 2);
-        report.fact("bunny_bowl", "deepest_at_end_mm", 1000 * probe.deepest(), 2);
+        tell_rest(scene, result.contacts, probe, report);
     }
     report.table("bunny_costs", costs);
     report.page_table("bunny_costs", costs, 3);

@@ -11,7 +11,7 @@ plot folder."/bunny_bowl.csv" using "time_s":"total_j" with lines linetype 3 tit
      "" using "time_s":"kinetic_j" with lines linetype 1 title "kinetic"
 set format x "%g"
 set xlabel "time [s]"
-set ylabel "deepest pair [mm]"
-unset key
-plot folder."/bunny_bowl.csv" using "time_s":(1000*column("depth_max_m")) with lines linetype 1
+set ylabel "deepest [mm]"
+plot folder."/bunny_bowl.csv" using "time_s":(1000*column("depth_max_m")) with lines linetype 1 title "pair, planes counted", \
+     "" using "time_s":(1000*column("plane_depth_m")) with lines linetype 2 title "vertex of the bowl in the ground"
 unset multiplot

@@ -1,5 +1,6 @@
 #include "../experiments/bar_drop.hpp"
 #include "../experiments/jitter.hpp"
+#include "../experiments/scene_change.hpp"
 #include "../penalty_contact.hpp"
 #include "common/render/reference.hpp"
 #include "common/render/renderer.hpp"
@@ -7,6 +8,7 @@
 #include "common/simulation/run.hpp"
 
 #include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +116,25 @@ TEST_CASE("bunny in the bowl: it falls in, adds no energy and inverts no element
     const auto floor = std::min_element(bowl.positions_t0().begin(), bowl.positions_t0().end(), higher)->y();
     CHECK(feet < rim);
     CHECK(feet > floor);
+}
+
+TEST_CASE("bunny in the bowl: in both scenes a bowl as heavy as bowl and bunny rests less than 5 mm deep in the ground, far below the limit of the step")
+{
+    for (const std::string name : {"bunny_bowl", "bunny_at_rest"}) {
+        CAPTURE(name);
+        nlohmann::json bowl = bodies_of(scene_file(name))[0];
+        REQUIRE(bowl["name"] == "bowl");
+        const double alone = bowl["mass"];
+        bowl["mass"] = alone + 30;
+        const Later it = later(name, 3.0, nlohmann::json{{"bodies", {bowl}}}.dump());
+        PenetrationProbe depths(it.scene.contact.stiffness);
+        depths.observe(it.scene.world, it.result.contacts, it.scene.dt);
+        const double in_ground = std::get<double>(depths.table().rows().back()[8]);
+        CHECK(in_ground > 0);
+        CHECK(in_ground < 0.005);
+        const double nk = static_cast<double>(it.result.contacts.size()) * it.scene.world.planes[0].stiffness.value_or(it.scene.contact.stiffness);
+        CHECK(nk * it.scene.dt * it.scene.dt / alone < 1);  // the limit is 2
+    }
 }
 
 TEST_CASE("bunny in the bowl: the moment before the first bounce is as in its reference picture")

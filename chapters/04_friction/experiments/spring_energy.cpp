@@ -14,7 +14,7 @@ double energy_with_springs(const World& world, const Contacts& contacts, const C
         sum += body->energy(world.gravity).total();
     for (const Contact& contact : contacts) {
         const double depth = std::min(0.0, contact_geometry(world, contact, 0).depth);
-        sum += 0.5 * parameters.stiffness * depth * depth;
+        sum += 0.5 * pair_stiffness(world, contact, parameters.stiffness) * depth * depth;
     }
     return sum;
 }

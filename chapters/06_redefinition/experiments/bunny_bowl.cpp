@@ -18,12 +18,19 @@ namespace {
 /// At rest: this share of the kinetic energy with which the bunny hit the bowl.
 constexpr double rest_share = 0.001;
 
-/// time_s, kinetic_j, share (of the impact's; 0 before it), total_j, pairs, held, inverted.
+/// time_s, kinetic_j, share (of the impact's; 0 before it), total_j, pairs, held, inverted, depth_max_m (planes counted), plane_depth_m.
 class RestProbe final : public TableProbe {
 public:
-    RestProbe() : TableProbe({"time_s", "kinetic_j", "share", "total_j", "pairs", "held", "inverted"}) {}
-    void observe(const World& world, const Contacts& contacts, double) override
+    explicit RestProbe(double stiffness)
+        : TableProbe({"time_s", "kinetic_j", "share", "total_j", "pairs", "held", "inverted", "depth_max_m", "plane_depth_m"}), penetration_(stiffness)
     {
+    }
+    void observe(const World& world, const Contacts& contacts, double dt) override
+    {
+        penetration_.observe(world, contacts, dt);
+        deepest_ = std::get<double>(penetration_.table().rows().back()[4]);
+        in_ground_ = std::get<double>(penetration_.table().rows().back()[8]);
+        deepest_in_ground_ = std::max(deepest_in_ground_, in_ground_);
         Energy energy;
         for (const auto& body : world.bodies) {
             const Energy part = body->energy(world.gravity);
@@ -46,7 +53,7 @@ public:
         highest_energy_ = std::max(highest_energy_, energy.total() / first_energy_);
         table_.add({world.time, energy.kinetic, last_share_, energy.total(), static_cast<long>(contacts.size()),
                     static_cast<long>(std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.held; })),
-                    static_cast<long>(inverted)});
+                    static_cast<long>(inverted), deepest_, in_ground_});
     }
 
     double impact() const { return impact_; }              ///< kinetic energy of all before the bunny touches the bowl [J]
@@ -55,8 +62,13 @@ public:
     double highest_energy() const { return highest_energy_; }  ///< over that at the start
     int most_inverted() const { return most_inverted_; }
     int steps_with_inverted() const { return steps_with_inverted_; }
+    double deepest() const { return deepest_; }                      ///< pair or vertex in the ground, at the end [m]
+    double in_ground() const { return in_ground_; }                  ///< deepest vertex in the ground, at the end [m]
+    double deepest_in_ground() const { return deepest_in_ground_; }  ///< of all steps [m]
 
 private:
+    PenetrationProbe penetration_;
+    double deepest_ = 0, in_ground_ = 0, deepest_in_ground_ = 0;
     double impact_ = 0, last_kinetic_ = 0, last_share_ = 0, rest_since_ = 0, first_energy_ = 1, highest_energy_ = 0;
     int most_inverted_ = 0, steps_with_inverted_ = 0;
 };
@@ -106,7 +118,7 @@ Table sizes_table()
 void come_to_rest(const RunOptions& options, const std::filesystem::path& file, Report& report, Table& sizes)
 {
     Scene scene = load_scene(file);
-    RestProbe rest;
+    RestProbe rest(scene.contact.stiffness);
     StripProbe strip(scene, {0.0, 0.36, 0.5, 0.9, 1.7, scene.duration}, mark_feature_pairs, 560, 400);
     ClipProbe clip(scene, report.file("bunny_bowl.webp"), options.quick ? 2 : 20);
     const RunResult result = run(scene, chapter06_solver(scene.contact), {&rest, &strip, &clip});
@@ -124,6 +136,9 @@ void come_to_rest(const RunOptions& options, const std::filesystem::path& file, 
     report.fact("bunny_bowl", "most_inverted", rest.most_inverted());
     report.fact("bunny_bowl", "steps_with_inverted", rest.steps_with_inverted());
     report.fact("bunny_bowl", "real_time_factor", result.steps * scene.dt / result.timings.total(), 2);
+    report.fact("bunny_bowl", "deepest_at_end_mm", 1000 * rest.deepest(), 2);
+    report.fact("bunny_bowl", "ground_at_end_mm", 1000 * rest.in_ground(), 2);
+    report.fact("bunny_bowl", "ground_at_most_mm", 1000 * rest.deepest_in_ground(), 2);
     report.fact("bunny_bowl", "highest_energy", rest.highest_energy(), 4);
 }
 
@@ -131,7 +146,7 @@ void compare_sizes(const std::filesystem::path& file, Report& report, Table& siz
 {
     for (const int elements : {363, 1452}) {
         Scene scene = load_scene(file, mesh_change(elements));
-        RestProbe rest;
+        RestProbe rest(scene.contact.stiffness);
         const RunResult result = run(scene, chapter06_solver(scene.contact), {&rest});
         add_size(sizes, elements, scene, result, rest);
         report.fact("bunny_bowl", "real_time_factor_" + std::to_string(elements), result.steps * scene.dt / result.timings.total(), 2);
@@ -162,7 +177,7 @@ void count_inversions(const RunOptions& options, const std::filesystem::path& fi
         Scene scene = load_scene(file, nlohmann::json{{"dt", c.dt}, {"contact", {{"stiffness", c.stiffness}}},
                                                       {"/bodies/bunny/impulse_response", c.response},
                                                       {"camera", close_up}}.dump());
-        RestProbe rest;
+        RestProbe rest(scene.contact.stiffness);
         const bool pictured = c.response == "lumped" && c.stiffness == 200 && (c.dt == 0.002 || options.quick);
         Stage stage;
         int most = 0;

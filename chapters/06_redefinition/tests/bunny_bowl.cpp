@@ -36,11 +36,13 @@ TEST_CASE("bunny in the bowl: with friction and redefinition it comes to rest, w
             before_touch = kinetic(world);
         most_inverted = std::max(most_inverted, chapter06::count_inverted(world));
     });
-    const RunResult result = run(scene, chapter06_solver(scene.contact), {&watch});
+    PenetrationProbe depths(scene.contact.stiffness);
+    const RunResult result = run(scene, chapter06_solver(scene.contact), {&watch, &depths});
     CHECK(before_touch > 200);
     CHECK(kinetic(scene.world) < 0.001 * before_touch);
     CHECK(result.contacts.size() > 50);  // it lies in the bowl, and has not fallen through
     CHECK(most_inverted <= 3);
+    CHECK(std::get<double>(depths.table().rows().back()[8]) < 0.005);  // the bowl stands on the ground, not in it
 }
 
 TEST_CASE("cost: the clocks look on, and change not a bit of the run")

@@ -114,12 +114,20 @@ TEST_CASE("probes: penetration sums the depths inside, and bounds the step by th
     CHECK(number(probe.table(), 1, 5) == doctest::Approx(200));
     CHECK(number(probe.table(), 1, 6) == doctest::Approx(std::sqrt(2 * 1.5 / 200)));  // two 3 kg bodies: reduced 1.5 kg
     CHECK(number(probe.table(), 1, 7) == 0.5);
+    CHECK(number(probe.table(), 1, 8) == doctest::Approx(0.55));
+
+    scene.world.planes[0].stiffness = 5000;  // on it, and on it alone: 3 kg
+    probe.observe(scene.world, contacts, 0.5);
+    CHECK(number(probe.table(), 2, 4) == doctest::Approx(0.55));
+    CHECK(number(probe.table(), 2, 5) == doctest::Approx(5000));
+    CHECK(number(probe.table(), 2, 6) == doctest::Approx(std::sqrt(2 * 3.0 / 5000)));
 
     contacts[2].held = true;  // takes no impulse: neither deep nor stiff
     probe.observe(scene.world, contacts, 0.5);
-    CHECK(number(probe.table(), 2, 1) == 3);
-    CHECK(number(probe.table(), 2, 2) == 2);
-    CHECK(number(probe.table(), 2, 4) == doctest::Approx(0.25));
+    CHECK(number(probe.table(), 3, 1) == 3);
+    CHECK(number(probe.table(), 3, 2) == 2);
+    CHECK(number(probe.table(), 3, 4) == doctest::Approx(0.25));
+    CHECK(number(probe.table(), 3, 8) == 0);
 }
 
 TEST_CASE("probes: the force is the impulse over dt, equal and opposite from the other side")

@@ -16,7 +16,7 @@ namespace {
 const std::string ball_text = R"({
   "name": "ball", "gravity": [0, -10, 0], "dt": 0.01, "duration": 0.5,
   "contact": {"method": "dpf", "stiffness": 500},
-  "planes": [{"name": "ground", "point": [0, -1, 0], "normal": [0, 2, 0]}],
+  "planes": [{"name": "ground", "point": [0, -1, 0], "normal": [0, 2, 0], "stiffness": 9000}],
   "bodies": [
     {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.5}}, "mass": 2,
      "position": [0, 3, 0], "velocity": [1, 0, 0], "look": {"color": [1, 0.5, 0], "smooth": true}},
@@ -51,6 +51,7 @@ TEST_CASE("scene: every entry of the file arrives")
     REQUIRE(scene.world.planes.size() == 1);
     CHECK(scene.world.planes[0].normal == Vec3(0, 1, 0));
     CHECK(scene.world.planes[0].point == Vec3(0, -1, 0));
+    CHECK(scene.world.planes[0].stiffness == 9000.0);
     REQUIRE(scene.world.bodies.size() == 2);
     const Body& sphere = *scene.world.bodies[0];
     CHECK(sphere.mass() == doctest::Approx(2));
@@ -111,6 +112,8 @@ TEST_CASE("scene: numbers out of range are named with their path, range, unit an
     CHECK(complaint(R"({"duration": -1})") == "ball.json: /duration: expected a number above 0 up to 3600 [s], found -1");
     CHECK(complaint(R"({"contact": {"stiffness": 0}})") ==
           "ball.json: /contact/stiffness: expected a number above 0 up to 1e+12 [N/m], found 0");
+    CHECK(complaint(R"({"/planes/ground/stiffness": 0})") ==
+          "ball.json: /planes/0/stiffness: expected a number above 0 up to 1e+12 [N/m], found 0");
     CHECK(complaint(R"({"/bodies/0/mass": -3})") == "ball.json: /bodies/0/mass: expected a number from 1e-09 to 1e+09 [kg], found -3");
     CHECK(complaint(R"({"/bodies/0": {"mass": null, "density": -3}})") ==
           "ball.json: /bodies/0/density: expected a number from 0.001 to 1e+06 [kg/m^3], found -3");
