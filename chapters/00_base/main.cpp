@@ -32,7 +32,12 @@ void inertia(const RunOptions&, Report& report)
     report.plot("common/fem/plots/inertia_over_cells.gp");
 }
 
-void pushed_bar(const RunOptions&, Report& report) { leave(report, "pushed_bar", verification::pushed_bar()); }
+void pushed_bar(const RunOptions&, Report& report)
+{
+    const Table table = verification::pushed_bar();
+    leave(report, "pushed_bar", table);
+    report.fact("pushed_bar", "coarse_linear_percent", std::get<double>(table.rows()[0][3]));
+}
 
 void convergence(const RunOptions&, Report& report)
 {

@@ -27,7 +27,6 @@ double mass_share(Basis basis, int i, int j)
     return with_basis(basis, [&]<class B>(B) { return share<B>(i, j); });
 }
 
-//! [mass_matrix]
 Eigen::SparseMatrix<double> mass_matrix(const ElasticMesh& mesh, double density)
 {
     const int per_element = nodes_of(mesh.basis());
@@ -41,7 +40,6 @@ Eigen::SparseMatrix<double> mass_matrix(const ElasticMesh& mesh, double density)
     masses.setFromTriplets(entries.begin(), entries.end());  // sums what several elements give
     return masses;
 }
-//! [mass_matrix]
 
 Eigen::VectorXd lumped_masses(const Eigen::SparseMatrix<double>& mass_matrix)
 {

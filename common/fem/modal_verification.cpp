@@ -29,7 +29,6 @@ std::vector<NodalVectors> first_guesses(Eigen::Index nodes, int count)
     return guesses;
 }
 
-//! [modes]
 /// The slowest modes by inverse iteration on a block of fields, slowest first. In each round K next = M now, and within the
 /// space that the fields span the small eigenvalue problem is solved exactly (Rayleigh and Ritz).
 std::vector<Mode> slowest_modes(ElasticBody& body, const Eigen::SparseMatrix<double>& masses, int count)
@@ -64,7 +63,6 @@ std::vector<Mode> slowest_modes(ElasticBody& body, const Eigen::SparseMatrix<dou
         modes.push_back({std::sqrt(squares[i]), fields[i]});
     return modes;
 }
-//! [modes]
 
 Eigen::SparseMatrix<double> lumps(const ElasticBody& body)
 {
@@ -119,7 +117,6 @@ Table bending_frequency()
     return table;
 }
 
-//! [torsion]
 Table torsion_frequency()
 {
     const double length = 1, thickness = 1.0 / 15;
@@ -136,7 +133,6 @@ Table torsion_frequency()
         }
     return table;
 }
-//! [torsion]
 
 Table convergence_in_time()
 {

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <doctest/doctest.h>
 
+#include <array>
 
 using namespace enduring;
 using namespace enduring::test;
@@ -68,5 +69,31 @@ TEST_CASE("polar rotation: an element turns with its body, whatever its shape")
         find_rotations(mesh, (turn * bent).colwise() + Vec3(3, 1, 2), after);
         for (std::size_t e = 0; e < before.size(); ++e)
             CHECK((after[e] - turn * before[e]).norm() <= 1e-12);
+    }
+}
+
+TEST_CASE("polar rotation: a bent quadratic element turns as at its centroid, not as at a corner")
+{
+    // x = X + (b.X)^2 d: its gradient 1 + 2 (b.X) d b^T is known everywhere, and its control points by polarisation.
+    const Vec3 b(2, -1, 1), d(0.3, 1.1, -0.7);
+    const ElasticMesh mesh = elastic(small_bar(), Basis::quadratic);
+    const auto gradient_at = [&](const Vec3& place) -> Mat3 { return Mat3::Identity() + 2 * b.dot(place) * d * b.transpose(); };
+    NodalVectors bent = mesh.rest();
+    for (const ElasticElement& element : mesh.elements())
+        for (std::size_t i = 0; i < 10; ++i) {
+            const auto [one, other] = i < 4 ? std::array{int(i), int(i)} : tetrahedron_edges[i - 4];
+            const Vec3 x_one = mesh.rest().col(element.nodes[one]), x_other = mesh.rest().col(element.nodes[other]);
+            bent.col(element.nodes[i]) = mesh.rest().col(element.nodes[i]) + b.dot(x_one) * b.dot(x_other) * d;
+        }
+    ElementRotations rotations;
+    find_rotations(mesh, bent, rotations);
+    for (std::size_t e = 0; e < rotations.size(); ++e) {
+        CAPTURE(e);
+        Vec3 centroid = Vec3::Zero();
+        for (int i = 0; i < 4; ++i)
+            centroid += mesh.rest().col(mesh.elements()[e].nodes[i]) / 4;
+        CHECK((rotations[e] - polar_rotation(gradient_at(centroid))).norm() <= 1e-12);
+        for (int i = 0; i < 4; ++i)
+            CHECK((rotations[e] - polar_rotation(gradient_at(mesh.rest().col(mesh.elements()[e].nodes[i])))).norm() > 0.01);
     }
 }

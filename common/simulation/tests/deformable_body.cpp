@@ -205,3 +205,37 @@ TEST_CASE("deformable body: fixed nodes stay, whatever pushes them")
     CHECK(body->positions_t0()[static_cast<std::size_t>(pinned)] == start);
     CHECK(body->energy(Vec3::Zero()).kinetic > 0);
 }
+
+TEST_CASE("deformable body: fixed nodes take no impulse, at once or within the step, tried or applied")
+{
+    for (const ImpulseResponse response : {ImpulseResponse::lumped, ImpulseResponse::implicit})
+        for (const bool quadratic : {false, true}) {
+            CAPTURE(quadratic);
+            CAPTURE(response == ImpulseResponse::implicit);
+            DeformableSettings settings = soft();
+            settings.impulse_response = response;
+            settings.fixed_nodes = {0, 1, 2};
+            const auto body = soft_bar(quadratic, settings);
+            body->predict({0, -9.81, 0}, 0.02);
+            for (int vertex = 0; vertex < body->surface().vertex_count(); ++vertex) {
+                CAPTURE(vertex);
+                const Vec3 impulse(1, 2, 3), before = body->velocity(vertex);
+                const auto nodes = body->embedding().nodes_of(vertex);
+                const bool pinned = std::all_of(nodes.begin(), nodes.end(), [](const NodeWeight& n) { return n.node < 3; });
+                body->begin_trial();
+                body->try_impulse(vertex, impulse);
+                const Vec3 tried = body->tried_velocity(vertex), answer = body->inverse_mass(vertex) * impulse;
+                body->apply_impulse(vertex, impulse);
+                body->update_prediction(0.02);
+                const Vec3 after = body->velocity(vertex);
+                CHECK((after - before - answer).norm() <= 1e-5 * answer.norm());
+                CHECK((tried - after).norm() <= 1e-5 * answer.norm());
+                if (pinned)
+                    CHECK(after.norm() + tried.norm() + body->inverse_mass(vertex).norm() == 0);
+                else
+                    CHECK(answer.norm() > 0);
+                for (int node = 0; node < 3; ++node)
+                    CHECK(body->elastic().velocities().col(node).norm() == 0);
+            }
+        }
+}
