@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import grade
+import layers
 import prove
 import student
 import workshop
@@ -35,6 +36,18 @@ def stop(message):
     sys.exit(2)
 
 
+def prove_layers(options):
+    """Of all layers, or of a chapter's (0 is the base)."""
+    everything = layers.all_versions()
+    versions = [version for version in everything if options.number in (None, str(version.number))]
+    if not versions:
+        stop(f"there is no layer {options.number}. There are: {', '.join(sorted({str(version.number) for version in everything}))}")
+    lacks = list(layers.too_few(versions))
+    for fault in lacks:
+        print(fault)
+    return prove.prove_layers(layers.part_of(versions, options.part) if options.part else versions, options.renew) or bool(lacks)
+
+
 def arguments():
     parser = argparse.ArgumentParser(prog="./course", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
@@ -45,6 +58,8 @@ def arguments():
     proof = commands.add_parser("prove", help="prove stubs, solutions and mutants")
     proof.add_argument("number", nargs="?", metavar="N[.M]")
     proof.add_argument("--renew", action="store_true", help="first write the stubs anew; attempts in them are lost")
+    proof.add_argument("--layers", action="store_true", help="prove the layers instead: wrong versions that their tests have to notice")
+    proof.add_argument("--part", metavar="K/N", help="of the layers' wrong versions, the K-th of N parts")
     grades = commands.add_parser("grade", help="grade a class")
     grades.add_argument("folder", type=Path, help="holds one folder for each student")
     grades.add_argument("--csv", type=Path, metavar="FILE", help="where the table goes (default: FOLDER/grades.csv)")
@@ -63,6 +78,8 @@ def main():
         return student.hint(one(exercises, options.number))
     if options.command == "solution":
         return student.solution(one(exercises, options.number), options.second)
+    if options.command == "prove" and options.layers:
+        return prove_layers(options)
     if options.command == "prove":
         return prove.prove(chosen(exercises, options.number), options.renew)
     if not options.folder.is_dir():

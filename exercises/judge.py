@@ -71,15 +71,17 @@ def with_chapters_tests(exercise, answer, folder, outcome):
     return own
 
 
-def run_cases(program, report, options=()):
-    """Runs a program of doctest cases, with a limit of time and memory."""
+def run_cases(program, report, options=(), seconds=None):
+    """Runs a program of doctest cases, with a limit of time and memory.
+    @param seconds  the limit of time; without it, that of a check"""
+    seconds = seconds or SECONDS
     report.unlink(missing_ok=True)
     command = [str(program), "--reporters=xml", f"--out={report}", "--no-breaks", *options]
-    done, in_time = run_limited(command)
+    done, in_time = run_limited(command, seconds)
     cases = cases_in(report)
     checking = f" It was checking: {cases[-1].get('name')}" if cases else ""
     if not in_time:
-        return Outcome("too_long", f"Stopped after {SECONDS} s: a loop does not end, or takes far too many rounds.{checking}")
+        return Outcome("too_long", f"Stopped after {seconds} s: a loop does not end, or takes far too many rounds.{checking}")
     if cases is None:
         return Outcome("crashed", crash_of(done), said=done.stdout)
     failures = [failure for case in cases for failure in failures_of(case)]
@@ -87,12 +89,12 @@ def run_cases(program, report, options=()):
     return Outcome(state_of(done, cases, failures), crash, len(cases), failures, done.stdout)
 
 
-def run_limited(command):
+def run_limited(command, limit):
     """(CompletedProcess, whether it ended in time). Who does not is asked to end first, so that its report names the case."""
     program = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
     in_time = True
-    for seconds, end in ((SECONDS, program.terminate), (5, program.kill), (None, None)):
+    for seconds, end in ((limit, program.terminate), (5, program.kill), (None, None)):
         try:
             out, err = program.communicate(timeout=seconds)
             return subprocess.CompletedProcess(command, program.returncode, out, err), in_time

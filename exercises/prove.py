@@ -1,10 +1,12 @@
 """Proves the exercises: each stub fails by its own "not implemented yet", each solution passes, each mutant is rejected."""
+import collections
 import json
 import os
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 
 import beside
+import layers
 import workshop
 from catalogue import FEWEST_MUTANTS, shown
 from judge import judge
@@ -19,12 +21,29 @@ def prove(exercises, renew):
     made = [exercise for exercise in exercises if renew and write_stub(exercise)]
     workshop.prepare(exercises, reconfigure=bool(made))
     tasks = [(exercise, task) for exercise in exercises for task in tasks_of(exercise)]
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        faults = [fault for found in pool.map(run_task, tasks) for fault in found]
+    faults = [fault for found in run_side_by_side(run_task, tasks) for fault in found]
     faults += [fault for exercise in exercises for fault in shape_faults(exercise)]
     for fault in faults:
         print(fault)
     return tell(exercises, faults)
+
+
+def run_side_by_side(work, tasks):
+    """What came of each task, in their order, as soon as it is known."""
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        yield from pool.map(work, tasks)
+
+
+def prove_layers(versions, renew):
+    """Proves that the layers' tests notice these wrong versions, and says of each which test did.
+    @param renew  write the names of the tests that noticed into the patches
+    @return the exit status"""
+    layers.prepare(versions)
+    faults = 0
+    for said, is_fault in run_side_by_side(lambda version: layers.prove(version, renew), versions):
+        print(said, flush=True)
+        faults += is_fault
+    return tell_layers(versions, faults)
 
 
 def write_stub(exercise):
@@ -125,4 +144,15 @@ def tell(exercises, faults):
         return 1
     print(f"\nProven: {counts['exercises']} exercises, their stubs fail by 'not implemented yet' and their solutions pass, "
           f"{counts['second_solutions']} of them a second time; {counts['mutants']} mutants are rejected.")
+    return 0
+
+
+def tell_layers(versions, faults):
+    """The counts by layer."""
+    counts = collections.Counter(version.layer for version in versions)
+    print("\n" + ", ".join(f"{count} of {layer}" for layer, count in counts.items()))
+    if faults:
+        print(f"{faults} faults in {len(versions)} wrong versions")
+        return 1
+    print(f"Proven: {len(versions)} wrong versions of {len(counts)} layers, each noticed by a test.")
     return 0

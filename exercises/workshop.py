@@ -1,4 +1,5 @@
 """Compiles and links one answer: a student's file, a solution or a mutant, by the commands of the build folder."""
+import functools
 import os
 import re
 import subprocess
@@ -32,6 +33,10 @@ def prepare(exercises, reconfigure=False):
             targets |= {f"test_chapter{chapter}", f"chapter{chapter}"}
     if reconfigure or not (BUILD / "build.ninja").is_file():
         run_quietly(["cmake", "--preset", "release", "-B", str(BUILD)])
+    build(targets)
+
+
+def build(targets):
     run_quietly(["cmake", "--build", str(BUILD), "--parallel", str(os.cpu_count()), "--target", *sorted(targets)])
 
 
@@ -84,22 +89,62 @@ def symbols(file):
 
 def link_check(exercise, answer, program):
     """The program that judges an answer: the exercise's check."""
-    link(last_command(f"bin/exercise_{exercise.target}"), pattern_object(exercise), answer, program)
+    link(f"exercise_{exercise.target}", {pattern_object(exercise): answer}, program)
 
 
 def link_instead(target, answer, program):
     """A program of the chapter with the answer's object in the place of the chapter's own."""
-    command = last_command(f"bin/{target}")
-    first = re.search(r"\S+\.cpp\.o", command)[0]
-    link(command, first, f"{answer}' '{first}", program)
+    link(target, {"of the layer": answer}, program)
 
 
-def link(command, pattern, answer, program):
-    command = command.replace(pattern, f"'{answer}'", 1)
+def link(target, objects, program):
+    """A program of the build with some objects changed: those of its own command change places, all others come first, so that
+    the linker does not look for them in its libraries.
+    @param objects  the changed objects, by the build's name for each
+    @throws DoesNotCompile"""
+    before, first, rest = re.split(r"(\S+\.cpp\.o)", last_command(f"bin/{target}"), maxsplit=1)
+    own = {name for name in objects if name == first or f" {name} " in rest}
+    of_libraries = " ".join(f"'{changed}'" for name, changed in objects.items() if name not in own)
+    command = f"{before}{of_libraries} {first}{rest}"
+    for name in own:
+        command = command.replace(f" {name} ", f" '{objects[name]}' ")
     command = re.sub(r"-o bin/\S+", lambda _: f"-o '{program}'", command, count=1)
     done = subprocess.run(["bash", "-c", command], cwd=BUILD, capture_output=True, text=True)
     if done.returncode:
         raise DoesNotCompile(link_errors(done.stderr + done.stdout))
+
+
+# ----------------------------------------------------------------------------------------- a copy of the sources, changed
+def objects_that_read(source, targets):
+    """The objects of some targets whose sources include a file, directly or not, or are that file.
+    @param source  as seen from the top"""
+    names = {f"    {ROOT / source}", f"    {os.path.relpath(ROOT / source, BUILD)}"}  # as a compiler, or ccache, may have told it
+    found, current = [], ""
+    for line in recorded_includes():
+        if line in names:
+            found.append(current)
+        elif not line.startswith(" "):
+            current = line.split(": ")[0]
+    return sorted({name for name in found if name.startswith(tuple(f"CMakeFiles/{target}.dir/" for target in targets))})
+
+
+@functools.cache
+def recorded_includes():
+    """For each object of the build, a line with its name, and its sources in indented lines."""
+    return run_quietly(["ninja", "-C", str(BUILD), "-t", "deps"]).splitlines()
+
+
+def compile_copy(pattern, sources, changed):
+    """Compiles one file of a copy of the sources as the build compiles its original; warnings are nobody's business there.
+    @param pattern  the build's object file
+    @param sources  the copy, with the same folders in it
+    @param changed  the new object
+    @throws DoesNotCompile"""
+    command = last_command(pattern).replace(pattern, f"'{changed}'").replace(f"-I{ROOT} ", f"-I'{sources}' ").replace(
+        f"-c {ROOT}/", f"-c {sources}/") + " -w"
+    done = subprocess.run(["bash", "-c", command], cwd=BUILD, capture_output=True, text=True)
+    if done.returncode:
+        raise DoesNotCompile(f"does not compile: {done.stderr[-2000:]}")
 
 
 # ------------------------------------------------------------------------------------------------ errors, made readable

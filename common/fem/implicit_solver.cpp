@@ -100,12 +100,10 @@ bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVector
 //! [conjugate_gradients]
 
 void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
-                           double stiffness_scale, const NodalVectors& rhs_of_all, NodalVectors& v)
+                           double stiffness_scale, const NodalVectors& rhs, NodalVectors& v)
 {
     const System system{elasticity, mass_matrix_, fixed, mass_scale, stiffness_scale};
-    NodalVectors rhs = rhs_of_all;
-    system.clear_fixed(rhs);
-    system.clear_fixed(v);
+    system.clear_fixed(v);  // and so stays every change of it: what rhs says of a fixed node meets only zeros
     if (!rhs.allFinite() || !v.allFinite())
         return;  // nothing to be saved here: the step names the body and the vertex
 

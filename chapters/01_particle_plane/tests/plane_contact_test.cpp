@@ -2,6 +2,7 @@
 
 #include "chapters/01_particle_plane/particle.hpp"
 #include "common/geometry/shapes.hpp"
+#include "common/simulation/point_masses.hpp"
 #include "common/simulation/rigid_body.hpp"
 
 #include <doctest/doctest.h>
@@ -182,4 +183,53 @@ TEST_CASE("plane contact: a contact begins where the vertex goes under and ends 
 
     resolve_plane_contacts(world, contacts);
     CHECK(contacts.empty());  // at the start of this step the cube was still outside
+}
+
+namespace {
+
+/// One particle of 1 kg, and planes through the origin.
+World particle_at(const Vec3& place, const Vec3& velocity, const std::vector<Vec3>& normals)
+{
+    World world;
+    world.gravity.setZero();
+    world.bodies.push_back(std::make_unique<PointMasses>("particle", std::vector<Vec3>{place}, std::vector<Face>{}, 1.0, velocity));
+    for (const Vec3& normal : normals)
+        world.planes.push_back({"plane", Vec3::Zero(), normal});
+    return world;
+}
+
+Contact particle_on_plane(int plane) { return {ContactKind::vertex_plane, 0, plane, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}; }
+
+}  // namespace
+
+TEST_CASE("plane contact: a vertex exactly on the plane keeps its contact, one a hair above it does not")
+{
+    for (const double height : {-1e-15, 0.0, 1e-15}) {
+        CAPTURE(height);
+        World world = particle_at({0, height, 0}, Vec3::Zero(), {Vec3::UnitY()});
+        Contacts contacts{particle_on_plane(0)};
+        resolve_plane_contacts(world, contacts);
+        CHECK(contacts.size() == (height > 0 ? 0 : 1));
+    }
+}
+
+TEST_CASE("plane contact: a vertex in a corner is pushed by the wall along the wall's normal, besides the floor")
+{
+    // On the floor already, 0.1 m in front of the wall, which it passes in the middle of the step.
+    const double dt = 0.1;
+    World world = particle_at({0.1, -0.2, 0}, {-2, 0, 0}, {Vec3::UnitY(), Vec3::UnitX()});
+    Contacts contacts{particle_on_plane(0)};
+    world.bodies[0]->predict(world.gravity, dt);
+    detect_plane_contacts(world, contacts);
+    REQUIRE(contacts.size() == 2);
+    push_out_of_planes(world, contacts, PenaltyMethod::continuous, k, dt);
+    CHECK((contacts[0].impulse - Vec3(0, k * dt * 0.2, 0)).norm() <= 1e-12);
+    CHECK((contacts[1].impulse - Vec3(k * dt * 0.1 / 4, 0, 0)).norm() <= 1e-12);
+
+    // Answered once, and never again in this step, however deep it lies then.
+    apply_impulses(world, contacts);
+    world.bodies[0]->apply_impulse(0, {0, -7, 0});
+    world.bodies[0]->update_prediction(dt);
+    push_out_of_planes(world, contacts, PenaltyMethod::continuous, k, dt);
+    CHECK((contacts[0].impulse - Vec3(0, k * dt * 0.2, 0)).norm() <= 1e-12);
 }

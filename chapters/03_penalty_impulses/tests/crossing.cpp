@@ -49,6 +49,15 @@ TEST_CASE("crossing: a vertex that lies in the face and sinks enters at once")
     CHECK_FALSE(find_entry(falling_vertex(0, 1), enters_face));
 }
 
+TEST_CASE("crossing: a vertex that has no speed towards the face at first enters where the face tilts up against it")
+{
+    // At (x, 0, 0) the face rises as 0.4 tau x; the vertex glides along x = 0.5 tau, so the depth falls with tau squared.
+    const VertexFaceStep step{{0, 0, 0}, {-1, 0, -1}, {-1, 0, 3}, {3, 0, -1}, {0.5, 0, 0}, {-1, -0.4, -1}, {-1, -0.4, 3}, {3, 1.2, -1}};
+    const auto entry = find_entry(step, enters_face);
+    REQUIRE(entry);
+    CHECK(entry->time < 1e-9);
+}
+
 TEST_CASE("crossing: after one that leads out, the query is asked for the rest of the step")
 {
     // A face that sways while the vertex passes over it: inside, outside, inside again.
@@ -108,4 +117,18 @@ TEST_CASE("crossing: parallel edges and needles have no normal, so no entry")
     needle.f1_t0 = needle.f1_t1 = Vec3(0, 0, 0);
     needle.f2_t0 = needle.f2_t1 = Vec3(1, 0, 1);
     CHECK_FALSE(find_entry(needle, enters_face));
+}
+
+TEST_CASE("crossing: edges and faces thinner than a ten-thousandth still have a normal, so an entry")
+{
+    EdgeEdgeStep thin = falling_edge(1, -1);
+    thin.eb0_t0 = thin.eb0_t1 = Vec3(-1, 0, 0.2 - 1e-4);
+    thin.eb1_t0 = thin.eb1_t1 = Vec3(1, 0, 0.2 + 1e-4);
+    const auto entry = entering(thin, b_below_a);
+    REQUIRE(entry);
+    CHECK(entry->time == doctest::Approx(0.5).epsilon(1e-9));
+    CHECK(entry->weights[0] == doctest::Approx(0.5).epsilon(1e-9));
+
+    VertexFaceStep needle{{0.5, 1, 0}, {-1, 0, -1e-4}, {-1, 0, 1e-4}, {2, 0, 0}, {0.5, -1, 0}, {-1, 0, -1e-4}, {-1, 0, 1e-4}, {2, 0, 0}};
+    CHECK(find_entry(needle, enters_face));
 }

@@ -109,4 +109,12 @@ TEST_CASE("penetration intervals: a pair that starts at its impact is not pushed
     REQUIRE(inside.size() == 1);
     CHECK(inside[0].from == 0.25);
     CHECK(penetration_intervals({{1.0, 1.0, -1.0, -1.0}}, 1).size() <= 1);
+
+    // Negative before 0.2 and from 0.4 to 0.7, or the other way round: the visit before the start is nobody's.
+    for (const double sign : {1.0, -1.0}) {
+        const auto rest = penetration_intervals(from_roots(sign, 0.2, 0.4, 0.7), 0.5);
+        REQUIRE(rest.size() == 1);
+        CHECK(rest[0].from == doctest::Approx(sign > 0 ? 0.5 : 0.7));
+        CHECK(rest[0].to == doctest::Approx(sign > 0 ? 0.7 : 1));
+    }
 }

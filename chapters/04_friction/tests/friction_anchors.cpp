@@ -131,3 +131,26 @@ TEST_CASE("friction: a scene without friction runs as in chapter 3, to the last 
     }());
     CHECK(chapter04_solver({}).finish.empty());
 }
+
+TEST_CASE("friction anchors: a pair that waits and does not push slips no more")
+{
+    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mended}) {
+        OnPlane it(model, {0.01, 0, 0});
+        it.contact().impulse.setZero();
+        it.contact().slip = 3;  // of the step before
+        rub_pairs(it.world, it.contacts, it.friction, OnPlane::dt);
+        CHECK(it.contact().slip == 0);
+    }
+}
+
+TEST_CASE("friction anchors: a stretch from before the surface tilted is laid along it, held or slipping")
+{
+    for (const double slip : {0.0, 0.01}) {
+        OnPlane it(FrictionModel::mended, Vec3::Zero());
+        it.contact().stretch = {0.01, 0.02, 0};
+        it.contact().slip = slip;
+        it.contact().friction = {-0.6, 0, 0};  // enough for 0.12 m
+        it.finish();
+        CHECK((it.contact().stretch - Vec3(0.01, 0, 0)).norm() < 1e-15);
+    }
+}

@@ -1,9 +1,13 @@
 #include "../friction_contact.hpp"
 #include "../mended_friction.hpp"
+#include "common/geometry/shapes.hpp"
+#include "common/rigid/mass_properties.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/point_masses.hpp"
+#include "common/simulation/rigid_body.hpp"
 #include "common/simulation/scene_reader.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>
 
 #include <random>
@@ -226,4 +230,21 @@ TEST_CASE("friction: a pair's shares bound what all pairs do together")
         apply_impulses(it.world, it.contacts);
         CHECK(predicted_kinetic(it.world) <= of_shares * (1 + 1e-12));
     }
+}
+
+TEST_CASE("friction: a pair that is alone on a rigid body has the whole of it, through however many vertices it pushes")
+{
+    World world;
+    world.bodies.push_back(std::make_unique<PointMasses>("particle", std::vector<Vec3>{{0.1, 0.5, 0.1}}, std::vector<Face>{}, 2.0));
+    const SurfaceMesh cube = box({1, 1, 1});
+    world.bodies.push_back(std::make_unique<RigidBody>("cube", cube, with_mass(mass_properties(cube, 1.0), 3.0)));
+    const auto [f0, f1, f2] = cube.faces[0];
+    Contact contact{ContactKind::vertex_face, 0, 1, 0, 0, {0, f0, f1, f2}, {1, -0.5, -0.3, -0.2}};
+    contact.impulse = {0, 1, 0};
+    Mat3 expected = Mat3::Identity() / 2.0;
+    for (const std::size_t i : {1u, 2u, 3u})
+        expected -= contact.weights[i] * world.bodies[1]->inverse_mass(contact.vertices[i]);
+    const TangentPlane plane(Vec3::UnitY());
+    const double found = MassShares(world, {contact}).inverse_mass(world, contact, plane);
+    CHECK(found == doctest::Approx(Eigen::SelfAdjointEigenSolver<Mat2>(plane.of(expected)).eigenvalues()[1]).epsilon(1e-12));
 }

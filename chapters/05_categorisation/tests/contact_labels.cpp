@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -75,6 +76,26 @@ TEST_CASE("labels: parallel edges and a face without area have no normal and sta
     CHECK(categorise_vertex_face(degenerate, 1, 0, 0, 0, 0) == unknown);
 }
 
+TEST_CASE("labels: edges and faces thinner than a ten-thousandth still have a normal, so a label")
+{
+    World world;
+    // An edge along x of a triangle that looks down lies over an edge of one that looks down, too, and then up.
+    world.bodies.push_back(still({{{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, 2, 1}}}, Vec3::Zero()));
+    world.bodies.push_back(still({{{-1, 0, -1e-4}, {1, 0, 1e-4}, {0, 0, 1}}, {{0, 1, 2}}}, Vec3::Zero()));
+    const auto edge = [&](int body) {
+        const auto edges = world.bodies[static_cast<std::size_t>(body)]->surface().edges();
+        return static_cast<int>(std::find(edges.begin(), edges.end(), Edge{0, 1}) - edges.begin());
+    };
+    Contact pair{ContactKind::edge_edge, 0, 1, edge(0), edge(1)};
+    pair.orientation = -1;  // (2, 0, 0) x (2, 0, 2e-4) points down
+    CHECK(categorise(world, pair, 0) == hooked);
+    world.bodies[1] = still({{{-1, 0, -1e-4}, {1, 0, 1e-4}, {0, 0, -1}}, {{0, 1, 2}}}, Vec3::Zero());
+    CHECK(categorise(world, pair, 0) == regular);
+
+    world.bodies[1] = still({{{0, 0, 0}, {1, 0, 1e-4}, {1, 0, -1e-4}}, {{0, 1, 2}}}, Vec3::Zero());
+    CHECK(categorise_vertex_face(world, 0, 0, 1, 0, 0) == regular);
+}
+
 TEST_CASE("labels: a vertex on a plane is always regular")
 {
     World world = cube_in_floor();
@@ -105,6 +126,11 @@ TEST_CASE("labels: a label is taken when the pair begins to push, and a new pair
     label_contacts(world, contacts);
     CHECK(contacts[0].category == regular);
     CHECK(contacts[1].category == hooked);
+
+    Contacts found{pair};
+    found[0].start = 1;
+    label_new_contacts(world, found);
+    CHECK(found[0].category == hooked);
 
     contacts[1].start = 0;
     label_new_contacts(world, contacts);

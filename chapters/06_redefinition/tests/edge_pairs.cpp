@@ -1,5 +1,6 @@
 #include "../edge_edge_dismissal.hpp"
 #include "../edge_pairs_of_redefinition.hpp"
+#include "../new_pairs.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "small_worlds.hpp"
 
@@ -87,6 +88,62 @@ TEST_CASE("edges: two edges that have become parallel are held, for nothing says
     dismiss_enduring_edges(world, contacts);
     CHECK(contacts[0].held);
     CHECK_FALSE(contacts[0].resolved);
+}
+
+namespace {
+
+/// crossing_edges with the upper triangle turned over: it looks up, so a push upwards is along its own surface.
+World hooked_edges()
+{
+    World world = crossing_edges(Vec3::Zero());
+    world.bodies[0] = still("above", {{{0, -0.01, 0}, {1, -0.01, 0}, {0.5, -0.01, -1}}, {{0, 1, 2}}});
+    return world;
+}
+
+/// What the hand-over of a vertex brings, from a face to itself: all edges at the vertex against all of the face.
+Contacts brought_by(const Redefinition& redefinition)
+{
+    Contacts contacts;
+    append_edge_pairs(crossing_edges({0, -0.01, 0}), {redefinition}, 0, contacts);
+    return contacts;
+}
+
+}  // namespace
+
+TEST_CASE("edges: a hooked pair is held, and one that is hooked at its entry does not come in")
+{
+    const World world = hooked_edges();
+    Contacts contacts{pair_in(world)};
+    dismiss_enduring_edges(world, contacts);
+    CHECK(contacts[0].held);
+    CHECK_FALSE(contacts[0].resolved);
+    CHECK(contacts[0].category == ContactCategory::hooked);
+
+    Redefinitions redefinitions;
+    Contacts entries{pair_in(world)};
+    admit_new_pairs(world, entries, 0, redefinitions);
+    CHECK(entries.empty());
+    const World regular = crossing_edges({0, -0.01, 0});
+    entries = {pair_in(regular)};
+    admit_new_pairs(regular, entries, 0, redefinitions);
+    CHECK(entries.size() == 1);
+}
+
+TEST_CASE("edges: the pairs that a vertex brings push from when its own pair does, out of the body that they name second")
+{
+    const Contacts of_a = brought_by({0, 0, 1, 0, 0, Vec3::UnitY(), 0.4}), of_b = brought_by({1, 0, 0, 0, 0, -Vec3::UnitY(), 0.4});
+    const World world = crossing_edges({0, -0.01, 0});
+    for (const Contacts* brought : {&of_a, &of_b}) {
+        REQUIRE(brought->size() > 0);
+        for (const Contact& pair : *brought) {
+            CHECK(pair.start == 0.4);
+            CHECK(pair.body_a == 0);
+            CHECK(contact_geometry(world, pair, 0).normal.y() == doctest::Approx(1));
+            CHECK(contact_geometry(world, pair, 0).depth == doctest::Approx(-0.01));
+        }
+    }
+    // Their normals stand at 53 degrees to this one.
+    CHECK(brought_by({0, 0, 1, 0, 0, Vec3(0.8, 0.6, 0), 0.4}).empty());
 }
 
 namespace {

@@ -114,3 +114,65 @@ TEST_CASE("resolution: a vertex that leaves through its own face is let go at on
         CHECK(contacts[0].resolved == (speed > 1));
     }
 }
+
+TEST_CASE("resolution: a vertex that grazes a ridge, in by one side and out by the other at once, counts as inside")
+{
+    // The ridge lies along z in y = 0; the vertex passes it at mid-step.
+    const SurfaceMesh roof{{{0, 0, -1}, {0, 0, 1}, {-2, -2, 0}, {2, -2, 0}}, {{0, 2, 1}, {0, 1, 3}}};
+    World world = tip_and(roof, {-1, 0, 0.1}, {2, 0, 0});
+    world.bodies[1]->predict(Vec3::Zero(), 1);
+    CrossingDetection detection;
+    detection.find_candidates(world);
+    Contacts contacts{on_face(world, 0)};
+    contacts[0].start = 0.5;
+    Redefinitions redefinitions;
+    resolve_vertices_that_left(world, detection, contacts, redefinitions);
+    CHECK(contacts.size() == 1);
+    CHECK_FALSE(contacts[0].resolved);
+}
+
+namespace {
+
+/// The pair of an upright edge of body 0, which pierces body 1 where that stays, and the edge of body 1 between its vertices 0 and
+/// 1, which pierces nothing.
+struct PiercedSheet {
+    World world;
+    CrossingDetection detection;
+    Contacts contacts;
+
+    explicit PiercedSheet(double rise)
+    {
+        world.bodies.push_back(std::make_unique<PointMasses>("upright", std::vector<Vec3>{{0, -1, 0}, {0, 1, 0}, {-1, 1, 0}},
+                                                             std::vector<Face>{{0, 1, 2}}, 1, Vec3(0, rise, 0)));
+        world.bodies.push_back(still("sheet", {{{-3, 0, -1}, {2, 0, -1}, {0, 0, 3}}, {{0, 2, 1}}}));
+        world.bodies[0]->predict(Vec3::Zero(), 1);
+        detection.find_candidates(world);
+        const auto edge = [&](std::size_t body) {
+            const auto edges = world.bodies[body]->surface().edges();
+            return static_cast<int>(std::find(edges.begin(), edges.end(), Edge{0, 1}) - edges.begin());
+        };
+        contacts.push_back({ContactKind::edge_edge, 0, 1, edge(0), edge(1), {0, 1, 0, 1}});
+    }
+    bool resolved()
+    {
+        resolve_edges_that_left(world, detection, contacts);
+        return contacts[0].resolved;
+    }
+    void touch(int vertex_of_sheet) { contacts.push_back({ContactKind::vertex_face, 1, 0, vertex_of_sheet, 0}); }
+};
+
+}  // namespace
+
+TEST_CASE("resolution: an edge pair ends when either edge is outside, and one with an end in contact is not")
+{
+    CHECK(PiercedSheet(0).resolved());  // edge B pierces nothing
+    for (const int end : {0, 1}) {
+        CAPTURE(end);
+        PiercedSheet held(0);
+        held.touch(end);
+        CHECK_FALSE(held.resolved());
+        PiercedSheet risen(5);  // edge A pierces nothing any more at the end of the step
+        risen.touch(end);
+        CHECK(risen.resolved());
+    }
+}

@@ -1,4 +1,5 @@
 #include "../face_choice.hpp"
+#include "../new_pairs.hpp"
 #include "../vertex_face_redefinition.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -156,6 +157,32 @@ TEST_CASE("new pairs: a vertex that dives through a diagonal has one pair here a
     world = tip_and(plane_grid(2, 2, {1, 1}), {0, 0.1, 0}, {0, -2, 0});
     advance(world, six, weak_solver(), 0.1);
     CHECK(of_tip(six).size() == 1);
+}
+
+TEST_CASE("new pairs: of two entries of a vertex the earliest is kept, and of two at the same time the regular one")
+{
+    World world = tip_and(plane_grid(2, 2, {1, 1}), {0, -0.1, 0});
+    for (const int early : {0, 1}) {
+        CAPTURE(early);
+        Contacts contacts{on_face(world, 0), on_face(world, 1)};
+        contacts[0].start = contacts[1].start = 0.6;
+        contacts[static_cast<std::size_t>(early)].start = 0.2;
+        Redefinitions redefinitions;
+        admit_new_pairs(world, contacts, 0, redefinitions);
+        REQUIRE(contacts.size() == 1);
+        CHECK(contacts[0].start == 0.2);
+        CHECK(contacts[0].feature_b == early);
+    }
+
+    // Face 0 stands upright, along the tip's surface; face 1 looks up.
+    world = tip_and({{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {{0, 3, 1}, {0, 1, 2}}}, {0, 0, 0.1});
+    Contacts contacts{on_face(world, 0), on_face(world, 1)};
+    contacts[0].start = contacts[1].start = 0.5;
+    Redefinitions redefinitions;
+    admit_new_pairs(world, contacts, 0, redefinitions);
+    REQUIRE(contacts.size() == 1);
+    CHECK(contacts[0].feature_b == 1);
+    CHECK(redefinitions.empty());
 }
 
 TEST_CASE("new pairs: a floor's vertex that enters by the front of a box belongs to its bottom before its first impulse")

@@ -194,6 +194,26 @@ TEST_CASE("elastic body: fixed nodes stay, the others hang from them with the bo
     CHECK(body.velocities().cwiseAbs().maxCoeff() <= 1e-6);
 }
 
+TEST_CASE("elastic body: a quadratic element with one corner inside out counts as inverted")
+{
+    const ElasticMesh mesh(with_edge_midpoints({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}}));
+    NodalVectors positions = mesh.rest();
+    CHECK(inverted_elements(mesh, positions) == 0);
+    positions(0, 4) = -0.5;  // the control point between corners 0 and 1, mirrored to the other side of corner 0
+    CHECK(inverted_elements(mesh, positions) == 1);
+}
+
+TEST_CASE("elastic body: a node that is fixed in flight stops at once, and no impulse moves it")
+{
+    ElasticBody body(elastic(small_bar(), Basis::quadratic), {});
+    body.velocities().colwise() = Vec3(1, 2, 3);
+    body.fix(4);
+    CHECK(body.velocities().col(4).isZero());
+    CHECK(body.velocities().col(3) == Vec3(1, 2, 3));
+    CHECK(body.inverse_masses()[4] == 0);
+    CHECK(body.inverse_masses()[3] == 1 / body.masses()[3]);
+}
+
 TEST_CASE("elastic body: the assembled matrix and the product without one agree, fixed rows are the identity's")
 {
     for (Basis basis : both_bases) {
@@ -253,6 +273,19 @@ TEST_CASE("elastic body: a body that only turns keeps its factor and needs no se
         CHECK(body.solver_iterations() <= 2);
     }
     CHECK(body.factorisations() == 1);
+}
+
+TEST_CASE("elastic body: a step of another length is another system, and gets a factor of its own")
+{
+    ElasticBody body(elastic(small_bar(), Basis::linear), {.young = 1e5}), fresh(elastic(small_bar(), Basis::linear), {.young = 1e5});
+    body.predict(Vec3::Zero(), 0.001);
+    body.predict(Vec3::Zero(), 0.1);
+    CHECK(body.factorisations() == 2);
+    body.predict(Vec3::Zero(), 0.1);
+    CHECK(body.factorisations() == 2);
+    fresh.predict(Vec3::Zero(), 0.1);
+    const NodalVectors impulses = random_field(body.node_count(), 0.1, 4);
+    CHECK((body.near_response(impulses) - fresh.near_response(impulses)).norm() <= 1e-6 * fresh.near_response(impulses).norm());
 }
 
 TEST_CASE("elastic body: an impulse answered after the prediction equals the force that it is over the step")

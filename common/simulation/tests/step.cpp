@@ -98,14 +98,38 @@ TEST_CASE("step: a contact that lives on starts the new step unhandled, without 
     contacts[0].start = 0.7;
     contacts[0].handled = true;
     contacts[0].impulse = {1, 2, 3};
+    contacts[0].friction = {3, 2, 1};
     bool seen = false;
     const Pass enduring{"enduring", [&](World&, Contacts& living, double) {
-                            seen = living.size() == 1 && living[0].start == 0 && !living[0].handled && living[0].impulse.isZero();
+                            seen = living.size() == 1 && living[0].start == 0 && !living[0].handled && living[0].impulse.isZero() &&
+                                   living[0].friction.isZero();
                         }};
     std::string log;
     advance(world, contacts, {"", {enduring}, {}, {logged("r", log, handle_all)}}, 0.1);
     CHECK(seen);
     CHECK(log == "r ");
+}
+
+TEST_CASE("step: a pair's vertices receive its impulse and its friction by their weights, once, and only while it waits")
+{
+    World world = one_triangle();
+    world.bodies.push_back(triangle("second sheet"));
+    Contact contact{ContactKind::vertex_face, 0, 1, 2, 0, {2, 0, 1, 2}, {1, -0.5, -0.3, -0.2}};
+    contact.impulse = {0, 4, 0};
+    contact.friction = {1, 0, 0};
+    Contacts contacts(3, contact);
+    contacts[1].held = true;
+    contacts[2].resolved = true;
+    for (int round = 0; round < 2; ++round) {
+        apply_impulses(world, contacts);
+        CHECK((world.bodies[0]->velocity(2) - Vec3(1, 4, 0)).norm() < 1e-15);
+        CHECK((world.bodies[1]->velocity(0) - Vec3(-0.5, -2, 0)).norm() < 1e-15);
+        CHECK((world.bodies[1]->velocity(1) - Vec3(-0.3, -1.2, 0)).norm() < 1e-15);
+        CHECK((world.bodies[1]->velocity(2) - Vec3(-0.2, -0.8, 0)).norm() < 1e-15);
+        CHECK(world.bodies[0]->velocity(0).isZero());
+        CHECK(contacts[0].handled);
+        CHECK_FALSE(contacts[1].handled);
+    }
 }
 
 TEST_CASE("step: impulses of one pass do not see each other, and their order does not matter")

@@ -14,7 +14,7 @@ std::unique_ptr<Body> body_in_motion(const std::string& kind, double dt)
         : R"("type": "deformable", "shape": {"bar": {"size": [1, 0.2, 0.2], "cells": [4, 1, 1]}}, "density": 100, "young": 1e6,
              "poisson": 0.3, "basis": ")" + std::string(kind.find("quadratic") == std::string::npos ? "linear" : "quadratic") +
               R"(", "impulse_response": ")" + std::string(kind.find("implicit") == std::string::npos ? "lumped" : "implicit") + "\"";
-    Scene scene = read_scene(R"({"name": "s", "dt": 0.01, "duration": 1, "bodies": [{"name": "b", "angular_velocity": [0.3, 0.5, 2], )" + what + "}]}", "",
+    Scene scene = read_scene(R"({"name": "s", "dt": 0.01, "duration": 1, "bodies": [{"name": "b", "position": [3, -2, 1], "angular_velocity": [0.3, 0.5, 2], )" + what + "}]}", "",
                              "s.json", {});
     std::unique_ptr<Body> body = std::move(scene.world.bodies[0]);
     for (int step = 0; step < 30; ++step) {

@@ -1,0 +1,210 @@
+"""Wrong versions of layers: what notices them, what survives, and what a patch has to be. On a layer of three small files."""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import layers  # noqa: E402
+import prove  # noqa: E402
+import workshop  # noqa: E402
+from catalogue import CatalogueError  # noqa: E402
+
+SOURCES = {
+    "chapters/01_fall/fall.hpp": """#pragma once
+
+inline double half(double x)
+{
+    return x / 2;
+}
+
+double speed(double t);
+double height(double t);
+""",
+    "chapters/01_fall/fall.cpp": """#include "fall.hpp"
+
+double speed(double t)
+{
+    double v = 0;
+    for (int i = 0; i < 10; ++i)
+        v += 0.981 * t;
+    return v;
+}
+
+double height(double t)
+{
+    return half(speed(t) * t);
+}
+""",
+    "chapters/01_fall/tests/falls.cpp": """#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include "../fall.hpp"
+#include <cstdlib>
+#include <doctest/doctest.h>
+
+TEST_CASE("fall: speed, of \\"free\\" bodies, grows with time") { CHECK(speed(2) == doctest::Approx(19.62)); }
+TEST_CASE("fall: the way is half of speed times time") { CHECK(height(2) == doctest::Approx(19.62)); }
+TEST_CASE("fall: on the moon" * doctest::skip(!std::getenv("MOON"))) { CHECK(speed(1) == doctest::Approx(1.62)); }
+""",
+    "build/build.ninja": """rule cxx
+  command = g++ -std=c++20 -I$root -MD -MT $out -MF $out.d -o $out -c $in
+  deps = gcc
+  depfile = $out.d
+rule ar
+  command = rm -f $out && ar qc $out $in
+rule link
+  command = : && g++ $objects -o $out $libraries && :
+build CMakeFiles/chapter01_layer.dir/chapters/01_fall/fall.cpp.o: cxx $root/chapters/01_fall/fall.cpp
+build CMakeFiles/test_chapter01.dir/chapters/01_fall/tests/falls.cpp.o: cxx $root/chapters/01_fall/tests/falls.cpp
+build libchapter01_layer.a: ar CMakeFiles/chapter01_layer.dir/chapters/01_fall/fall.cpp.o
+build bin/test_chapter01: link CMakeFiles/test_chapter01.dir/chapters/01_fall/tests/falls.cpp.o | libchapter01_layer.a
+  objects = CMakeFiles/test_chapter01.dir/chapters/01_fall/tests/falls.cpp.o
+  libraries = libchapter01_layer.a
+""",
+}
+SPEED, WAY = 'fall: speed, of "free" bodies, grows with time', "fall: the way is half of speed times time"
+
+
+@unittest.skipUnless(shutil.which("g++") and shutil.which("ninja") and shutil.which("git"), "needs g++, ninja and git")
+class ALayer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.root = Path(tempfile.mkdtemp()).resolve()
+        cls.addClassCleanup(shutil.rmtree, cls.root)
+        for name, text in SOURCES.items():
+            path = cls.root / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text.replace("rule cxx", f"root = {cls.root}\nrule cxx"), encoding="utf-8")
+        (cls.root / "common").mkdir()
+        subprocess.run(["ninja", "-C", cls.root / "build"], check=True, capture_output=True)
+        for module, name, value in ((layers, "ROOT", cls.root), (workshop, "ROOT", cls.root), (workshop, "BUILD", cls.root / "build")):
+            held = mock.patch.object(module, name, value)
+            held.start()
+            cls.addClassCleanup(held.stop)
+        workshop.recorded_includes.cache_clear()
+        layers.passes_in_the_build.cache_clear()
+        cls.addClassCleanup(workshop.recorded_includes.cache_clear)
+
+    def wrong(self, old, new, fails=SPEED, file="fall.cpp", name="wrong", says="It is wrong."):
+        """A patch of one line of the layer, with the lines around it."""
+        lines = SOURCES[f"chapters/01_fall/{file}"].splitlines()
+        at = next(i for i, line in enumerate(lines) if old in line)
+        first, last = max(0, at - 3), min(len(lines), at + 4)
+        body = [" " + line for line in lines[first:at]] + ["-" + lines[at], "+" + lines[at].replace(old, new)] + \
+            [" " + line for line in lines[at + 1:last]]
+        patch = self.root / f"chapters/01_fall/tests/wrong/{name}.patch"
+        patch.parent.mkdir(exist_ok=True)
+        self.addCleanup(lambda: patch.unlink(missing_ok=True))
+        count = last - first
+        patch.write_text("\n".join([says, f"fails: {fails}", f"--- a/chapters/01_fall/{file}", f"+++ b/chapters/01_fall/{file}",
+                                    f"@@ -{first + 1},{count} +{first + 1},{count} @@", *body]) + "\n", encoding="utf-8")
+        return patch
+
+    def proven(self, *arguments, renew=False, **options):
+        return layers.prove(layers.read(self.wrong(*arguments, **options)), renew)
+
+    def test_the_test_that_notices_is_named(self):
+        self.assertEqual(self.proven("0.981", "1.62"), (f'01_fall/wrong: noticed by "{SPEED}"', False))
+
+    def test_another_test_than_expected_is_named_and_can_be_written_down(self):
+        said, fault = self.proven("speed(t) * t", "speed(t)", fails=SPEED, renew=True)
+        self.assertFalse(fault)
+        self.assertEqual(said, f'01_fall/wrong: noticed by "{WAY}", not by "{SPEED}"')
+        self.assertEqual(layers.read(self.wrong("speed(t) * t", "speed(t)", fails=WAY)).fails, WAY)
+
+    def test_renewing_keeps_all_but_the_test(self):
+        patch = self.wrong("speed(t) * t", "speed(t)", fails=SPEED)
+        before = patch.read_text()
+        layers.prove(layers.read(patch), renew=True)
+        self.assertEqual(patch.read_text(), before.replace(SPEED, WAY))
+
+    def test_a_survivor_is_a_fault(self):
+        said, fault = self.proven("v = 0;", "v = 1e-9;", says="The speed begins at a nanometre a second.")
+        self.assertTrue(fault)
+        self.assertEqual(said, "01_fall/wrong SURVIVES 2 tests. The speed begins at a nanometre a second.")
+
+    def test_a_test_that_fails_by_itself_proves_nothing(self):
+        with mock.patch.dict(os.environ, MOON="1"):
+            said, fault = self.proven("v = 0;", "v = 1e-9;")
+        self.assertTrue(fault)
+        self.assertEqual(said, '01_fall/wrong: "fall: on the moon" fails without it, too')
+
+    def test_a_header_changes_all_that_read_it(self):
+        self.assertEqual(self.proven("x / 2", "x", file="fall.hpp", fails=WAY), (f'01_fall/wrong: noticed by "{WAY}"', False))
+
+    def test_a_loop_without_end_counts_as_noticed_and_is_told(self):
+        with mock.patch.object(layers, "SECONDS", 1):
+            said, fault = self.proven("++i", "i += 0 * i")
+        self.assertFalse(fault)
+        self.assertIn("Stopped after 1 s: a loop does not end", said)
+
+    def test_a_crash_counts_as_noticed_and_is_told(self):
+        said, fault = self.proven("double v = 0;", "double v = *static_cast<volatile double*>(nullptr);")
+        self.assertFalse(fault)
+        self.assertIn(SPEED, said)
+
+    def test_a_patch_that_does_not_apply_any_more_is_a_fault(self):
+        patch = self.wrong("0.981", "1.62")
+        patch.write_text(patch.read_text().replace("double v = 0", "double w = 0").replace("return v", "return w"))
+        said, fault = layers.prove(layers.read(patch))
+        self.assertTrue(fault)
+        self.assertIn("does not apply any more", said)
+
+    def test_a_patch_still_applies_where_lines_have_moved(self):
+        patch = self.wrong("0.981", "1.62")
+        patch.write_text(patch.read_text().replace("@@ -4,", "@@ -104,").replace("+4,", "+104,"))
+        self.assertFalse(layers.prove(layers.read(patch))[1])
+
+    def test_a_patch_that_does_not_compile_is_a_fault(self):
+        said, fault = self.proven("double v = 0;", "double v = ;")
+        self.assertTrue(fault)
+        self.assertIn("does not compile", said)
+
+    def test_the_sources_stay_as_they_are(self):
+        self.proven("0.981", "1.62")
+        for name, text in SOURCES.items():
+            if name.startswith("chapters"):
+                self.assertEqual((self.root / name).read_text(), text)
+
+    def test_the_whole_proof_counts_faults(self):
+        for name, new in (("a", "1.62"), ("b", "0.9810000001")):
+            self.wrong("0.981", new, name=name)
+        with mock.patch.object(layers, "prepare"), mock.patch("builtins.print") as told:
+            self.assertEqual(prove.prove_layers(layers.all_versions(self.root), False), 1)
+        self.assertIn("1 faults in 2 wrong versions", told.call_args[0][0])
+
+    def refused(self, message, text):
+        patch = self.wrong("0.981", "1.62")
+        patch.write_text(text(patch.read_text()))
+        with self.assertRaisesRegex(CatalogueError, message):
+            layers.read(patch)
+
+    def test_what_a_patch_lacks_is_named(self):
+        self.refused("begins with a sentence", lambda text: text.split("\n", 1)[1])
+        self.refused("begins with a sentence", lambda text: text.replace("fails:", "breaks:"))
+        self.refused("changes 0 files", lambda text: text.replace("+++", "++"))
+
+    def test_a_layer_needs_eight(self):
+        versions = [layers.read(self.wrong("0.981", "1.62", name=str(i))) for i in range(7)]
+        self.assertEqual(list(layers.too_few(versions)), ["01_fall: 7 wrong versions, and it needs 8"])
+        self.assertEqual(list(layers.too_few(versions + versions[:1])), [])
+
+
+class Parts(unittest.TestCase):
+    def test_the_parts_together_are_all_and_each_once(self):
+        for count in (1, 2, 5, 7):
+            parts = [layers.part_of(list(range(23)), f"{k}/{count}") for k in range(1, count + 1)]
+            self.assertEqual(sorted(sum(parts, [])), list(range(23)))
+            self.assertLessEqual(max(map(len, parts)) - min(map(len, parts)), 1)
+
+    def test_a_part_that_cannot_be_is_refused(self):
+        for part in ("0/3", "4/3", "2", "a/b", "1/0"):
+            with self.assertRaises(CatalogueError):
+                layers.part_of([1, 2, 3], part)
+
+
+if __name__ == "__main__":
+    unittest.main()
