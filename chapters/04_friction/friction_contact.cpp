@@ -3,6 +3,7 @@
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "mended_friction.hpp"
+#include "surface_turn.hpp"
 
 namespace enduring {
 namespace {
@@ -15,17 +16,6 @@ Vec3 relative_velocity(const World& world, const Contact& contact)
         velocity += contact.weights[static_cast<std::size_t>(i)]
                     * body_of_vertex(world, contact, i).velocity(contact.vertices[static_cast<std::size_t>(i)]);
     return velocity;
-}
-
-/// How far p has moved against q from the pair's start to the end of the step: two points of matter, so a turn of the
-/// whole world or a slide of the features past each other is all in it.
-Vec3 relative_motion(const World& world, const Contact& contact)
-{
-    Vec3 motion = Vec3::Zero();
-    for (int i = 0; i < contact.vertex_count(); ++i)
-        motion += contact.weights[static_cast<std::size_t>(i)]
-                  * (contact_vertex(world, contact, i, 1) - contact_vertex(world, contact, i, 0));
-    return (1 - contact.start) * motion;
 }
 
 void rub_each(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
@@ -70,6 +60,8 @@ void rub_pairs(const World& world, Contacts& contacts, const FrictionParameters&
 void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
 {
     for (Contact& contact : contacts) {
+        const Mat3 turn = surface_turn(world, contact);
+        contact.stretch = turn * contact.stretch;
         if (contact.held)
             continue;
         const double normal_impulse = contact.impulse.norm();
@@ -78,7 +70,7 @@ void move_friction_anchors(const World& world, Contacts& contacts, const Frictio
             continue;
         }
         const TangentPlane plane(contact.impulse / normal_impulse);
-        const Vec3 stretch = plane.projected(contact.stretch + relative_motion(world, contact));
+        const Vec3 stretch = plane.projected(contact.stretch + motion_on_surface(world, contact, turn));
         contact.stretch = contact.slip > 0 ? after_slip(contact, stretch, friction, dt) : stretch;
     }
 }

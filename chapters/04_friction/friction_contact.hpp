@@ -10,9 +10,9 @@ namespace enduring {
 /// @see thesis 5.3
 void rub_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);
 
-/// Finish, from the last prediction: every anchor stays where it is, and the point that it holds moves on along the
-/// surface by sum_i w_i (x_i(t1) - x_i(t0)), a new pair's from its time of impact. A pair that no longer pushes has no anchor;
-/// one that is held keeps its own untouched.
+/// Finish, from the last prediction: every anchor turns with the surface that it sits on, and the point that it holds moves on
+/// along that surface, a new pair's from its time of impact. A pair that no longer pushes has no anchor; one that is held only
+/// turns its own.
 /// @param dt  length of the step [s], positive
 void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);
 

@@ -78,33 +78,6 @@ TEST_CASE("friction anchors: when a pair lets go, the thesis' anchor comes to th
     CHECK(mended.contact().stretch.norm() < 1e-20);
 }
 
-TEST_CASE("friction anchors: matter that moves along with its partner stretches nothing")
-{
-    // A vertex and the face below it move and turn as one rigid whole about the vertex's own place on the face.
-    World world;
-    world.gravity.setZero();
-    const Vec3 shift(0.3, -0.2, 0.1);
-    const std::vector<Vec3> face{{-1, 0, -1}, {-1, 0, 1}, {2, 0, 0}}, above{{0, -0.01, 0}, {5, 9, 0}, {0, 9, 5}};
-    for (const auto& [name, x] : {std::pair("above", above), std::pair("face", face)}) {
-        auto body = std::make_unique<PointMasses>(name, x, std::vector<Face>{{0, 1, 2}}, 1.0);
-        for (int v = 0; v < 3; ++v)
-            body->set_velocity(v, shift);
-        world.bodies.push_back(std::move(body));
-        world.bodies.back()->predict(world.gravity, 1);
-    }
-    Contact contact;
-    contact.kind = ContactKind::vertex_face;
-    contact.body_a = 0;
-    contact.body_b = 1;
-    contact.vertices = {0, 0, 1, 2};
-    contact.weights = {1, -1.0 / 3, -1.0 / 3, -1.0 / 3};
-    contact.impulse = {0, 1, 0};
-    contact.stretch = {0.02, 0, 0};
-    Contacts contacts{contact};
-    move_friction_anchors(world, contacts, friction_defaults(FrictionModel::mended, 100), 1);
-    CHECK((contacts[0].stretch - Vec3(0.02, 0, 0)).norm() < 1e-15);
-}
-
 TEST_CASE("friction: the pass computes and applies nothing, and only for pairs that wait and push")
 {
     for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mended}) {

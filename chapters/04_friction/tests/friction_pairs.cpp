@@ -89,8 +89,8 @@ TEST_CASE("friction: tangential to 1e-12 and within mu |f_n| at every pair and s
 
 namespace {
 
-/// Two bodies of random points that one step brings together in random pairs of both kinds, whose normal impulses and
-/// stretches are given.
+/// Two bodies of random points in random pairs of both kinds, p on q at the start of a step, with normal impulses and stretches
+/// that are given. Each pair's points are those of one other pair, too, and most share a face or an edge of B.
 struct RandomMeeting {
     World world;
     Contacts contacts;
@@ -98,52 +98,66 @@ struct RandomMeeting {
 
     explicit RandomMeeting(unsigned seed) : engine_(seed)
     {
-        world.bodies.push_back(points("a", 0.05));
-        world.bodies.push_back(points("b", 0));
-        for (int i = 0; i < 8; ++i)
+        for (int i = 0; i < 6; ++i)
+            b_.push_back(Vec3(random(-1, 1), 0, random(-1, 1)));
+        for (int i = 0; i < 4; ++i)
             contacts.push_back(pair(i % 2 == 0));
+        for (std::size_t i = 0; i < 4; ++i)
+            contacts.push_back(contacts[i]);
+        for (Contact& contact : contacts)
+            press(contact);
+        world.bodies.push_back(points("a", a_));
+        world.bodies.push_back(points("b", b_));
         for (const auto& body : world.bodies)
             body->predict(Vec3(0, -9.81, 0), dt);
     }
 
     double random(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
     Vec3 vector(double size) { return size * Vec3(random(-1, 1), random(-1, 1), random(-1, 1)); }
-    int vertex() { return static_cast<int>(random(0, 5.999)); }
 
-    std::unique_ptr<PointMasses> points(const std::string& name, double height)
+    std::unique_ptr<PointMasses> points(const std::string& name, const std::vector<Vec3>& positions)
     {
-        std::vector<Vec3> positions;
-        for (int i = 0; i < 6; ++i)
-            positions.push_back(Vec3(random(-1, 1), height, random(-1, 1)));
         auto body = std::make_unique<PointMasses>(name, positions, std::vector<Face>{{0, 1, 2}, {3, 4, 5}}, std::exp(random(-6, 6)));
-        for (int i = 0; i < 6; ++i)
+        for (int i = 0; i < body->surface().vertex_count(); ++i)
             body->set_velocity(i, vector(1));
         return body;
     }
 
+    /// Two new points of A, on a face or on an edge of B.
     Contact pair(bool vertex_face)
     {
         Contact contact;
         contact.kind = vertex_face ? ContactKind::vertex_face : ContactKind::edge_edge;
         contact.body_a = 0;
         contact.body_b = 1;
-        const int v = vertex(), first = 3 * static_cast<int>(random(0, 1.99));
+        const int v = static_cast<int>(a_.size()), first = 3 * static_cast<int>(random(0, 1.99));
         const double s = random(0, 1), t = random(0, 1);
         if (vertex_face) {
             contact.vertices = {v, first, first + 1, first + 2};
             contact.weights = {1, -(1 - s) * (1 - t), -s * (1 - t), -t};
         } else {
-            contact.vertices = {v, (v + 1) % 6, first, first + 1};
+            contact.vertices = {v, v + 1, first, first + 1};
             contact.weights = {1 - s, s, -(1 - t), -t};
         }
+        Vec3 q = Vec3::Zero();
+        for (std::size_t i = vertex_face ? 1 : 2; i < 4; ++i)
+            q -= contact.weights[i] * b_[static_cast<std::size_t>(contact.vertices[i])];
+        const Vec3 along = vector(1);
+        a_.push_back(vertex_face ? q : Vec3(q - s * along));
+        a_.push_back(a_.back() + along);
+        return contact;
+    }
+
+    void press(Contact& contact)
+    {
         const Vec3 normal = (Vec3::UnitY() + vector(0.3)).normalized();
         contact.impulse = std::exp(random(-9, 5)) * normal;
         contact.stretch = TangentPlane(normal).projected(vector(0.01));
-        return contact;
     }
 
 private:
     std::mt19937 engine_;
+    std::vector<Vec3> a_, b_;
 };
 
 /// Kinetic energy of what is predicted; point masses in free fall for one step.
@@ -151,8 +165,8 @@ double predicted_kinetic(const World& world)
 {
     double sum = 0;
     for (const auto& body : world.bodies)
-        for (int v = 0; v < 6; ++v)
-            sum += 0.5 * body->mass() / 6 * body->velocity(v).squaredNorm();
+        for (int v = 0; v < body->surface().vertex_count(); ++v)
+            sum += 0.5 * body->mass() / body->surface().vertex_count() * body->velocity(v).squaredNorm();
     return sum;
 }
 
@@ -218,7 +232,7 @@ TEST_CASE("friction: a pair's shares bound what all pairs do together")
         double of_shares = 0;
         std::vector<Vec3> impulses;
         for (auto& body : it.world.bodies)
-            for (int v = 0; v < 6; ++v)
+            for (int v = 0; v < body->surface().vertex_count(); ++v)
                 dynamic_cast<PointMasses&>(*body).set_velocity(v, Vec3::Zero());
         for (Contact& contact : it.contacts) {
             const TangentPlane plane(contact.impulse.normalized());

@@ -1,0 +1,54 @@
+#include "surface_turn.hpp"
+
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "common/simulation/contact_geometry.hpp"
+
+#include <optional>
+
+namespace enduring {
+namespace {
+
+//! [surface_axes]
+/// Orthonormal axes that turn with a pair's two sides, as columns; none where they span no plane.
+std::optional<Mat3> surface_axes(const Vec3& side_1, const Vec3& side_2)
+{
+    const Vec3 normal = side_1.stableNormalized().cross(side_2.stableNormalized()).stableNormalized();
+    const Vec3 along = (side_1.stableNormalized() + side_2.stableNormalized()).stableNormalized();
+    if (normal.isZero(0) || along.isZero(0))
+        return std::nullopt;
+    Mat3 axes;
+    axes << along, normal, along.cross(normal);
+    return axes;
+}
+//! [surface_axes]
+
+/// p - q; on a plane, which stays, p alone.
+Vec3 apart(const World& world, const Contact& contact, double tau)
+{
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < contact.vertex_count(); ++i)
+        sum += contact.weights[static_cast<std::size_t>(i)] * contact_vertex(world, contact, i, tau);
+    return sum;
+}
+
+}  // namespace
+
+//! [surface_turn]
+Mat3 surface_turn(const World& world, const Contact& contact)
+{
+    if (contact.kind == ContactKind::vertex_plane)
+        return Mat3::Identity();
+    const auto [t0, t1] = pair_step(world, contact);
+    const double start = contact.start;
+    const auto from = surface_axes((1 - start) * t0.side_1 + start * t1.side_1, (1 - start) * t0.side_2 + start * t1.side_2);
+    const auto to = surface_axes(t1.side_1, t1.side_2);
+    return from && to ? Mat3(*to * from->transpose()) : Mat3::Identity();
+}
+
+Vec3 motion_on_surface(const World& world, const Contact& contact, const Mat3& turn)
+{
+    return apart(world, contact, 1) - turn * apart(world, contact, contact.start);
+}
+//! [surface_turn]
+
+}  // namespace enduring
