@@ -14,6 +14,7 @@ void bar_friction(const RunOptions& options, Report& report);
 void mesh_slope(const RunOptions& options, Report& report);
 void cost(const RunOptions& options, Report& report);
 void bunny_bowl(const RunOptions& options, Report& report);
+void turntable(const RunOptions& options, Report& report);
 void ledger(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter06
