@@ -11,9 +11,9 @@ namespace {
 using Pair = std::pair<std::string_view, std::string_view>;
 
 /// The units that tables use; a unit of several parts stands before the one that it ends with.
-constexpr std::array<Pair, 16> units{{{"_n_per_m", "N/m"}, {"_m_per_s", "m/s"}, {"_percent", "%"}, {"_deg", "°"},
+constexpr std::array<Pair, 17> units{{{"_n_per_m", "N/m"}, {"_m_per_s", "m/s"}, {"_percent", "%"}, {"_deg", "°"},
     {"_kg", "kg"}, {"_hz", "Hz"}, {"_pa", "Pa"}, {"_kn", "kN"}, {"_n", "N"}, {"_j", "J"}, {"_mm", "mm"}, {"_m", "m"},
-    {"_ms", "ms"}, {"_us", "µs"}, {"_ns", "ns"}, {"_s", "s"}}};
+    {"_um", "µm"}, {"_ms", "ms"}, {"_us", "µs"}, {"_ns", "ns"}, {"_s", "s"}}};
 
 constexpr std::array<Pair, 10> spelled{{{"dpf", "DPF"}, {"cpf", "CPF"}, {"dcd", "DCD"}, {"ccd", "CCD"}, {"l2", "L2"},
     {"rho", "ρ"}, {"tau", "τ"}, {"omega", "ω"}, {"dt", "Δt"}, {"young", "Young's modulus"}}};

@@ -37,7 +37,7 @@ void turntable(const RunOptions& options, Report& report)
     for (const rides::Ground ground : {rides::Ground::table, rides::Ground::wheel, rides::Ground::soft_slab})
         for (const rides::Load load : {rides::Load::block, rides::Load::grate}) {
             rides::Ride ride = rides::short_ride(ground, load);
-            ride.turns = options.quick ? 1 : 3;
+            ride.turns = options.quick ? 1 : 2;
             const rides::RideRecord four = rides::take(ride, chapter04_solver), six = rides::take(ride, chapter06_solver);
             const double in_world_axes = worst(rides::take(ride, solver_with_world_axes));
             table.add({name_of(ground), load == rides::Load::block ? "block" : "grate", static_cast<long>(six.vertex_faces),
