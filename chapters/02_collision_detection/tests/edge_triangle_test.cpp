@@ -92,7 +92,8 @@ TEST_CASE("discrete test: border, ends and parallel edges")
     const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
     CHECK(find_edge_triangle_hit({0.5, 0.5, -1}, {0.5, 0.5, 1}, a, b, c).has_value());   // on the long side
     CHECK(find_edge_triangle_hit({0, 0, -1}, {0, 0, 1}, a, b, c).has_value());           // at a corner
-    CHECK(find_edge_triangle_hit({0.2, 0.2, 0}, {0.2, 0.2, 1}, a, b, c).has_value());    // with its end
+    CHECK(find_edge_triangle_hit({0.2, 0.2, 0}, {0.2, 0.2, 1}, a, b, c).has_value());    // with its start
+    CHECK(find_edge_triangle_hit({0.2, 0.2, 1}, {0.2, 0.2, 0}, a, b, c).has_value());    // with its end
     CHECK_FALSE(find_edge_triangle_hit({0.2, 0.2, 0.5}, {0.2, 0.2, 1}, a, b, c).has_value());
     CHECK_FALSE(find_edge_triangle_hit({-1, 0.2, 0}, {1, 0.2, 0}, a, b, c).has_value());  // in the plane: not decided here
 }

@@ -35,6 +35,15 @@ TEST_CASE("cubic: where the leading coefficients vanish the degree falls, and no
     CHECK(cubic_roots({0, 0, 0, 0}, 0).count == 0);
 }
 
+TEST_CASE("cubic: of two roots of very different size the small one keeps its digits")
+{
+    for (const double sign : {1.0, -1.0}) {
+        const RealRoots roots = cubic_roots({1, sign * 1e8, 1, 0}, 0);  // -sign * 1e-8 and -sign * 1e8, to 1e-16
+        REQUIRE(roots.count == 2);
+        CHECK(roots.values[sign > 0 ? 1 : 0] == doctest::Approx(-sign * 1e-8).epsilon(1e-14));
+    }
+}
+
 TEST_CASE("textbook: on ordinary queries its times are those of exact arithmetic")
 {
     Random random(22);
