@@ -81,7 +81,7 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
     settings.options.solver_tolerance = value.number_or("solver_tolerance", {1e-14, 1e-2}, settings.options.solver_tolerance);
 
     const std::optional<JsonValue> basis = value.find("basis");
-    if (basis && basis->choice({"linear", "quadratic"}) == 1) {
+    if (!basis || basis->choice({"linear", "quadratic"}) == 1) {
         const QuadraticTetrahedralMesh quadratic = with_edge_midpoints(mesh);
         settings.fixed_nodes = read_fixed_nodes(value, quadratic.nodes);
         return std::make_unique<DeformableBody>(value.at("name").text(), quadratic, settings);

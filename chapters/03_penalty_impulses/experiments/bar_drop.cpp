@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace enduring::chapter03 {
@@ -65,7 +66,10 @@ std::vector<double> nine_turns(bool quick)
 
 Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop)
 {
-    nlohmann::json patch = body_change(file, "bar", {{"rotation", {{"axis", {0, 1, 0}}, {"angle_deg", drop.turn_deg}}}});
+    nlohmann::json bar{{"rotation", {{"axis", {0, 1, 0}}, {"angle_deg", drop.turn_deg}}}};
+    if (!drop.basis.empty())
+        bar["basis"] = drop.basis;
+    nlohmann::json patch = body_change(file, "bar", bar);
     patch.update(contact_change(drop.method, drop.stiffness, drop.dt));
     return load_scene(file, patch.dump());
 }
@@ -82,9 +86,26 @@ BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop, const
     return record;
 }
 
+double stiffness_between_limits(double dt)
+{
+    constexpr double stiffness = 5000, between = 0.007;  // [N/m], [s]
+    return std::round(stiffness * std::pow(between / dt, 2));
+}
+
+DepthRatio depths_between_limits(const std::filesystem::path& file, double dt, const std::string& basis)
+{
+    BarDrop drop{PenaltyMethod::discrete, dt, stiffness_between_limits(dt), 45, basis};
+    const double discrete = depth_in_contact(drop_bar(file, drop));
+    drop.method = PenaltyMethod::continuous;
+    return {discrete, depth_in_contact(drop_bar(file, drop))};
+}
+
 double jitter_at_rest(const BarRecord& record)
 {
-    return jitter(at_rest(record, record.force), record.weight);
+    const std::vector<double> forces = at_rest(record, record.force);
+    if (mean(forces) < 0.5 * record.weight)
+        return 1;
+    return jitter(forces, record.weight);
 }
 
 double depth_at_rest(const BarRecord& record)

@@ -2,7 +2,9 @@
 
 #include "common/simulation/run.hpp"
 
+#include <array>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace enduring::chapter03 {
@@ -13,7 +15,11 @@ struct BarDrop {
     double dt = 0.008;        ///< [s]
     double stiffness = 5000;  ///< k of one pair [N/m]
     double turn_deg = 45;     ///< of the bar about the vertical
+    std::string basis{};      ///< of the bar's elements, "linear" or "quadratic"; empty: the scene's
 };
+
+/// The thesis' elements, and those that many take for lighter work.
+inline const std::array<std::string, 2> both_bases{"quadratic", "linear"};
 
 /// What was seen in each step, between bar and cube alone.
 struct BarRecord {
@@ -34,7 +40,19 @@ std::vector<double> nine_turns(bool quick);
 Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop);
 BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop, const std::vector<Probe*>& more_probes = {});
 
-/// Jitter of the contact force at rest, as a share of the bar's weight.
+/// The stiffness [N/m] that keeps k dt^2 where quadratic elements tremble with DPF and lie still with CPF.
+/// @param dt  [s]
+double stiffness_between_limits(double dt);
+
+/// Mean summed depths [m] of one drop with each method, at the stiffness between their limits.
+struct DepthRatio {
+    double discrete, continuous;
+    double ratio() const { return continuous / discrete; }
+};
+DepthRatio depths_between_limits(const std::filesystem::path& file, double dt, const std::string& basis = {});
+
+/// Jitter of the contact force at rest, as a share of the bar's weight. A bar that nothing carries, since it fell off or
+/// sank through, does not lie still: it counts as 1.
 double jitter_at_rest(const BarRecord& record);
 /// Mean over the steps at rest.
 double depth_at_rest(const BarRecord& record);

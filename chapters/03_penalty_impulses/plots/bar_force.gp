@@ -8,7 +8,7 @@ set xtics 0,1
 set ytics 0,1
 methods = "DPF CPF"
 do for [row=1:4] {
-    dt = 0.006 + 0.002*row
+    dt = 0.004 + 0.002*row
     do for [m=1:2] {
         set title (row == 1 ? word(methods, m) : "") offset 0,-0.6
         set format x (row == 4 ? "%g" : "")

@@ -7,8 +7,8 @@ set yrange [-0.2:4.5]
 set xtics 0,1
 set ytics 0,1
 methods = "DPF CPF"
-steps = "0.006 0.009 0.012 0.018"
-stiffnesses = "16806 7469 4201 1867"
+steps = "0.004 0.005 0.007 0.010"
+stiffnesses = "15313 9800 5000 2450"
 do for [row=1:4] {
     do for [m=1:2] {
         set title (row == 1 ? word(methods, m) : "") offset 0,-0.6

@@ -1,14 +1,21 @@
-# Jitter at rest over the step: the median of nine drops, and the span from the smoothest to the roughest.
+# Jitter at rest over the step: the median of nine drops, and the span from the smoothest to the roughest. Above quadratic elements, below linear ones.
+height = 640
 load style
+set multiplot layout 2,1 margins 0.12,0.98,0.105,0.98 spacing 0,0.03
 set logscale y
-set xlabel "step Δt [s]"
 set ylabel "jitter [% of the weight]"
 set yrange [0.01:60]
-set xrange [0.0068:0.0142]
+set xrange [0.0048:0.0142]
 set key top left
-of(m, x) = strcol("method") eq m ? x : NaN
-plot 0.3 linetype 10, \
-     folder."/bar_jitter.csv" using "dt_s":(of("DPF", column("smallest_percent"))):"largest_percent" with filledcurves linetype 2 fillstyle transparent solid 0.15, \
-     "" using "dt_s":(of("CPF", column("smallest_percent"))):"largest_percent" with filledcurves linetype 1 fillstyle transparent solid 0.15, \
-     "" using "dt_s":(of("DPF", column("median_percent"))) with linespoints linetype 2 title "DPF", \
-     "" using "dt_s":(of("CPF", column("median_percent"))) with linespoints linetype 1 title "CPF"
+of(e, m, x) = strcol("elements") eq e && strcol("method") eq m ? x : NaN
+do for [e in "quadratic linear"] {
+    set format x (e eq "linear" ? "%g" : "")
+    set xlabel (e eq "linear" ? "step Δt [s]" : "")
+    set label 1 e." elements" at graph 0.98,0.08 right textcolor rgb ink
+    plot 0.3 linetype 10 notitle, \
+         folder."/bar_jitter.csv" using "dt_s":(of(e, "DPF", column("smallest_percent"))):"largest_percent" with filledcurves linetype 2 fillstyle transparent solid 0.15 notitle, \
+         "" using "dt_s":(of(e, "CPF", column("smallest_percent"))):"largest_percent" with filledcurves linetype 1 fillstyle transparent solid 0.15 notitle, \
+         "" using "dt_s":(of(e, "DPF", column("median_percent"))) with linespoints linetype 2 title "DPF", \
+         "" using "dt_s":(of(e, "CPF", column("median_percent"))) with linespoints linetype 1 title "CPF"
+}
+unset multiplot

@@ -1,10 +1,11 @@
-# Summed depth at rest and jitter over the stiffness at dt = 0.01 s (thesis figure 7.7). Filled: smooth.
+# Summed depth at rest and jitter over the stiffness at dt = 0.01 s, quadratic elements (thesis figure 7.7).
 height = 560
 load style
 set multiplot layout 2,1 margins 0.12,0.98,0.125,0.97 spacing 0,0.04
-set xrange [1500:10500]
+set xrange [1900:10500]
+set logscale x
 set key top right
-of(m, x) = strcol("method") eq m ? x : NaN
+of(m, x) = strcol("elements") eq "quadratic" && strcol("method") eq m ? x : NaN
 set format x ""
 set ylabel "summed depth [mm]"
 set yrange [0:*]

@@ -26,7 +26,7 @@ Scene heap(FrictionModel model, const std::string& response)
         "planes": [{"name": "ground", "point": [0, -0.02, 0]}],
         "bodies": [
           {"name": "floor", "type": "static", "shape": {"plane_grid": {"size": [3, 3], "cells": [5, 5]}}},
-          {"name": "bar", "type": "deformable", "shape": {"bar": {"size": [1, 0.2, 0.4], "cells": [4, 1, 2]}}, "mass": 8, "young": 2e5,
+          {"name": "bar", "type": "deformable", "basis": "linear", "shape": {"bar": {"size": [1, 0.2, 0.4], "cells": [4, 1, 2]}}, "mass": 8, "young": 2e5,
            "poisson": 0.3, "rayleigh": {"stiffness": 0.01}, "position": [0, 0.13, 0], "velocity": [1, -1, 0.3],
            "rotation": {"axis": [0, 1, 0], "angle_deg": 7}, "impulse_response": ")" + response + R"("},
           {"name": "box", "type": "rigid", "shape": {"box": {"size": [0.5, 0.2, 0.3]}}, "mass": 3, "position": [0.05, 0.36, 0.02],

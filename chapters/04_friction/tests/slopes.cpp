@@ -152,7 +152,7 @@ TEST_CASE("tilting: a soft bar on a tilted plane is held above the angle of fric
             CAPTURE(response);
             CAPTURE(held);
             Scene scene = load_scene(scene_file("block_on_slope"), R"({"gravity": [-2, -9.6, 0], "contact": {"stiffness": 5000}, "planes": [{"name": "floor"}], "bodies": [
-                {"name": "bar", "type": "deformable", "shape": {"bar": {"size": [1, 0.2, 0.5], "cells": [4, 1, 2]}}, "mass": 100,
+                {"name": "bar", "type": "deformable", "basis": "linear", "shape": {"bar": {"size": [1, 0.2, 0.5], "cells": [4, 1, 2]}}, "mass": 100,
                  "young": 1e6, "poisson": 0.3, "rayleigh": {"stiffness": 0.01}, "position": [0, 0.087, 0], "impulse_response": ")" + response + R"("}]})");
             scene.contact.friction = with_mu_s(friction_defaults(FrictionModel::mended, 5000), (held ? 1.2 : 0.6) * 2 / 9.6);
             run(scene, chapter04_solver(scene.contact));

@@ -5,6 +5,7 @@
 #include "common/simulation/scene.hpp"
 
 #include <array>
+#include <string>
 
 namespace enduring::chapter06 {
 
@@ -16,7 +17,8 @@ struct Coefficients {
 inline constexpr std::array<Coefficients, 2> bar_coefficients{{{0.4, 0.3}, {0.2, 0.15}}};
 
 /// Scene bar_friction with these coefficients.
-Scene scene_of(const Coefficients& mu);
+/// @param basis  of the bar's elements, "linear" or "quadratic"
+Scene scene_of(const Coefficients& mu, const std::string& basis = "quadratic");
 
 /// How the cube comes to rest on the bar.
 struct RestOnBar {

@@ -4,6 +4,7 @@
 #include "bar_slide.hpp"
 #include "chapters/05_categorisation/category.hpp"
 #include "common/render/film_probes.hpp"
+#include "common/simulation/elements_of.hpp"
 #include "common/simulation/run.hpp"
 #include "plane_slide.hpp"
 #include "slide_without.hpp"
@@ -100,33 +101,40 @@ BarSlideOutcome along_bar(const std::filesystem::path& file, const std::string& 
     return outcome_of(probe, settled, front_at_end);
 }
 
-/// The same slide on bars whose dent differs, up to where the front reaches the end.
-BarSlideOutcome along_control(const std::filesystem::path& file, const std::string& change)
+/// A row of the table of bars.
+void add_bar(Table& table, const std::string& bar, const std::string& elements, const std::string& solver, const BarSlideOutcome& outcome)
+{
+    table.add({bar, elements, solver, 100 * outcome.speed_kept, 100 * outcome.largest_leap, 100 * outcome.mean_leap});
+}
+
+/// The same slide on a bar whose dent differs, up to where the front reaches the end.
+void along_control(const std::filesystem::path& file, const std::string& bar, const std::string& change, Table& table)
 {
     Scene scene = load_scene(file, change);
     BarSlideProbe probe("control");
     RunLimits limits;
     limits.stop = [&](const World&, const Contacts&) { return probe.moments().back().x > front_at_end; };
     run(scene, chapter06_solver(scene.contact), {&probe}, limits);
-    return outcome_of(probe, settled, front_at_end);
+    add_bar(table, bar, elements_of(scene.world, "bar"), "chapter 6", outcome_of(probe, settled, front_at_end));
 }
 
 void along_bars(const RunOptions& options, Report& report)
 {
     const std::filesystem::path file = options.scene.value_or(scene_file("sliding"));
     Table moments({"solver", "time_s", "x_m", "speed_m_per_s", "force_n", "pairs", "held"});
-    Table table({"bar", "solver", "speed_kept_percent", "largest_leap_percent", "mean_leap_percent"});
-    const auto add = [&](const std::string& bar, const std::string& solver, const BarSlideOutcome& outcome) {
-        table.add({bar, solver, 100 * outcome.speed_kept, 100 * outcome.largest_leap, 100 * outcome.mean_leap});
-    };
+    Table table({"bar", "elements", "solver", "speed_kept_percent", "largest_leap_percent", "mean_leap_percent"});
+    const std::string elements = elements_of(load_scene(file).world, "bar");
+    report.fact("sliding", "elements", elements);
     const BarSlideOutcome with = along_bar(file, "chapter 6", options, report, moments),
                           without = along_bar(file, "chapter 5", options, report, moments);
-    add("as it is", "chapter 6", with);
-    add("as it is", "chapter 5", without);
+    add_bar(table, "as it is", elements, "chapter 6", with);
+    add_bar(table, "as it is", elements, "chapter 5", without);
     if (!options.quick) {
-        add("10 x stiffer", "chapter 6", along_control(file, R"({"/bodies/bar/young": 1e6})"));
-        add("2 x softer", "chapter 6", along_control(file, R"({"/bodies/bar/young": 5e4})"));
-        add("1.5 x finer", "chapter 6", along_control(file, R"({"/bodies/bar/shape/bar/cells": [36, 3, 9]})"));
+        along_control(file, "10 x stiffer", R"({"/bodies/bar/young": 1e6})", table);
+        along_control(file, "2 x softer", R"({"/bodies/bar/young": 5e4})", table);
+        along_control(file, "2 x finer", R"({"/bodies/bar/shape/bar/cells": [24, 2, 6]})", table);
+        along_control(file, "linear", R"({"/bodies/bar/basis": "linear"})", table);
+        along_control(file, "linear, 2 x finer", R"({"/bodies/bar": {"basis": "linear", "shape": {"bar": {"cells": [24, 2, 6]}}}})", table);
     }
     report.table("sliding_bar", moments);
     report.table("sliding_bars", table);

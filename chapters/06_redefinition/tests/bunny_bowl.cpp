@@ -45,6 +45,23 @@ TEST_CASE("bunny in the bowl: with friction and redefinition it comes to rest, w
     CHECK(std::get<double>(depths.table().rows().back()[8]) < 0.005);  // the bowl stands on the ground, not in it
 }
 
+TEST_CASE("bunny in the bowl: at the impact the lumped response turns elements inside out, and the implicit one fewer")
+{
+    int inverted[2] = {};
+    for (const bool implicit : {false, true}) {
+        Scene scene = load_scene(scene_file("bunny_at_rest"), implicit ? coarse : R"({"/bodies/bunny/shape/file": "bunny_363.msh",
+            "/bodies/bunny/impulse_response": "lumped"})");
+        WatchProbe watch([&](const World& world, const Contacts&, double) {
+            inverted[implicit] = std::max(inverted[implicit], chapter06::count_inverted(world));
+        });
+        RunLimits limits;
+        limits.steps = 56;
+        run(scene, chapter06_solver(scene.contact), {&watch}, limits);
+    }
+    CHECK(inverted[0] > 10);
+    CHECK(5 * inverted[1] < inverted[0]);
+}
+
 TEST_CASE("cost: the clocks look on, and change not a bit of the run")
 {
     const int steps = 52;

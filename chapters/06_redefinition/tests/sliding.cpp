@@ -1,3 +1,4 @@
+#include "../experiments/bar_slide.hpp"
 #include "../experiments/plane_slide.hpp"
 #include "../redefinition_solver.hpp"
 #include "chapters/05_categorisation/category.hpp"
@@ -64,4 +65,24 @@ TEST_CASE("sliding: on the soft bar the cube keeps its speed with redefinition, 
         CHECK((cube.linear_momentum().x() / cube.mass() > 0.95 * 1.2) == redefined);
         CHECK((cube.linear_momentum().x() / cube.mass() < 0.5 * 1.2) == !redefined);
     }
+}
+
+TEST_CASE("sliding: on the soft bar the force between cube and bar is the cube's weight, smooth but for leaps where pairs come and go")
+{
+    constexpr double settled = 0.3;  // [s]
+    Scene scene = load_scene(scene_file("sliding"));
+    BarSlideProbe probe("test");
+    run(scene, chapter06_solver(scene.contact), {&probe}, {600, {}});
+    double force = 0;
+    long moments = 0;
+    for (const BarSlideProbe::Moment& moment : probe.moments())
+        if (moment.time >= settled) {
+            force += moment.force;
+            ++moments;
+        }
+    CHECK(force / static_cast<double>(moments) == doctest::Approx(probe.weight()).epsilon(0.03));
+    const BarSlideOutcome outcome = outcome_of(probe, settled, 10);
+    CHECK(outcome.mean_leap < 0.02);
+    CHECK(outcome.largest_leap > 5 * outcome.mean_leap);
+    CHECK(outcome.largest_leap < 0.6);
 }

@@ -271,6 +271,9 @@ TEST_CASE("scene: a deformable body has the material, basis, motion and supports
     }
     CHECK(fixed == 9);  // four corners, four edges, one diagonal of the end
     CHECK(jelly("").world.bodies[0]->mass() == doctest::Approx(100));
+    const auto basis_of = [](const std::string& patch) { return dynamic_cast<const DeformableBody&>(*jelly(patch).world.bodies[0]).elastic().mesh().basis(); };
+    CHECK(basis_of("") == Basis::quadratic);
+    CHECK(basis_of(R"({"/bodies/bar/basis": "linear"})") == Basis::linear);
     CHECK(jelly(R"({"/bodies/bar/shape/scale": 2})").world.bodies[0]->mass() == doctest::Approx(800));
 }
 
