@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <utility>
 
 using namespace enduring;
 using namespace enduring::test;
@@ -212,6 +213,28 @@ TEST_CASE("elastic body: a node that is fixed in flight stops at once, and no im
     CHECK(body.velocities().col(3) == Vec3(1, 2, 3));
     CHECK(body.inverse_masses()[4] == 0);
     CHECK(body.inverse_masses()[3] == 1 / body.masses()[3]);
+}
+
+TEST_CASE("elastic body: what pushes a fixed node is felt nowhere, also by a factor from before it was fixed")
+{
+    const NodalVectors everywhere = random_field(ElasticMesh(with_edge_midpoints(small_bar())).node_count(), 0.1, 12);
+    NodalVectors elsewhere = everywhere;
+    elsewhere.leftCols(3).setZero();
+    const auto answers = [](const NodalVectors& impulses) {
+        ElasticBody body(elastic(small_bar(), Basis::quadratic), {});
+        body.predict(Vec3::Zero(), 0.01);
+        for (int node = 0; node < 3; ++node)
+            body.fix(node);
+        const NodalVectors near = body.near_response(impulses);
+        body.respond(impulses, 0.01);
+        return std::pair<NodalVectors, NodalVectors>(near, body.velocities());
+    };
+    const auto [near, velocities] = answers(everywhere);
+    const auto [near_of_others, velocities_of_others] = answers(elsewhere);
+    CHECK(near == near_of_others);
+    CHECK(velocities == velocities_of_others);
+    CHECK(velocities.leftCols(3).isZero(0));
+    CHECK(velocities.norm() > 0.01);
 }
 
 TEST_CASE("elastic body: the assembled matrix and the product without one agree, fixed rows are the identity's")
