@@ -2,6 +2,7 @@
 
 #include "common/report/input_error.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/pressed_bodies.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,40 +50,6 @@ void MomentumProbe::observe(const World& world, const Contacts&, double)
     table_.add({world.time, linear.x(), linear.y(), linear.z(), angular.x(), angular.y(), angular.z()});
 }
 
-namespace {
-
-/// The pairs that two bodies (or a body and a plane) have inside each other.
-struct BodyPair {
-    int a, b;
-    bool with_plane;
-    double stiffness = 0;  ///< n k [N/m]
-};
-
-BodyPair& pair_of(std::vector<BodyPair>& pairs, const Contact& contact)
-{
-    const bool with_plane = contact.kind == ContactKind::vertex_plane;
-    int a = contact.body_a, b = contact.body_b;
-    if (!with_plane && b < a)
-        std::swap(a, b);
-    const auto known = std::find_if(pairs.begin(), pairs.end(),
-                                    [&](const BodyPair& pair) { return pair.a == a && pair.b == b && pair.with_plane == with_plane; });
-    return known != pairs.end() ? *known : pairs.emplace_back(BodyPair{a, b, with_plane});
-}
-
-double inverse_mass(const World& world, int body)
-{
-    const double mass = world.bodies[static_cast<std::size_t>(body)]->mass();
-    return mass > 0 ? 1 / mass : 0;
-}
-
-double stable_step(const World& world, const BodyPair& pair)
-{
-    const double inverse = inverse_mass(world, pair.a) + (pair.with_plane ? 0 : inverse_mass(world, pair.b));
-    return std::sqrt(2 / (inverse * pair.stiffness));
-}
-
-}  // namespace
-
 PenetrationProbe::PenetrationProbe(double stiffness)
     : TableProbe({"time_s", "pairs", "pairs_inside", "depth_sum_m", "depth_max_m", "nk_n_per_m", "stable_step_s", "dt_s", "plane_depth_m"}),
       stiffness_(stiffness)
@@ -91,7 +58,6 @@ PenetrationProbe::PenetrationProbe(double stiffness)
 
 void PenetrationProbe::observe(const World& world, const Contacts& contacts, double dt)
 {
-    std::vector<BodyPair> pairs;
     double sum = 0, deepest = 0, in_plane = 0;
     long inside = 0;
     for (const Contact& contact : contacts) {
@@ -103,14 +69,14 @@ void PenetrationProbe::observe(const World& world, const Contacts& contacts, dou
         if (contact.kind == ContactKind::vertex_plane)
             in_plane = std::max(in_plane, depth);
         ++inside;
-        pair_of(pairs, contact).stiffness += pair_stiffness(world, contact, stiffness_);
     }
     double stiffest = 0, shortest = std::numeric_limits<double>::infinity();
-    for (const BodyPair& pair : pairs) {
-        stiffest = std::max(stiffest, pair.stiffness);
-        shortest = std::min(shortest, stable_step(world, pair));
+    const std::vector<PressedBodies> pressed = pressed_bodies(world, contacts, stiffness_);
+    for (const PressedBodies& bodies : pressed) {
+        stiffest = std::max(stiffest, bodies.stiffness);
+        shortest = std::min(shortest, stable_step(world, bodies, PenaltyMethod::continuous));
     }
-    table_.add({world.time, static_cast<long>(contacts.size()), inside, sum, deepest, stiffest, pairs.empty() ? 0 : shortest, dt, in_plane});
+    table_.add({world.time, static_cast<long>(contacts.size()), inside, sum, deepest, stiffest, pressed.empty() ? 0 : shortest, dt, in_plane});
 }
 
 ForceProbe::ForceProbe(std::string on, std::string from)

@@ -58,6 +58,7 @@ struct Scene {
     SceneCamera camera;
     std::map<std::string, BodyLook> looks;  ///< by body name
     World world;                            ///< bodies placed, velocities set, time 0
+    std::vector<std::string> warnings;      ///< what will probably go wrong, a sentence each (see scene_warnings()); run() tells them
 };
 
 /// Changes to a scene before it is built, as a JSON merge patch: {"contact": {"stiffness": 2000}}.

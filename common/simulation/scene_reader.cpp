@@ -4,6 +4,7 @@
 #include "common/simulation/friction_reader.hpp"
 #include "common/simulation/json_value.hpp"
 #include "common/simulation/mistakes.hpp"
+#include "common/simulation/scene_warnings.hpp"
 #include "common/report/source_directory.hpp"
 
 #include <algorithm>
@@ -129,7 +130,9 @@ Scene read_scene(const std::string& text, const std::string& patch, const std::s
     nlohmann::json document = parse_json(text, file);
     if (!patch.empty())
         apply_patch(document, parse_json(patch, file + " (change)"), file);
-    return read_root(JsonValue(document, file), surroundings);
+    Scene scene = read_root(JsonValue(document, file), surroundings);
+    scene.warnings = scene_warnings(scene, file);
+    return scene;
 }
 
 Scene load_scene(const std::filesystem::path& path, const std::string& patch)

@@ -1,0 +1,15 @@
+#include "common/report/warn_once.hpp"
+
+#include <iostream>
+#include <set>
+
+namespace enduring {
+
+void warn_once(const std::string& sentence)
+{
+    static std::set<std::string> told;
+    if (told.insert(sentence).second)
+        std::cerr << "warning: " << sentence << '\n';
+}
+
+}  // namespace enduring
