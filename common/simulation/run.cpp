@@ -1,8 +1,11 @@
 #include "common/simulation/run.hpp"
 
+#include "common/report/warn_once.hpp"
+#include "common/simulation/energy_budget.hpp"
 #include "common/simulation/progress.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace enduring {
 
@@ -22,6 +25,10 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
             probe->observe(scene.world, result.contacts, scene.dt);
     };
 
+    if (!limits.may_gain_energy)
+        for (const std::string& warning : scene.warnings)
+            warn_once(warning);
+    EnergyBudget budget(scene);
     const int steps = limits.steps.value_or(step_count(scene));
     Progress progress(scene.name + ", " + solver.name, steps);
     observe();
@@ -30,6 +37,12 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
         ++result.steps;
         observe();
         progress.update(result.steps);
+        if (!result.energy_gain && (result.energy_gain = budget.exceeded(scene.world, result.contacts))) {
+            const std::string told = scene.name + ", " + solver.name + ": " + *result.energy_gain;
+            if (!limits.may_gain_energy)
+                throw std::runtime_error(told);
+            warn_once(told + " (This run shows it on purpose.)");
+        }
         if (limits.stop && limits.stop(scene.world, result.contacts))
             break;
     }

@@ -15,7 +15,7 @@ void edge_rule(const RunOptions& options, Report& report)
         for (const HookedPairs treatment : {HookedPairs::pushed, HookedPairs::held}) {
             Scene scene = load_scene(file);
             CensusProbe probe("cube");
-            run(scene, solver_that(treatment, rule, scene.contact), {&probe});
+            run(scene, solver_that(treatment, rule, scene.contact), {&probe}, failure_on_purpose());
             const double steps = probe.steps();
             const std::string name = rule == EdgeRule::both ? "both" : "either", done = treatment == HookedPairs::held ? "held" : "pushed";
             table.add({name, done, double(probe.total().edge_edge_regular) / steps,

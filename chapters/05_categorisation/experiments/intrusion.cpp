@@ -88,7 +88,7 @@ Intrusion intrude(const IntrusionScene& one, HookedPairs treatment)
         found.last_speed = body.linear_momentum().x() / body.mass();
         found.depths.add({std::string(treatment == HookedPairs::pushed ? "pushed" : "dropped"), world.time, foremost});
     });
-    run(scene, solver_that(treatment, EdgeRule::either, scene.contact), {&watch});
+    run(scene, solver_that(treatment, EdgeRule::either, scene.contact), {&watch}, failure_on_purpose());
     return found;
 }
 
@@ -97,7 +97,7 @@ Picture picture_of_intrusion(const IntrusionScene& one, HookedPairs treatment, d
     Scene scene = load_scene(scene_file("hooked"), one.patch);
     RunLimits limits;
     limits.steps = static_cast<int>(time / scene.dt + 0.5);
-    const RunResult result = run(scene, solver_that(treatment, EdgeRule::either, scene.contact), {}, limits);
+    const RunResult result = run(scene, solver_that(treatment, EdgeRule::either, scene.contact), {}, failure_on_purpose(limits));
     Stage stage = stage_of(scene.world, scene);
     stage.bodies.front().opacity = 0.4;
     mark_by_label(stage, scene.world, result.contacts);

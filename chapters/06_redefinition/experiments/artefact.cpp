@@ -17,7 +17,7 @@ void watch(const MotivatingScene& motivating, int chapter, Table& numbers, std::
             numbers.add({static_cast<long>(chapter), world.time, *gauge.value()});
     });
     StripProbe strip(scene, motivating.moments, mark_pairs, 480, 320);
-    run(scene, solver_of(chapter, scene.contact), {&gauge, &note, &strip});
+    run(scene, solver_of(chapter, scene.contact), {&gauge, &note, &strip}, limits_of(motivating, chapter));
     pictures.push_back({strip.all(0), solver});
     if (gauge.value())
         report.fact(motivating.name, "chapter_" + std::to_string(chapter), *gauge.value(), 3);

@@ -187,7 +187,7 @@ void count_inversions(const RunOptions& options, const std::filesystem::path& fi
                 stage = stage_of_inverted(scene);
             }
         });
-        RunLimits limits;
+        RunLimits limits = failure_on_purpose();
         limits.steps = static_cast<int>(c.duration / c.dt + 0.5);
         limits.stop = [&rest](const World&, const Contacts&) { return rest.highest_energy() > 10; };
         const RunResult result = run(scene, chapter06_solver(scene.contact), {&rest, &watch}, limits);

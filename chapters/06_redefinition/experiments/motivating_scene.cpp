@@ -5,7 +5,6 @@
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "common/report/input_error.hpp"
 #include "common/report/number_text.hpp"
-#include "common/simulation/run.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -49,6 +48,11 @@ bool passes(const MotivatingScene& scene, const std::optional<double>& value)
     return value && (scene.bound == Bound::at_least ? *value >= scene.limit : *value <= scene.limit);
 }
 
+RunLimits limits_of(const MotivatingScene& scene, int chapter)
+{
+    return {.may_gain_energy = scene.expected[static_cast<std::size_t>(chapter) - 1] == 'f'};
+}
+
 std::string bound_text(const MotivatingScene& scene)
 {
     return (scene.bound == Bound::at_least ? "at least " : "at most ") + readable(scene.limit, 3) + " " + scene.unit;
@@ -78,7 +82,7 @@ Outcome try_scene(const MotivatingScene& motivating, int chapter, bool with_pict
         probes.push_back(&camera);
     }
     try {
-        run(scene, solver_of(chapter, scene.contact), probes);
+        run(scene, solver_of(chapter, scene.contact), probes, limits_of(motivating, chapter));
         outcome.value = gauge.value();
     } catch (const std::runtime_error& error) {
         outcome.broken = error.what();

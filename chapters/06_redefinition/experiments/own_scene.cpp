@@ -19,6 +19,7 @@ namespace enduring::chapter06 {
 namespace {
 
 constexpr int pictures = 6, columns = 3;
+constexpr const char* failure_note = "failed.txt";  // lies beside tables that end early, and says why
 
 std::vector<double> picture_times(double duration)
 {
@@ -154,11 +155,13 @@ void own_scene(const RunOptions& options, Report& report, const OwnSceneOptions&
     const Solver solver = chapter_solver(choice.solver, scene.contact);
     Observers observers(scene, options, choice, report);
     std::exception_ptr failure;
+    std::filesystem::remove(report.folder() / failure_note);
     try {
         const RunResult result = run(scene, solver, observers.probes());
         std::cerr << "real-time factor " << readable(scene.world.time / result.timings.total(), 3) << ", without pictures and files\n";
-    } catch (const std::runtime_error&) {
+    } catch (const std::runtime_error& broken) {
         failure = std::current_exception();
+        write_file(report.file(failure_note), std::string(broken.what()) + "\n");
     }
     observers.save(report);
     observers.summarise(std::cout, solver.name, scene.dt);

@@ -22,9 +22,9 @@ void own_scene_example(const RunOptions& options, Report& report);
 
 /// Runs the scene of options.scene and leaves energy, motion, penetration and contacts as tables, the energy as a plot,
 /// six moments as a picture, a clip unless options.quick, and a summary on standard output. A run that breaks leaves the
-/// same up to the step that broke it.
+/// same up to the step that broke it, and failed.txt, which says why.
 /// @throws InputError          a mistake in the scene
-/// @throws std::runtime_error  a position or velocity became NaN or infinite
+/// @throws std::runtime_error  a position or velocity became NaN or infinite, or energy came out of nothing (see run())
 void own_scene(const RunOptions& options, Report& report, const OwnSceneOptions& choice);
 
 }  // namespace enduring::chapter06

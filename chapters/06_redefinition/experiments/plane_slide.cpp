@@ -95,7 +95,7 @@ SlideOutcome slide_over_plane(const PlaneSlide& slide, const Solver& solver)
 {
     Scene scene = scene_of(slide);
     SlideProbe probe(slide, scene.duration);
-    run(scene, solver, {&probe});
+    run(scene, solver, {&probe}, {.may_gain_energy = slide.may_gain_energy});
     return probe.outcome();
 }
 

@@ -13,6 +13,7 @@ struct PlaneSlide {
     bool on_lattice = false;  ///< its faces start on lines of the grid instead of between them
     double stiffness = 30000;
     double dt = 0.001;
+    bool may_gain_energy = false;  ///< shows on purpose what too stiff a contact does (see RunLimits)
 };
 
 inline constexpr double slide_speed = 2;  ///< [m/s]

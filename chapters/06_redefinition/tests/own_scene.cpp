@@ -22,8 +22,8 @@ const char* const ball = R"({"name": "ball", "dt": 0.01, "duration": 0.6, "conta
     "bodies": [{"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25}}, "mass": 5, "position": [0, 1, 0]}]})";
 
 struct Outcome {
-    std::string said;
-    bool broke = false;
+    std::string said, warned;
+    std::string broke{};  ///< why, empty if it did not
 };
 
 /// Runs a scene given as text, quickly, and keeps what it says.
@@ -40,12 +40,13 @@ Outcome run_own(const TemporaryFolder& folder, const std::string& text, const ch
     auto* const real_err = std::cerr.rdbuf(err.rdbuf());
     try {
         chapter06::own_scene(options, report, choice);
-    } catch (const std::runtime_error&) {
-        outcome.broke = true;
+    } catch (const std::runtime_error& failure) {
+        outcome.broke = failure.what();
     }
     std::cout.rdbuf(real_out);
     std::cerr.rdbuf(real_err);
     outcome.said = out.str();
+    outcome.warned = err.str();
     return outcome;
 }
 
@@ -71,7 +72,8 @@ TEST_CASE("own scene: the tables hold one row a step, and the ball falls as symp
 {
     const TemporaryFolder folder;
     const Outcome outcome = run_own(folder, ball);
-    CHECK(!outcome.broke);
+    CHECK(outcome.broke.empty());
+    CHECK_FALSE(std::filesystem::exists(folder.path / "out/failed.txt"));
     CHECK(outcome.said.find("60 steps of 0.01 s, solver of chapter 6") != std::string::npos);
     for (const char* name : {"energy.csv", "motion.csv", "penetration.csv", "contacts.csv", "inverted.csv"}) {
         CAPTURE(name);
@@ -115,10 +117,54 @@ TEST_CASE("own scene: a run that breaks leaves what it saw until then, and a ser
     chapter06::OwnSceneOptions choice;
     choice.paraview = (folder.path / "series").string();
     const Outcome outcome = run_own(folder, between_floor_and_ceiling, choice);
-    CHECK(outcome.broke);
+    CHECK_FALSE(outcome.broke.empty());
     CHECK(rows(folder.path / "out/energy.csv").size() > 3);
     CHECK(rows(folder.path / "out/energy.csv").size() < 601);
     CHECK(std::filesystem::exists(folder.path / "series/surfaces.pvd"));
+}
+
+TEST_CASE("own scene: ten cubes on springs too stiff for the step are warned of, end with a sentence, and leave their tables and a note")
+{
+    const TemporaryFolder folder;
+    std::string cubes;
+    for (int i = 0; i < 10; ++i)
+        cubes += (i ? ", " : "") + (R"({"name": "cube )" + std::to_string(i)) + R"(", "type": "rigid", "shape": {"box": {"size": [1, 1, 1]}}, "mass": 10, "position": [)" +
+                 std::to_string(0.07 * (i % 2)) + ", " + std::to_string(0.5 + 1.001 * i) + ", " + std::to_string(0.05 * (i % 3)) + "]}";
+    const auto stack = [&](const std::string& stiffness, const std::string& dt) {
+        return R"({"name": "stack", "dt": )" + dt + R"(, "duration": 0.5, "contact": {"stiffness": )" + stiffness + R"(}, "planes": [{"name": "ground"}], "bodies": [)" + cubes + "]}";
+    };
+    const Outcome stiff = run_own(folder, stack("30000", "0.01"));
+    CAPTURE(stiff.broke);
+    CHECK(stiff.warned.find("/contact/stiffness: too stiff for the step where 'cube 0' meets 'cube 1'") != std::string::npos);
+    for (const char* part : {"stack, chapter 6: step ", "energy out of nothing", " pairs, n k = ", "stable up to dt = ", "Make dt shorter"})
+        CHECK(stiff.broke.find(part) != std::string::npos);
+    std::ifstream note(folder.path / "out/failed.txt");
+    std::string why;
+    std::getline(note, why);
+    CHECK(why == stiff.broke);
+    const auto energy = rows(folder.path / "out/energy.csv");
+    CHECK(energy.size() > 2);
+    CHECK(energy.size() < 51);
+    CHECK(stiff.broke.find("step " + std::to_string(energy.size() - 1) + ",") != std::string::npos);  // the step that broke it is in them
+    CHECK(std::abs(std::stod(energy.back()[4])) < 1e6);  // ended long before 10^12 J
+
+    const Outcome calm = run_own(folder, stack("30000", "0.002"));
+    CAPTURE(calm.broke);
+    CHECK(calm.broke.empty());
+    CHECK(calm.warned.find("warning") == std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(folder.path / "out/failed.txt"));  // the note of the run before is gone
+}
+
+TEST_CASE("own scene: a cube that begins inside a meshed floor is warned of, with both names and the depth")
+{
+    const TemporaryFolder folder;
+    for (const auto& [name, floor] : {std::pair<std::string, std::string>{"floor", R"("box": {"size": [10, 1, 10], "cells": [5, 1, 5]}}, "position": [0, -0.5, 0])"},
+                                      std::pair<std::string, std::string>{"sheet", R"("plane_grid": {"size": [10, 10], "cells": [5, 5]}})"}}) {
+        const Outcome outcome = run_own(folder, R"({"name": "sunk", "dt": 0.01, "duration": 0.1, "contact": {"stiffness": 100000}, "bodies": [
+            {"name": ")" + name + R"(", "type": "static", "shape": {)" + floor + R"(}, {"name": "cube", "type": "rigid", "shape": {"box": {"size": [1, 1, 1]}},
+             "mass": 1000, "position": [0, 0.49, 0]}]})");
+        CHECK(outcome.warned.find("'cube' begins inside '" + name + "', 0.01 m deep") != std::string::npos);
+    }
 }
 
 TEST_CASE("own scene: every chapter that answers contacts has a solver to choose, and only those")

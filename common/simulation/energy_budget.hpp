@@ -1,0 +1,49 @@
+#pragma once
+
+#include "common/simulation/pressed_bodies.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace enduring {
+
+/// Tells when a run makes energy out of nothing, by more than a tenth of all that was put in: then its step is too long for
+/// its springs, or its pairs are not those that should push.
+///
+/// Held, as a mean over the last ten steps, is all that can turn into motion again: kinetic and elastic energy of the bodies, k depth^2 / 2 of every pair, k stretch^2 / 2 of
+/// every friction spring, and their weight above the lowest place that they came to. Put in are what was held at the start and
+/// the work of gravity down to that lowest place. Nothing else drives a scene, and its gravity does not turn.
+class EnergyBudget {
+public:
+    /// @param scene  before its first step
+    explicit EnergyBudget(const Scene& scene);
+
+    /// To be asked after each step.
+    /// @param contacts  those alive after it
+    /// @return what went wrong, where and what to change, as a sentence for the reader; nothing while all is well
+    std::optional<std::string> exceeded(const World& world, const Contacts& contacts);
+
+    double put_in() const { return start_ - lowest_; }  ///< [J]
+    double held() const;                                ///< the mean over the last ten steps [J]
+
+private:
+    /// The bodies whose springs asked for the shortest step so far.
+    struct LeastStable {
+        PressedBodies bodies{};
+        double stable_step;  ///< [s]
+        int step;
+    };
+
+    void watch_springs(const World& world, const Contacts& contacts);
+    std::string explanation(const World& world) const;
+
+    double dt_, slack_;
+    ContactParameters parameters_;
+    double start_ = 0;   ///< all energy at the start, the gravitational part from the origin [J]
+    double lowest_ = 0;  ///< gravitational energy at its lowest, from the origin [J]
+    std::array<double, 10> last_held_{};  ///< after each of the last steps; before them what was there at the start [J]
+    std::optional<LeastStable> least_stable_;
+};
+
+}  // namespace enduring
