@@ -9,7 +9,7 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
-KINDS = ("equation", "algorithm", "figure", "experiment")
+KINDS = ("equation", "algorithm", "figure", "experiment", "section")
 PARTS = ("function", "test", "paragraph")
 
 

@@ -80,6 +80,26 @@ TEST_CASE("errata: (5.13) as printed, a root of products, is not the length of t
     CHECK(squared_length(contact_normal({rest, rest}))(tau) == doctest::Approx(1));
 }
 
+TEST_CASE("errata: what (5.18) calls n_T is the normal of two edges; that of a triangle of their ends is another")
+{
+    int edge_pairs = 0, triangles = 0;
+    for (const auto& pair : random_pairs(200, 36)) {
+        if (!pair.edge_edge)
+            continue;
+        const Bernstein<Vec3, 2> printed = contact_normal(pair.step());  // its right-hand side, times L(t)
+        for (double tau : {0.0, 0.4, 1.0}) {
+            std::array<Vec3, 4> x;
+            for (std::size_t i = 0; i < 4; ++i)
+                x[i] = (1 - tau) * pair.t0[i] + tau * pair.t1[i];
+            const Vec3 n_E = (x[1] - x[0]).cross(x[3] - x[2]), n_T = (x[1] - x[0]).cross(x[2] - x[0]);
+            edge_pairs += (printed(tau) - n_E).norm() < 1e-13;
+            triangles += (printed(tau) - n_T).norm() < 1e-3;
+        }
+    }
+    CHECK(edge_pairs == 300);
+    CHECK(triangles == 0);
+}
+
 TEST_CASE("contact normal: an edge pair keeps its orientation while it is pushed through")
 {
     // Edge a over edge b, and then under it: the depth changes sign, the normal does not.

@@ -2,6 +2,8 @@
 #include "../penalty_impulse.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/point_masses.hpp"
+#include "common/simulation/pressed_bodies.hpp"
+#include "common/simulation/static_body.hpp"
 #include "common/simulation/step_record.hpp"
 #include "common/simulation/tests/block_of_any_kind.hpp"
 #include "common/simulation/worked_step.hpp"
@@ -201,6 +203,63 @@ TEST_CASE("penalty contact: an edge that falls on an edge is pushed up, whicheve
             push_pairs_apart(world, contacts, method, k, dt);  // from elsewhere by now, but answered once a step
             CHECK(contacts[0].impulse == impulse);
         }
+}
+
+TEST_CASE("errata: a pair at depth 0 collides still, as 5.2.1 has it; by 6.1.1 it would end, and what friction remembers with it")
+{
+    World world;
+    world.gravity.setZero();
+    world.bodies.push_back(std::make_unique<PointMasses>("points", std::vector<Vec3>{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}},
+                                                         std::vector<Face>{{0, 1, 2}}, 1.0, Vec3(0, -0.1, 0)));
+    world.bodies.push_back(std::make_unique<StaticBody>("floor", SurfaceTopology(3, {{0, 1, 2}}),
+                                                        std::vector<Vec3>{{-50, 0, -50}, {-50, 0, 100}, {100, 0, -50}}));
+    Contact touching{ContactKind::vertex_face, 0, 1, 0, 0, {0, 0, 1, 2}, {1, -0.5, -0.25, -0.25}};
+    touching.stretch = {0.003, 0, 0};
+    REQUIRE(contact_geometry(world, touching, 0).depth == 0);  // and it is about to go in
+    for (const bool by_6_1_1 : {false, true}) {
+        CAPTURE(by_6_1_1);
+        Contacts contacts{touching};
+        if (by_6_1_1)
+            std::erase_if(contacts, [&](const Contact& contact) { return !(contact_geometry(world, contact, 0).depth < 0); });
+        else
+            resolve_separated_pairs(world, contacts);
+        for (const auto& body : world.bodies)
+            body->predict(world.gravity, 0.01);
+        for (const Pass& pass : chapter03_solver({PenaltyMethod::continuous, 100}).detect)
+            pass.run(world, contacts, 0.01);
+        const auto pair = std::find_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.vertices[0] == 0; });
+        const bool remembers = pair != contacts.end() && pair->stretch == touching.stretch;
+        CHECK(remembers != by_6_1_1);
+    }
+}
+
+TEST_CASE("penalty contact: the energy of a pair is k depth^2 / 2, and downhill on it leads the discrete force (5.1, 5.3)")
+{
+    const double k = 700, dt = 0.01, tiny = 1e-6;
+    const std::vector<Vec3> slope{{-2, 0.3, -1}, {0, -0.4, 2}, {2, 0.1, -1}};
+    const Contact contact{ContactKind::vertex_face, 0, 1, 0, 0, {0, 0, 1, 2}, {1, -0.25, -0.25, -0.5}};
+    const auto world_with = [&](const Vec3& p) {
+        World world;
+        world.bodies.push_back(std::make_unique<PointMasses>("points", std::vector<Vec3>{p, p + Vec3(0, 3, 1), p + Vec3(1, 3, 0)}, std::vector<Face>{{0, 1, 2}}, 1.0));
+        world.bodies.push_back(std::make_unique<StaticBody>("slope", SurfaceTopology(3, {{0, 1, 2}}), slope));
+        return world;
+    };
+    const auto energy_at = [&](const Vec3& p) {
+        const auto pressed = pressed_bodies(world_with(p), {contact}, k);
+        return pressed.empty() ? 0 : pressed[0].energy;
+    };
+    const Vec3 foot = (slope[0] + slope[1]) / 4 + slope[2] / 2, normal = (slope[1] - slope[0]).cross(slope[2] - slope[0]).normalized();
+    for (const double depth : {-0.2, 0.01, 0.1, 0.37}) {
+        CAPTURE(depth);
+        const Vec3 p = foot - depth * normal;
+        CHECK(energy_at(p) == doctest::Approx(depth > 0 ? 0.5 * k * depth * depth : 0).epsilon(1e-12));
+        Vec3 uphill;
+        for (int i = 0; i < 3; ++i)
+            uphill[i] = (energy_at(p + tiny * Vec3::Unit(i)) - energy_at(p - tiny * Vec3::Unit(i))) / (2 * tiny);
+        const Vec3 force = discrete_impulse(pair_step(world_with(p), contact).t1, k, dt) / dt;
+        CHECK((force + uphill).norm() <= 1e-6 * (1 + force.norm()));
+        CHECK((force.norm() > 0) == (depth > 0));
+    }
 }
 
 TEST_CASE("penalty contact: the worked step gets the numbers of the stand-ins from this chapter's passes")

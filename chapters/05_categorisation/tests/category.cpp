@@ -38,8 +38,34 @@ TEST_CASE("category: a corner of any opening hooks 45 degrees beyond its outermo
                 const double last = (180 - opening) / 2 + 45;
                 const Corner corner = wedge_corner("wedge", opening * degree);
                 CHECK(is_hooked_vertex(corner.surface(), 0, leaning(side * (last + slip))) == (slip > 0));
+            }
+}
+
+TEST_CASE("average: (6.1) hooks 45 degrees beyond the averaged normal, whatever the corner's opening and wherever its faces look")
+{
+    for (const double opening : {20.0, 40.0, 90.0, 120.0, 160.0, 180.0})
+        for (const double side : {-1.0, 1.0})
+            for (const double slip : {-1e-6, 1e-6}) {
+                CAPTURE(opening);
+                CAPTURE(side);
+                CAPTURE(slip);
+                const Corner corner = wedge_corner("wedge", opening * degree);
                 CHECK(average_says_regular(corner, leaning(side * (45 + slip))) == (slip < 0));
             }
+}
+
+TEST_CASE("average: an acute and an obtuse corner that lean alike are hooked alike by (6.1), though the acute one touches there (figure 6.6)")
+{
+    for (const double lean : {50.0, 60.0, 69.0}) {
+        CAPTURE(lean);
+        const Corner acute = wedge_corner("acute", 40 * degree), obtuse = wedge_corner("obtuse", 160 * degree);
+        CHECK_FALSE(average_says_regular(acute, leaning(lean)));
+        CHECK_FALSE(average_says_regular(obtuse, leaning(lean)));
+        CHECK(can_touch(acute, leaning(lean)));  // one of its sides is almost parallel to the floor
+        CHECK_FALSE(can_touch(obtuse, leaning(lean)));
+        CHECK(span_says_regular(acute, leaning(lean)));
+        CHECK(span_says_regular(obtuse, leaning(lean)) == (lean < 10 + 45));
+    }
 }
 
 TEST_CASE("category: a vertex of a flat surface accepts the directions within 45 degrees, whichever way they lean")

@@ -4,6 +4,7 @@
 #include "small_worlds.hpp"
 
 #include <algorithm>
+#include <memory>
 
 using namespace enduring;
 using namespace enduring::small_worlds;
@@ -52,6 +53,44 @@ TEST_CASE("resolution: a vertex that enters by the top of a box and leaves by it
         CHECK(alive[7] == (redefined ? 0 : 1));
         CHECK((pushed_outside == 0) == redefined);
     }
+}
+
+TEST_CASE("resolution: an edge pair below its face ends when an edge has no end inside and pierces nothing, and not before (6.2.1)")
+{
+    struct Lies {
+        double height;   ///< of the lower edge of a sheet through a box whose top is at 0.5 [m]
+        double reach;    ///< that edge goes from -reach to reach; the box from -0.5 to 0.5 [m]
+        bool end_pair;   ///< one of its ends has a pair with the box
+        bool ends;
+    };
+    for (const Lies& lies : {Lies{0.4, 1, false, false}, Lies{0.6, 1, false, true}, Lies{0.4, 0.3, true, false}, Lies{0.4, 0.3, false, true}})
+        for (const bool sheet_is_a : {true, false}) {
+            CAPTURE(lies.height);
+            CAPTURE(lies.reach);
+            CAPTURE(sheet_is_a);
+            World world;
+            world.bodies.push_back(still("box", box({1, 1, 1})));
+            const std::vector<Vec3> sheet{{-lies.reach, lies.height, 0}, {lies.reach, lies.height, 0}, {0, 3, 0}};
+            world.bodies.push_back(std::make_unique<PointMasses>("sheet", sheet, std::vector<Face>{{0, 1, 2}}, 1.0));
+            const auto edges = world.bodies[1]->surface().edges();
+            const int lower = static_cast<int>(std::find(edges.begin(), edges.end(), Edge{0, 1}) - edges.begin());
+            const int of_box = 0, box_end = world.bodies[0]->surface().edges()[0][0];
+            // The box' own edge has an end with a pair, so it is the sheet's edge that decides.
+            Contacts contacts{{ContactKind::vertex_face, 0, 1, box_end, 0, {box_end, 0, 1, 2}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}}};
+            if (lies.end_pair)
+                contacts.push_back({ContactKind::vertex_face, 1, 0, 0, 0, {0, 0, 1, 2}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}});
+            Contact pair;
+            pair.kind = ContactKind::edge_edge;
+            pair.body_a = sheet_is_a ? 1 : 0;
+            pair.body_b = sheet_is_a ? 0 : 1;
+            pair.feature_a = sheet_is_a ? lower : of_box;
+            pair.feature_b = sheet_is_a ? of_box : lower;
+            contacts.push_back(pair);
+            CrossingDetection detection;
+            detection.find_candidates(world);
+            resolve_edges_that_left(world, detection, contacts);
+            CHECK(contacts.back().resolved == lies.ends);
+        }
 }
 
 TEST_CASE("resolution: a vertex whose entry impulses have undone has no pair in the next step")
