@@ -36,7 +36,7 @@ Best over_stiffness(const RunOptions& options, const std::filesystem::path& file
 {
     constexpr double smooth = 0.003;
     Best best;
-    bool still_smooth = true;
+    bool over = false;  // below the first smooth stiffness the bar sinks too deep to lie still
     for (int i = 0; i <= 14; i += options.quick ? 4 : 1) {
         drop.stiffness = std::round(2000 * std::pow(2, i / 6.0));
         std::vector<double> depths, jitters, pairs;
@@ -47,8 +47,8 @@ Best over_stiffness(const RunOptions& options, const std::filesystem::path& file
             jitters.push_back(jitter_at_rest(record));
             pairs.push_back(pairs_at_rest(record));
         }
-        still_smooth = still_smooth && median(jitters) < smooth;
-        if (still_smooth)
+        over = over || (best.stiffness > 0 && median(jitters) >= smooth);
+        if (!over && median(jitters) < smooth)
             best = {drop.stiffness, median(depths)};
         table.add({drop.basis, short_name(drop.method), drop.stiffness, 1000 * median(depths), 100 * median(jitters), median(pairs),
                    median(pairs) * drop.stiffness});
