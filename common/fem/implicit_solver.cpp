@@ -81,6 +81,7 @@ bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVector
     const double share = curvature > 0 ? dot(v, rhs) / curvature : 0;  // of the guess: its best multiple
     v *= share;
     r = rhs - share * image;
+    system.clear_fixed(r);  // else a factor from before a node was fixed hands on what pushes it
     system.precondition(factor_, r, z);
     direction = z;
     double rz = dot(r, z);
@@ -103,7 +104,7 @@ void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vec
                            double stiffness_scale, const NodalVectors& rhs, NodalVectors& v)
 {
     const System system{elasticity, mass_matrix_, fixed, mass_scale, stiffness_scale};
-    system.clear_fixed(v);  // and so stays every change of it: what rhs says of a fixed node meets only zeros
+    system.clear_fixed(v);
     if (!rhs.allFinite() || !v.allFinite())
         return;  // nothing to be saved here: the step names the body and the vertex
 
