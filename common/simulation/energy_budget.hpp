@@ -11,9 +11,10 @@ namespace enduring {
 /// Tells when a run makes energy out of nothing, by more than a tenth of all that was put in: then its step is too long for
 /// its springs, or its pairs are not those that should push.
 ///
-/// Held, as a mean over the last ten steps, is all that can turn into motion again: kinetic and elastic energy of the bodies, k depth^2 / 2 of every pair, k stretch^2 / 2 of
-/// every friction spring, and their weight above the lowest place that they came to. Put in are what was held at the start and
-/// the work of gravity down to that lowest place. Nothing else drives a scene, and its gravity does not turn.
+/// Held, as a mean over the last ten steps, is all that can turn into motion again: kinetic and elastic energy of the bodies,
+/// k depth^2 / 2 of every pair, k stretch^2 / 2 of every friction spring, and their weight above the lowest place that they
+/// came to. Put in are what was held at the start and the work of gravity down to that lowest place. Nothing else drives a
+/// scene, and its gravity does not turn.
 class EnergyBudget {
 public:
     /// @param scene  before its first step

@@ -121,6 +121,8 @@ void tell_rest(const Scene& scene, const Contacts& contacts, const BunnyProbe& p
     const double nk = static_cast<double>(std::get<long>(end[1])) * scene.contact.stiffness;
     report.fact("bunny_bowl", "pairs_at_end", static_cast<double>(std::get<long>(end[1])), 3);
     report.fact("bunny_bowl", "nk_at_end", nk / 1000, 2);
+    report.fact("bunny_bowl", "step", scene.dt, 3);
+    report.fact("bunny_bowl", "k_dt2_kg", scene.contact.stiffness * scene.dt * scene.dt, 2);
     report.fact("bunny_bowl", "stable_step_at_end", std::sqrt(2 * reduced / nk), 2);
     report.fact("bunny_bowl", "deepest_at_end_mm", 1000 * std::get<double>(end[3]), 2);
     report.fact("bunny_bowl", "ground_at_end_mm", 1000 * std::get<double>(end[4]), 2);

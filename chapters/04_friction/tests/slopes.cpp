@@ -155,7 +155,8 @@ TEST_CASE("tilting: a soft bar on a tilted plane is held above the angle of fric
                 {"name": "bar", "type": "deformable", "basis": "linear", "shape": {"bar": {"size": [1, 0.2, 0.5], "cells": [4, 1, 2]}}, "mass": 100,
                  "young": 1e6, "poisson": 0.3, "rayleigh": {"stiffness": 0.01}, "position": [0, 0.087, 0], "impulse_response": ")" + response + R"("}]})");
             scene.contact.friction = with_mu_s(friction_defaults(FrictionModel::mended, 5000), (held ? 1.2 : 0.6) * 2 / 9.6);
-            run(scene, chapter04_solver(scene.contact));
+            // A lumped push that moves one node strains its elements by more than the work it did.
+            run(scene, chapter04_solver(scene.contact), {}, {.may_gain_energy = response == "lumped"});
             const double speed = scene.world.bodies[0]->linear_momentum().x() / 100;
             if (held)
                 CHECK(std::abs(speed) < 1e-3);
