@@ -31,6 +31,8 @@ int main(int argc, char** argv)
             {"cost", "what one pair takes, stage by stage, and what whole steps take (thesis figure 7.17, section 7.4)", chapter06::cost},
             {"bar_friction", "a cube comes to rest on the soft bar and stays (thesis figure 7.16)", chapter06::bar_friction},
             {"turntable", "loads that are held on what turns: how far they creep", chapter06::turntable},
+            {"rolling", "a ball that rolls down a slope or turns on its spot: how much the lever of the start brakes it", chapter06::rolling},
+            {"laid_block", "a limit: a block that is laid exactly on triangles", chapter06::laid_block},
             {"deep", "a limit: a contact too deep for its category to mean anything (thesis figure 6.9)", chapter06::deep},
             {"ledger", "every chapter's solver in every scene that called for a new one", chapter06::ledger},
             {"own_scene", "the example of a scene of your own; any other runs with --scene FILE", chapter06::own_scene_example},

@@ -15,6 +15,8 @@ void mesh_slope(const RunOptions& options, Report& report);
 void cost(const RunOptions& options, Report& report);
 void bunny_bowl(const RunOptions& options, Report& report);
 void turntable(const RunOptions& options, Report& report);
+void rolling(const RunOptions& options, Report& report);
+void laid_block(const RunOptions& options, Report& report);
 void ledger(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter06
