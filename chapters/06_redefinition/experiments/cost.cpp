@@ -90,9 +90,8 @@ WholeStep time_steps(const std::filesystem::path& file, const std::string& chang
     Scene scene = load_scene(file, change);
     double pairs = 0;
     WatchProbe watch([&](const World&, const Contacts& contacts, double) { pairs += static_cast<double>(contacts.size()); });
-    RunLimits limits;
-    limits.steps = steps;
-    const RunResult result = run(scene, make(scene.contact), {&watch}, limits);
+    // The baseline lets the bunny through the bowl's wall down to the ground, which is too stiff for it.
+    const RunResult result = run(scene, make(scene.contact), {&watch}, {.steps = steps, .may_gain_energy = make == discrete_solver});
     const Timings& t = result.timings;
     const double per_step = 1000.0 / result.steps;
     WholeStep whole;
