@@ -90,8 +90,7 @@ WholeStep time_steps(const std::filesystem::path& file, const std::string& chang
     Scene scene = load_scene(file, change);
     double pairs = 0;
     WatchProbe watch([&](const World&, const Contacts& contacts, double) { pairs += static_cast<double>(contacts.size()); });
-    // The baseline lets the bunny through the bowl's wall down to the ground, which is too stiff for it.
-    const RunResult result = run(scene, make(scene.contact), {&watch}, {.steps = steps, .may_gain_energy = make == discrete_solver});
+    const RunResult result = run(scene, make(scene.contact), {&watch}, {.steps = steps});
     const Timings& t = result.timings;
     const double per_step = 1000.0 / result.steps;
     WholeStep whole;
@@ -116,8 +115,10 @@ void compare_whole_steps(const RunOptions& options, Report& report)
     for (const std::string scene : {"bunny_at_rest", "hooked"}) {
         WholeStep discrete;
         for (const Method& method : methods) {
-            const std::string change = R"({"contact": {"friction": {"model": "none"}}})";
-            const WholeStep whole = time_steps(scene_file(scene), change, method.make, options.quick ? 30 : scene == "hooked" ? 300 : 200);
+            nlohmann::json change{{"contact", {{"friction", {{"model", "none"}}}}}};
+            if (scene == "bunny_at_rest")  // two of the methods let the bunny through the bowl: the ground is as soft for it as the bowl
+                change["/planes/ground/stiffness"] = load_scene(scene_file(scene)).contact.stiffness;
+            const WholeStep whole = time_steps(scene_file(scene), change.dump(), method.make, options.quick ? 30 : scene == "hooked" ? 300 : 200);
             const double contact = whole.detect + whole.handle;
             if (method.make == discrete_solver)
                 discrete = whole;
