@@ -76,14 +76,6 @@ void move_friction_anchors(const World& world, Contacts& contacts, const Frictio
 }
 //! [move_anchors]
 
-double friction_spring_energy(const Contacts& contacts, const FrictionParameters& friction)
-{
-    double sum = 0;
-    for (const Contact& contact : contacts)
-        sum += 0.5 * friction.spring * contact.stretch.squaredNorm();
-    return sum;
-}
-
 //! [solver]
 void add_friction(Solver& solver, const FrictionParameters& friction)
 {

@@ -16,9 +16,6 @@ void rub_pairs(const World& world, Contacts& contacts, const FrictionParameters&
 /// @param dt  length of the step [s], positive
 void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);
 
-/// What the springs of mended or yamane_nakamura friction hold at the end of a step [J].
-double friction_spring_energy(const Contacts& contacts, const FrictionParameters& friction);
-
 /// This chapter's solver: chapter 3 and friction. It keeps the trees of one world, so make one for each run.
 Solver chapter04_solver(const ContactParameters& parameters);
 

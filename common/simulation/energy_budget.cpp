@@ -1,6 +1,7 @@
 #include "common/simulation/energy_budget.hpp"
 
 #include "common/report/number_text.hpp"
+#include "common/simulation/energy.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -22,32 +23,11 @@ double slack_of(const Scene& scene)
     return mass * (fall * fall + rounding * rounding);
 }
 
-Energy energy_of_bodies(const World& world)
-{
-    Energy sum;
-    for (const auto& body : world.bodies) {
-        const Energy energy = body->energy(world.gravity);
-        sum.kinetic += energy.kinetic;
-        sum.gravitational += energy.gravitational;
-        sum.elastic += energy.elastic;
-    }
-    return sum;
-}
-
 double energy_of(const std::vector<PressedBodies>& pressed)
 {
     double sum = 0;
     for (const PressedBodies& bodies : pressed)
         sum += bodies.energy;
-    return sum;
-}
-
-double friction_energy(const Contacts& contacts, const FrictionParameters& friction)
-{
-    double sum = 0;
-    if (friction.model != FrictionModel::none)
-        for (const Contact& contact : contacts)
-            sum += 0.5 * friction.spring * contact.stretch.squaredNorm();
     return sum;
 }
 
@@ -69,7 +49,7 @@ const Body& fastest_body(const World& world)
 
 EnergyBudget::EnergyBudget(const Scene& scene) : dt_(scene.dt), slack_(slack_of(scene)), parameters_(scene.contact)
 {
-    const Energy energy = energy_of_bodies(scene.world);
+    const Energy energy = total_energy(scene.world);
     start_ = energy.total();
     lowest_ = energy.gravitational;
     last_held_.fill(start_ - lowest_);
@@ -88,10 +68,10 @@ std::optional<std::string> EnergyBudget::exceeded(const World& world, const Cont
     if (world.step == 1)
         start_ += energy_of(pressed_bodies(world, there_from_the_start(contacts), parameters_.stiffness));
     const std::vector<PressedBodies> pressed = pressed_bodies(world, contacts, parameters_.stiffness);
-    const Energy energy = energy_of_bodies(world);
+    const Energy energy = total_energy(world);
     lowest_ = std::min(lowest_, energy.gravitational);
     last_held_[static_cast<std::size_t>(world.step) % last_held_.size()] =
-        energy.total() - lowest_ + energy_of(pressed) + friction_energy(contacts, parameters_.friction);
+        energy.total() - lowest_ + energy_of(pressed) + friction_spring_energy(contacts, parameters_.friction);
     watch_springs(world, contacts);
     if (held() <= (1 + tolerated_gain) * put_in() + slack_)
         return std::nullopt;

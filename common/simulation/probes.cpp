@@ -2,6 +2,7 @@
 
 #include "common/report/input_error.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/energy.hpp"
 #include "common/simulation/pressed_bodies.hpp"
 
 #include <algorithm>
@@ -25,13 +26,7 @@ EnergyProbe::EnergyProbe() : TableProbe({"time_s", "kinetic_j", "gravitational_j
 
 void EnergyProbe::observe(const World& world, const Contacts&, double)
 {
-    Energy sum;
-    for (const std::unique_ptr<Body>& body : world.bodies) {
-        const Energy energy = body->energy(world.gravity);
-        sum.kinetic += energy.kinetic;
-        sum.gravitational += energy.gravitational;
-        sum.elastic += energy.elastic;
-    }
+    const Energy sum = total_energy(world);
     table_.add({world.time, sum.kinetic, sum.gravitational, sum.elastic, sum.total()});
 }
 

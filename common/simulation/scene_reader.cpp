@@ -1,11 +1,11 @@
 #include "common/simulation/scene_reader.hpp"
 
+#include "common/report/source_directory.hpp"
 #include "common/simulation/body_reader.hpp"
 #include "common/simulation/friction_reader.hpp"
 #include "common/simulation/json_value.hpp"
 #include "common/simulation/mistakes.hpp"
 #include "common/simulation/scene_warnings.hpp"
-#include "common/report/source_directory.hpp"
 
 #include <algorithm>
 #include <set>

@@ -3,6 +3,7 @@
 #include "../penalty_contact.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/elements_of.hpp"
+#include "common/simulation/energy.hpp"
 #include "common/simulation/run.hpp"
 #include "pair_film.hpp"
 #include "scene_change.hpp"
@@ -36,15 +37,10 @@ public:
     {
         penetration_.observe(world, contacts, dt);
         const std::vector<Cell>& depths = penetration_.table().rows().back();
-        Energy energy;
+        const Energy energy = total_energy(world);
         int inverted = 0;
-        for (const auto& body : world.bodies) {
-            const Energy part = body->energy(world.gravity);
-            energy.kinetic += part.kinetic;
-            energy.gravitational += part.gravitational;
-            energy.elastic += part.elastic;
+        for (const auto& body : world.bodies)
             inverted += body->inverted_elements();
-        }
         table_.add({world.time, count_inside(world, contacts, false), depths[3], depths[4], depths[8], energy.kinetic, energy.total(),
                     static_cast<long>(inverted)});
         if (world.step == 0)

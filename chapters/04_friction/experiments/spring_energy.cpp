@@ -1,7 +1,7 @@
 #include "spring_energy.hpp"
 
-#include "../friction_contact.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/energy.hpp"
 
 #include <algorithm>
 

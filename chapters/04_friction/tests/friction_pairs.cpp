@@ -3,6 +3,7 @@
 #include "common/geometry/shapes.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/energy.hpp"
 #include "common/simulation/point_masses.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/scene_reader.hpp"

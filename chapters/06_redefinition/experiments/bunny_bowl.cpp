@@ -4,6 +4,7 @@
 #include "common/render/film_probes.hpp"
 #include "common/render/renderer.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/energy.hpp"
 #include "common/simulation/run.hpp"
 #include "inverted_elements.hpp"
 
@@ -31,13 +32,7 @@ public:
         deepest_ = std::get<double>(penetration_.table().rows().back()[4]);
         in_ground_ = std::get<double>(penetration_.table().rows().back()[8]);
         deepest_in_ground_ = std::max(deepest_in_ground_, in_ground_);
-        Energy energy;
-        for (const auto& body : world.bodies) {
-            const Energy part = body->energy(world.gravity);
-            energy.kinetic += part.kinetic;
-            energy.gravitational += part.gravitational;
-            energy.elastic += part.elastic;
-        }
+        const Energy energy = total_energy(world);
         const auto touches = [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane; };
         if (impact_ == 0 && std::any_of(contacts.begin(), contacts.end(), touches))
             impact_ = last_kinetic_;

@@ -1,0 +1,25 @@
+#include "common/simulation/energy.hpp"
+
+namespace enduring {
+
+Energy total_energy(const World& world)
+{
+    Energy sum;
+    for (const std::unique_ptr<Body>& body : world.bodies) {
+        const Energy energy = body->energy(world.gravity);
+        sum.kinetic += energy.kinetic;
+        sum.gravitational += energy.gravitational;
+        sum.elastic += energy.elastic;
+    }
+    return sum;
+}
+
+double friction_spring_energy(const Contacts& contacts, const FrictionParameters& friction)
+{
+    double sum = 0;
+    for (const Contact& contact : contacts)
+        sum += 0.5 * friction.spring * contact.stretch.squaredNorm();
+    return sum;
+}
+
+}  // namespace enduring
