@@ -8,8 +8,9 @@ def api_block(root, chapters):
     lines = []
     for page in chapters:
         lines += ["", f"## {page.title}", "", *headers(root, f"chapters/{page.folder}")]
-    for folder in sorted({path.parent for path in (root / "common").glob("*/*.hpp")}):
-        lines += ["", f"## The base: {folder.name}", "", *headers(root, f"common/{folder.name}")]
+    for folder in sorted({path.parent for path in (root / "common").rglob("*.hpp") if path.parent.name not in ("tests", "on")}):
+        shown = folder.relative_to(root).as_posix()
+        lines += ["", f"## The base: {shown.removeprefix('common/')}", "", *headers(root, shown)]
     return "\n".join(lines)
 
 

@@ -79,7 +79,7 @@ def made_by(program):
 def stale_results(results, programs):
     """Folders of results that another program than the present one has made."""
     for folder in sorted(results.glob("[0-9][0-9]_*")):
-        program, stamp = programs / f"chapter{folder.name[:2]}", folder / ".made_by"
+        program, stamp = programs / ("base" if folder.name == "00_base" else f"chapter{folder.name[:2]}"), folder / ".made_by"
         if program.is_file() and (not stamp.is_file() or stamp.read_text().strip() != made_by(program)):
             yield f"{folder}: the numbers are stale, {program.name} is another program now (./course run {int(folder.name[:2])}, or ./course docs)"
 

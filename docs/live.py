@@ -12,10 +12,10 @@ WORK = ROOT / "build/live"
 SOURCES = [
     "live/*.cpp", "common/geometry/*_shapes.cpp", "common/geometry/surface_topology.cpp", "common/geometry/surface_checks.cpp",
     "common/rigid/rigid_motion.cpp", "common/rigid/free_rotation.cpp", "common/rigid/mass_properties.cpp",
-    "common/simulation/body.cpp", "common/simulation/rigid_body.cpp", "common/simulation/static_body.cpp", "common/simulation/step.cpp",
-    "common/simulation/timings.cpp", "common/simulation/contact_geometry.cpp", "common/simulation/friction_reader.cpp",
+    "common/simulation/rigid_body.cpp", "common/simulation/static_body.cpp", "common/simulation/step.cpp",
+    "common/experiments/run/timings.cpp", "common/simulation/contact_geometry.cpp", "common/simulation/contact_parameters.cpp",
     "chapters/0[1-6]_*/*.cpp", "chapters/05_categorisation/experiments/corner.cpp"]
-LEFT_OUT = ["main.cpp", "query_files.cpp", "closest_point.cpp", "discrete_detection.cpp", "discrete_solver.cpp"]
+LEFT_OUT = ["main.cpp", "query_files.cpp"]
 # As the programs are compiled: no contraction of products and sums, so the same numbers come out.
 OPTIONS = ["-std=c++20", "-O2", "-fexceptions", "-ffp-contract=off", "-DNDEBUG", "-DBT_USE_DOUBLE_PRECISION", "-DEIGEN_MAX_ALIGN_BYTES=16",
            f"-I{ROOT}", f"-I{ROOT}/live", "-isystem", f"{ROOT}/live/bullet", "-isystem", "/usr/include/bullet", "-isystem", "/usr/include/eigen3",

@@ -245,7 +245,7 @@ def reference(pages, page, kind, name):
 
 def test_names(root):
     """The names of all tests, as CTest shows them."""
-    sources = [path for top in ("common", "chapters") for path in sorted((root / top).glob("*/tests/*.cpp"))]
+    sources = [path for top in ("common", "chapters") for path in sorted((root / top).rglob("tests/*.cpp"))]
     return {name.replace('\\"', '"') for path in sources
             for name in re.findall(r'TEST_CASE\("((?:[^"\\]|\\.)+)"', path.read_text(encoding="utf-8"))}
 

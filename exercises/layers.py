@@ -1,6 +1,6 @@
 """Wrong versions of the layers: each is a patch that one of the layer's own tests has to notice.
 
-They lie beside these tests, chapters/NN_name/tests/wrong/NAME.patch and common/NAME/tests/wrong/NAME.patch. A line says what is
+They lie beside these tests, chapters/NN_name/tests/wrong/NAME.patch and common/.../NAME/tests/wrong/NAME.patch. A line says what is
 wrong, a second one names the test that notices ("fails: ..."), and a unified diff of one source file follows.
 """
 import functools
@@ -64,7 +64,7 @@ def read(patch):
 
 def all_versions(root=ROOT):
     """Every wrong version, the chapters' first."""
-    return [read(patch) for tree in ("chapters", "common") for patch in sorted(root.glob(f"{tree}/*/tests/wrong/*.patch"))]
+    return [read(patch) for tree in ("chapters", "common") for patch in sorted((root / tree).rglob("tests/wrong/*.patch"))]
 
 
 def part_of(versions, part):

@@ -1,4 +1,4 @@
-#include "figures.hpp"
+#include "live/figures.hpp"
 
 #include <emscripten/bind.h>
 

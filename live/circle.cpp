@@ -1,6 +1,5 @@
-#include "figures.hpp"
-
 #include "chapters/05_categorisation/experiments/corner.hpp"
+#include "live/figures.hpp"
 
 #include <cmath>
 #include <numbers>

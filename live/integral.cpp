@@ -1,6 +1,5 @@
-#include "figures.hpp"
-
 #include "chapters/03_penalty_impulses/penetration_interval.hpp"
+#include "live/figures.hpp"
 
 #include <algorithm>
 

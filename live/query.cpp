@@ -1,8 +1,7 @@
-#include "figures.hpp"
-
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/cubic_roots.hpp"
 #include "chapters/03_penalty_impulses/contact_normal.hpp"
+#include "live/figures.hpp"
 
 namespace enduring::live {
 namespace {

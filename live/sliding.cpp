@@ -1,11 +1,11 @@
-#include "figures.hpp"
-
 #include "chapters/05_categorisation/category.hpp"
-#include "chapters/06_redefinition/redefinition_solver.hpp"
-#include "common/geometry/shapes.hpp"
+#include "chapters/05_categorisation/solver.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
+#include "live/figures.hpp"
 
 #include <memory>
 

@@ -1,6 +1,5 @@
-#include "figures.hpp"
-
 #include "chapters/04_friction/friction_law.hpp"
+#include "live/figures.hpp"
 
 #include <algorithm>
 #include <cmath>

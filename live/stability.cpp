@@ -1,6 +1,5 @@
-#include "figures.hpp"
-
 #include "chapters/01_particle_plane/amplification.hpp"
+#include "live/figures.hpp"
 
 #include <Eigen/Eigenvalues>
 

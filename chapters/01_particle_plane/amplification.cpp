@@ -1,4 +1,4 @@
-#include "amplification.hpp"
+#include "chapters/01_particle_plane/amplification.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "particle.hpp"
+#include "chapters/01_particle_plane/particle.hpp"
 
 #include <Eigen/Core>
 

@@ -1,4 +1,4 @@
-#include "experiments/experiments.hpp"
+#include "chapters/01_particle_plane/experiments/experiments.hpp"
 
 int main(int argc, char** argv)
 {

@@ -1,6 +1,6 @@
-#include "particle.hpp"
+#include "chapters/01_particle_plane/particle.hpp"
 
-#include "plane_impulse.hpp"
+#include "chapters/01_particle_plane/plane_impulse.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "common/simulation/scene.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
 
 namespace enduring {
 

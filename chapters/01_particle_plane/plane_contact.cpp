@@ -1,7 +1,7 @@
-#include "plane_contact.hpp"
+#include "chapters/01_particle_plane/plane_contact.hpp"
 
+#include "chapters/01_particle_plane/plane_impulse.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "plane_impulse.hpp"
 
 #include <algorithm>
 
@@ -96,17 +96,5 @@ void push_out_of_planes(const World& world, Contacts& contacts, PenaltyMethod me
     }
 }
 //! [respond]
-
-//! [solver]
-Solver chapter01_solver(const ContactParameters& parameters)
-{
-    const auto detect_planes = [](World& world, Contacts& contacts, double) { detect_plane_contacts(world, contacts); };
-    const auto resolve_planes = [](World& world, Contacts& contacts, double) { resolve_plane_contacts(world, contacts); };
-    const auto push_out = [parameters](World& world, Contacts& contacts, double dt) {
-        push_out_of_planes(world, contacts, parameters.method, parameters.stiffness, dt);
-    };
-    return {"chapter 1", {{"resolve planes", resolve_planes}}, {{"detect planes", detect_planes}}, {{"push out of planes", push_out}}};
-}
-//! [solver]
 
 }  // namespace enduring

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "common/simulation/scene.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
 
 namespace enduring {
 
@@ -17,8 +18,5 @@ void resolve_plane_contacts(World& world, Contacts& contacts);
 /// @param stiffness  k of one vertex [N/m], positive; a plane with a stiffness of its own takes that
 /// @param dt         length of the step [s], positive
 void push_out_of_planes(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
-
-/// This chapter's solver: vertices against the scene's planes, and nothing else.
-Solver chapter01_solver(const ContactParameters& parameters);
 
 }  // namespace enduring

@@ -1,4 +1,4 @@
-#include "plane_impulse.hpp"
+#include "chapters/01_particle_plane/plane_impulse.hpp"
 
 namespace enduring {
 

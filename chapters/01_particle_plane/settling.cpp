@@ -1,4 +1,4 @@
-#include "settling.hpp"
+#include "chapters/01_particle_plane/settling.hpp"
 
 #include <algorithm>
 #include <stdexcept>

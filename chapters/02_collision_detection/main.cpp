@@ -1,4 +1,4 @@
-#include "experiments/experiments.hpp"
+#include "chapters/02_collision_detection/experiments/experiments.hpp"
 
 int main(int argc, char** argv)
 {

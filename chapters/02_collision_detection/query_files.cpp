@@ -1,7 +1,7 @@
 #include "chapters/02_collision_detection/query_files.hpp"
 
-#include "common/geometry/text_lines.hpp"
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/text_lines.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "chapters/02_collision_detection/query.hpp"
-
 #include "common/simulation/body.hpp"
 
 namespace enduring {

@@ -10,7 +10,7 @@ struct Interval {
     double length() const { return to - from; }
 };
 
-// [bernstein]
+//! [bernstein]
 /// A polynomial on [0, 1] in Bernstein form: sum_i coefficients[i] B_i^Degree(tau), thesis (5.11).
 ///
 /// Three properties carry the chapter: the first and last coefficient are the values at 0 and 1, the value anywhere
@@ -53,7 +53,7 @@ Bernstein<Value, Degree> restricted(const Bernstein<Value, Degree>& polynomial, 
     const Bernstein<Value, Degree> rest = part.from > 0 ? polynomial.from(part.from) : polynomial;
     return part.to < 1 ? rest.until(part.length() / (1 - part.from)) : rest;
 }
-// [bernstein]
+//! [bernstein]
 
 /// d/dtau: one degree less, and differences of neighbours for coefficients.
 template <class Value, int Degree>

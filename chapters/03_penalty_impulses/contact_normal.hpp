@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bernstein.hpp"
+#include "chapters/03_penalty_impulses/bernstein.hpp"
 #include "common/geometry/vector.hpp"
 
 #include <array>
@@ -9,7 +9,7 @@ namespace enduring {
 
 using PairVertices = std::array<Vec3, 4>;  ///< v f0 f1 f2, or a0 a1 b0 b1 [m]
 
-// [pair_instant]
+//! [pair_instant]
 /// A pair at one instant. A vertex-face pair and an edge-edge pair differ in these three vectors and in nothing else.
 struct PairInstant {
     Vec3 side_1, side_2;  ///< the unnormalised normal is side_1 x side_2 [m]
@@ -36,9 +36,9 @@ inline PairInstant edge_edge_instant(const PairVertices& x, double orientation)
 {
     return {orientation * (x[1] - x[0]), x[3] - x[2], x[0] - x[2]};
 }
-// [pair_instant]
+//! [pair_instant]
 
-// [contact_normal]
+//! [contact_normal]
 /// The unnormalised contact normal over the step [m^2]: n0, n1, n2 of thesis (5.12) and (5.18).
 ///
 /// A product of two straight motions is quadratic, so nothing is lost.
@@ -58,9 +58,9 @@ inline Bernstein<double, 3> penetration_depth(const Bernstein<Vec3, 2>& normal, 
     const Vec3 &d0 = step.t0.offset, &d1 = step.t1.offset;
     return {{n0.dot(d0), (2 * n1.dot(d0) + n0.dot(d1)) / 3, (n2.dot(d0) + 2 * n1.dot(d1)) / 3, n2.dot(d1)}};
 }
-// [contact_normal]
+//! [contact_normal]
 
-// [squared_length]
+//! [squared_length]
 /// The squared length of the normal over the step [m^4]: the L_i of thesis (5.13), corrected to a sum (see the errata).
 inline Bernstein<double, 4> squared_length(const Bernstein<Vec3, 2>& normal)
 {
@@ -74,6 +74,6 @@ inline double mean_squared_length(const Bernstein<Vec3, 2>& normal)
     const auto [L0, L1, L2, L3, L4] = squared_length(normal).coefficients;
     return (L0 + L1 + L2 + L3 + L4) / 5;
 }
-// [squared_length]
+//! [squared_length]
 
 }  // namespace enduring

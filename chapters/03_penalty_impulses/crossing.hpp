@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chapters/02_collision_detection/certified.hpp"
-#include "contact_normal.hpp"
+#include "chapters/03_penalty_impulses/contact_normal.hpp"
 
 #include <optional>
 
@@ -25,7 +25,7 @@ Crossing crossing_at(const EdgeEdgeStep& step, double time);
 /// A cubic has three roots, so a pair crosses at most three times in a step.
 constexpr int most_crossings = 3;
 
-// [find_entry]
+//! [find_entry]
 /// The first crossing that leads from outside to inside. One that leads out is passed over: the query is asked again
 /// for the rest of the step.
 /// @param step    VertexFaceStep or EdgeEdgeStep
@@ -45,7 +45,7 @@ std::optional<Crossing> find_entry(const Step& step, const Enters& enters)
     }
     return std::nullopt;
 }
-// [find_entry]
+//! [find_entry]
 
 /// A face knows which of its sides is out: its vertex pairs enter where the depth falls.
 inline bool enters_face(const Crossing& crossing) { return crossing.orientation > 0; }

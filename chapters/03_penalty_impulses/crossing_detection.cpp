@@ -1,6 +1,6 @@
-#include "crossing_detection.hpp"
+#include "chapters/03_penalty_impulses/crossing_detection.hpp"
 
-#include "crossing.hpp"
+#include "chapters/03_penalty_impulses/crossing.hpp"
 
 #include <algorithm>
 #include <tuple>

@@ -1,6 +1,6 @@
-#include "exact_impulse.hpp"
+#include "chapters/03_penalty_impulses/exact_impulse.hpp"
 
-#include "penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration_interval.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 

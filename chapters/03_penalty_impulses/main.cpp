@@ -1,4 +1,4 @@
-#include "experiments/experiments.hpp"
+#include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 
 int main(int argc, char** argv)
 {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "contact_normal.hpp"
-
-#include "common/simulation/scene.hpp"
+#include "chapters/03_penalty_impulses/contact_normal.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
 
 namespace enduring {
 
@@ -17,9 +17,5 @@ void resolve_separated_pairs(const World& world, Contacts& contacts);
 /// @param stiffness  k of one pair [N/m], positive
 /// @param dt         length of the step [s], positive
 void push_pairs_apart(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
-
-/// This chapter's solver: chapter 1 for planes, chapter 2 to find crossings, and impulses for pairs of features. It
-/// keeps the trees of one world, so make one for each run.
-Solver chapter03_solver(const ContactParameters& parameters);
 
 }  // namespace enduring

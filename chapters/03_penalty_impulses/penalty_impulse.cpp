@@ -1,6 +1,6 @@
-#include "penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 
-#include "penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration_interval.hpp"
 
 namespace enduring {
 

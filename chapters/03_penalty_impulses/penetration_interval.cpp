@@ -1,4 +1,4 @@
-#include "penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration_interval.hpp"
 
 #include <algorithm>
 #include <cmath>

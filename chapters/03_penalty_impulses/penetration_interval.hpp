@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bernstein.hpp"
+#include "chapters/03_penalty_impulses/bernstein.hpp"
 
 #include <array>
 
@@ -23,7 +23,7 @@ private:
 /// Where a depth that changes sign is negative, by its roots. See penetration_intervals.
 PenetrationIntervals intervals_between_roots(const Bernstein<double, 3>& depth, double start);
 
-// [penetration_intervals]
+//! [penetration_intervals]
 /// Where a cubic depth is negative (thesis 5.2.1: [t_a, t_b], up to two of them).
 ///
 /// @param depth  on [0, 1], finite
@@ -41,6 +41,6 @@ inline PenetrationIntervals penetration_intervals(const Bernstein<double, 3>& de
     result.add({start, 1});
     return result;
 }
-// [penetration_intervals]
+//! [penetration_intervals]
 
 }  // namespace enduring

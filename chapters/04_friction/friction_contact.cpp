@@ -1,9 +1,9 @@
-#include "friction_contact.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
 
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/04_friction/mended_friction.hpp"
+#include "chapters/04_friction/surface_turn.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "mended_friction.hpp"
-#include "surface_turn.hpp"
 
 namespace enduring {
 namespace {
@@ -76,7 +76,7 @@ void move_friction_anchors(const World& world, Contacts& contacts, const Frictio
 }
 //! [move_anchors]
 
-//! [solver]
+//! [add_friction]
 void add_friction(Solver& solver, const FrictionParameters& friction)
 {
     if (friction.model == FrictionModel::none)
@@ -88,14 +88,6 @@ void add_friction(Solver& solver, const FrictionParameters& friction)
         move_friction_anchors(world, contacts, friction, dt);
     }});
 }
-
-Solver chapter04_solver(const ContactParameters& parameters)
-{
-    Solver solver = chapter03_solver(parameters);
-    solver.name = "chapter 4";
-    add_friction(solver, parameters.friction);
-    return solver;
-}
-//! [solver]
+//! [add_friction]
 
 }  // namespace enduring

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "common/simulation/scene.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
 
 namespace enduring {
 
@@ -15,9 +16,6 @@ void rub_pairs(const World& world, Contacts& contacts, const FrictionParameters&
 /// turns its own.
 /// @param dt  length of the step [s], positive
 void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);
-
-/// This chapter's solver: chapter 3 and friction. It keeps the trees of one world, so make one for each run.
-Solver chapter04_solver(const ContactParameters& parameters);
 
 /// Appends this chapter's passes to a solver whose last response passes give the normal impulses.
 void add_friction(Solver& solver, const FrictionParameters& friction);

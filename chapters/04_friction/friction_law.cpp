@@ -1,4 +1,4 @@
-#include "friction_law.hpp"
+#include "chapters/04_friction/friction_law.hpp"
 
 #include <algorithm>
 

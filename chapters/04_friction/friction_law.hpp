@@ -1,7 +1,8 @@
 #pragma once
 
-#include "common/simulation/scene.hpp"
-#include "tangent_plane.hpp"
+#include "chapters/04_friction/tangent_plane.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
 
 #include <cmath>
 

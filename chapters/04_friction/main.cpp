@@ -1,4 +1,4 @@
-#include "experiments/experiments.hpp"
+#include "chapters/04_friction/experiments/experiments.hpp"
 
 int main(int argc, char** argv)
 {

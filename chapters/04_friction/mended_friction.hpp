@@ -1,9 +1,9 @@
 #pragma once
 
+#include "chapters/04_friction/friction_law.hpp"
+#include "chapters/04_friction/shared_mass.hpp"
 #include "common/simulation/contact.hpp"
 #include "common/simulation/step.hpp"
-#include "friction_law.hpp"
-#include "shared_mass.hpp"
 
 namespace enduring {
 

@@ -1,4 +1,4 @@
-#include "shared_mass.hpp"
+#include "chapters/04_friction/shared_mass.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
 

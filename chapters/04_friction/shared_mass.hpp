@@ -1,7 +1,7 @@
 #pragma once
 
+#include "chapters/04_friction/tangent_plane.hpp"
 #include "common/simulation/step.hpp"
-#include "tangent_plane.hpp"
 
 #include <vector>
 

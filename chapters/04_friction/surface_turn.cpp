@@ -1,4 +1,4 @@
-#include "surface_turn.hpp"
+#include "chapters/04_friction/surface_turn.hpp"
 
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "common/simulation/contact_geometry.hpp"

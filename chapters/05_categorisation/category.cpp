@@ -1,4 +1,4 @@
-#include "category.hpp"
+#include "chapters/05_categorisation/category.hpp"
 
 #include "chapters/03_penalty_impulses/contact_normal.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
@@ -83,20 +83,5 @@ void label_new_contacts(const World& world, Contacts& contacts, EdgeRule rule)
             contact.category = categorise(world, contact, contact.start, rule);
 }
 //! [label_contacts]
-
-//! [solver]
-Solver chapter05_solver(const ContactParameters& parameters)
-{
-    Solver solver = chapter04_solver(parameters);
-    solver.name = "chapter 5";
-    solver.enduring.push_back({"categorise", [](World& world, Contacts& contacts, double) {
-        label_contacts(world, contacts);
-    }});
-    solver.detect.push_back({"categorise new", [](World& world, Contacts& contacts, double) {
-        label_new_contacts(world, contacts);
-    }});
-    return solver;
-}
-//! [solver]
 
 }  // namespace enduring

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "normal_span.hpp"
-
-#include "common/simulation/scene.hpp"
+#include "chapters/05_categorisation/normal_span.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
 
 namespace enduring {
 
@@ -39,8 +39,5 @@ void label_contacts(const World& world, Contacts& contacts, EdgeRule rule = Edge
 
 /// Labels those that have no label yet. An answered pair keeps its label for the step.
 void label_new_contacts(const World& world, Contacts& contacts, EdgeRule rule = EdgeRule::either);
-
-/// This chapter's solver: chapter 4, and every contact labelled. The labels change nothing.
-Solver chapter05_solver(const ContactParameters& parameters);
 
 }  // namespace enduring

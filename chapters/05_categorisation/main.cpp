@@ -1,4 +1,4 @@
-#include "experiments/experiments.hpp"
+#include "chapters/05_categorisation/experiments/experiments.hpp"
 
 int main(int argc, char** argv)
 {

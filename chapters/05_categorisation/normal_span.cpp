@@ -1,4 +1,4 @@
-#include "normal_span.hpp"
+#include "chapters/05_categorisation/normal_span.hpp"
 
 namespace enduring {
 

@@ -1,4 +1,4 @@
-#include "contact_index.hpp"
+#include "chapters/06_redefinition/contact_index.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
 
 #include "chapters/05_categorisation/category.hpp"
 

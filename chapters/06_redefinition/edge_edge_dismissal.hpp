@@ -1,6 +1,6 @@
 #pragma once
 
-#include "pair_projection.hpp"
+#include "chapters/06_redefinition/pair_projection.hpp"
 
 namespace enduring {
 

@@ -1,7 +1,7 @@
-#include "edge_pairs_of_redefinition.hpp"
+#include "chapters/06_redefinition/edge_pairs_of_redefinition.hpp"
 
 #include "chapters/05_categorisation/category.hpp"
-#include "edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
 
 namespace enduring {
 namespace {

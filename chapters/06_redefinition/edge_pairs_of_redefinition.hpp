@@ -1,6 +1,6 @@
 #pragma once
 
-#include "vertex_face_redefinition.hpp"
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 
 namespace enduring {
 

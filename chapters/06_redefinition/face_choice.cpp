@@ -1,4 +1,4 @@
-#include "face_choice.hpp"
+#include "chapters/06_redefinition/face_choice.hpp"
 
 #include "chapters/02_collision_detection/impact_weights.hpp"
 #include "chapters/05_categorisation/category.hpp"

@@ -1,5 +1,5 @@
-#include "experiments/experiments.hpp"
-#include "experiments/own_scene.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/own_scene.hpp"
 
 #include <memory>
 

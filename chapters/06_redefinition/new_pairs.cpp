@@ -1,7 +1,7 @@
-#include "new_pairs.hpp"
+#include "chapters/06_redefinition/new_pairs.hpp"
 
 #include "chapters/05_categorisation/category.hpp"
-#include "contact_index.hpp"
+#include "chapters/06_redefinition/contact_index.hpp"
 
 namespace enduring {
 namespace {

@@ -1,8 +1,8 @@
-#include "resolution.hpp"
+#include "chapters/06_redefinition/resolution.hpp"
 
 #include "chapters/02_collision_detection/edge_triangle.hpp"
 #include "chapters/03_penalty_impulses/crossing.hpp"
-#include "contact_index.hpp"
+#include "chapters/06_redefinition/contact_index.hpp"
 
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
-#include "vertex_face_redefinition.hpp"
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 
 namespace enduring {
 

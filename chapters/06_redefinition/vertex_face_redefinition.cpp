@@ -1,7 +1,7 @@
-#include "vertex_face_redefinition.hpp"
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 
 #include "chapters/05_categorisation/category.hpp"
-#include "face_choice.hpp"
+#include "chapters/06_redefinition/face_choice.hpp"
 
 namespace enduring {
 namespace {

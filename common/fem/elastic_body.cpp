@@ -1,6 +1,6 @@
 #include "common/fem/elastic_body.hpp"
 
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <Eigen/Geometry>
 

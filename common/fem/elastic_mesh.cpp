@@ -1,6 +1,6 @@
 #include "common/fem/elastic_mesh.hpp"
 
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

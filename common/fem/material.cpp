@@ -1,6 +1,6 @@
 #include "common/fem/material.hpp"
 
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <cmath>
 #include <sstream>

@@ -2,8 +2,8 @@
 
 #include "common/geometry/element_quality.hpp"
 #include "common/geometry/quadratic.hpp"
-#include "common/geometry/text_lines.hpp"
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/text_lines.hpp"
 
 #include <algorithm>
 #include <fstream>

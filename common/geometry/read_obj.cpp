@@ -1,8 +1,8 @@
 #include "common/geometry/read_obj.hpp"
 
 #include "common/geometry/surface_checks.hpp"
-#include "common/geometry/text_lines.hpp"
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/text_lines.hpp"
 
 #define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>

@@ -1,5 +1,6 @@
+#include "common/geometry/round_shapes.hpp"
+
 #include "common/geometry/shape_arguments.hpp"
-#include "common/geometry/shapes.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,8 +1,10 @@
+#include "common/geometry/solid_checks.hpp"
+
 #include "common/geometry/element_quality.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/surface_checks.hpp"
 #include "common/geometry/surface_extraction.hpp"
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 namespace enduring {
 namespace {

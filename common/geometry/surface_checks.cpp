@@ -1,6 +1,6 @@
 #include "common/geometry/surface_checks.hpp"
 
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "common/geometry/surface_topology.hpp"
 
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,7 @@
 #include "common/rigid/mass_properties.hpp"
 
 #include "common/geometry/surface_topology.hpp"
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 #include "common/rigid/rigid_motion.hpp"
 
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 #include "common/rigid/free_rotation.hpp"
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>

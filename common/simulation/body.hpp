@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace enduring {
@@ -33,7 +34,7 @@ struct Push {
 ///   commit()                   velocities, then positions: positions_t1 become positions_t0
 class Body {
 public:
-    Body(std::string name, SurfaceTopology surface);
+    Body(std::string name, SurfaceTopology surface) : name_(std::move(name)), surface_(std::move(surface)) {}
     virtual ~Body() = default;
     Body(const Body&) = delete;
     Body& operator=(const Body&) = delete;

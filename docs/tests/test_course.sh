@@ -59,9 +59,9 @@ done
 # A warning does not stop a reader's build. CI's it stops, in the same folder.
 echo 'void leaves_it_alone(int number) {}' >"$scratch/warns.cpp"
 compiles_with_a_warning() { # by the command of a file of ours
-    ninja -C "$scratch/build" -t commands CMakeFiles/enduring_report.dir/common/report/number_text.cpp.o | tail -1 |
+    ninja -C "$scratch/build" -t commands CMakeFiles/enduring_input.dir/common/input/number_text.cpp.o | tail -1 |
         sed "s, [^ ]*/number_text.cpp$, $scratch/warns.cpp," >"$scratch/command"
-    (cd "$scratch/build" && mkdir -p CMakeFiles/enduring_report.dir/common/report && bash "$scratch/command" 2>"$scratch/said")
+    (cd "$scratch/build" && mkdir -p CMakeFiles/enduring_input.dir/common/input && bash "$scratch/command" 2>"$scratch/said")
 }
 env -u CI cmake --preset release -B "$scratch/build" >/dev/null
 if ! compiles_with_a_warning || ! grep -q 'warning: unused parameter' "$scratch/said"; then

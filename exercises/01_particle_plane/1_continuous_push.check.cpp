@@ -1,5 +1,5 @@
+#include "chapters/01_particle_plane/plane_impulse.hpp"
 #include "exercises/checking.hpp"
-#include "plane_impulse.hpp"
 
 namespace enduring {
 namespace {

@@ -1,4 +1,4 @@
-#include "2_restitution.hpp"
+#include "exercises/01_particle_plane/2_restitution.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "2_restitution.hpp"
+#include "exercises/01_particle_plane/2_restitution.hpp"
 
-#include "plane_impulse.hpp"
+#include "chapters/01_particle_plane/plane_impulse.hpp"
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

@@ -1,7 +1,7 @@
-#include "3_stiffness_for_a_step.hpp"
+#include "chapters/01_particle_plane/particle.hpp"
+#include "chapters/01_particle_plane/settling.hpp"
+#include "exercises/01_particle_plane/3_stiffness_for_a_step.hpp"
 #include "exercises/checking.hpp"
-#include "particle.hpp"
-#include "settling.hpp"
 
 #include <stdexcept>
 #include <vector>

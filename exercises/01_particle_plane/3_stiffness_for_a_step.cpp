@@ -1,11 +1,11 @@
-#include "3_stiffness_for_a_step.hpp"
+#include "exercises/01_particle_plane/3_stiffness_for_a_step.hpp"
 
-#include "amplification.hpp"
+#include "chapters/01_particle_plane/amplification.hpp"
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

@@ -1,4 +1,4 @@
-#include "4_what_a_bounce_costs.hpp"
+#include "exercises/01_particle_plane/4_what_a_bounce_costs.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "4_what_a_bounce_costs.hpp"
+#include "exercises/01_particle_plane/4_what_a_bounce_costs.hpp"
 
-#include "amplification.hpp"
+#include "chapters/01_particle_plane/amplification.hpp"
+#include "exercises/not_implemented_yet.hpp"
 
 #include <cmath>
 #include <numbers>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

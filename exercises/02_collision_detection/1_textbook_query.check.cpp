@@ -1,5 +1,5 @@
+#include "chapters/02_collision_detection/textbook.hpp"
 #include "exercises/checking.hpp"
-#include "textbook.hpp"
 
 namespace enduring {
 namespace {

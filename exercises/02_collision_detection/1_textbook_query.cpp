@@ -1,9 +1,8 @@
-#include "chapters/02_collision_detection/textbook.hpp"
-
 #include "chapters/02_collision_detection/cubic_roots.hpp"
+#include "chapters/02_collision_detection/textbook.hpp"
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 namespace {

@@ -1,7 +1,8 @@
-#include "2_conservative_time.hpp"
+#include "exercises/02_collision_detection/2_conservative_time.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

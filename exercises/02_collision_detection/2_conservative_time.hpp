@@ -1,6 +1,6 @@
 #pragma once
 
-#include "query.hpp"
+#include "chapters/02_collision_detection/query.hpp"
 
 namespace enduring {
 

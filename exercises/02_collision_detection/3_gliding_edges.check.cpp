@@ -1,6 +1,5 @@
-#include "3_gliding_edges.hpp"
-
-#include "certified.hpp"
+#include "chapters/02_collision_detection/certified.hpp"
+#include "exercises/02_collision_detection/3_gliding_edges.hpp"
 #include "exercises/checking.hpp"
 
 #include <random>

@@ -1,7 +1,8 @@
-#include "3_gliding_edges.hpp"
+#include "exercises/02_collision_detection/3_gliding_edges.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

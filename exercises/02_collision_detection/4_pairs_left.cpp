@@ -1,7 +1,8 @@
-#include "4_pairs_left.hpp"
+#include "exercises/02_collision_detection/4_pairs_left.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <array>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "broad_phase.hpp"
-#include "common/geometry/shapes.hpp"
+#include "chapters/02_collision_detection/broad_phase.hpp"
+#include "common/geometry/box_shapes.hpp"
 
 #include <vector>
 

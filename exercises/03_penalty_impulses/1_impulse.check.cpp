@@ -1,5 +1,4 @@
-#include "penalty_impulse.hpp"
-
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 #include "exercises/checking.hpp"
 
 #include <array>

@@ -1,6 +1,5 @@
-#include "penalty_impulse.hpp"
-
-#include "penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/penetration_interval.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {

@@ -1,7 +1,6 @@
-#include "2_length_of_the_normal.hpp"
-
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "exercises/03_penalty_impulses/2_length_of_the_normal.hpp"
 #include "exercises/checking.hpp"
-#include "penalty_impulse.hpp"
 
 #include <cmath>
 #include <numbers>

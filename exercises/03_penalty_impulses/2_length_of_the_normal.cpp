@@ -1,11 +1,11 @@
-#include "2_length_of_the_normal.hpp"
+#include "exercises/03_penalty_impulses/2_length_of_the_normal.hpp"
 
-#include "penalty_impulse.hpp"
-#include "penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/penetration_interval.hpp"
+#include "exercises/not_implemented_yet.hpp"
 
 #include <array>
 #include <cmath>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

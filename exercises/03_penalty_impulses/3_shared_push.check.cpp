@@ -1,5 +1,4 @@
-#include "3_shared_push.hpp"
-
+#include "exercises/03_penalty_impulses/3_shared_push.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>

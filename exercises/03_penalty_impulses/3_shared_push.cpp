@@ -1,9 +1,9 @@
-#include "3_shared_push.hpp"
+#include "exercises/03_penalty_impulses/3_shared_push.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <Eigen/Dense>
-
 #include <cmath>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

@@ -1,5 +1,4 @@
-#include "4_depth_at_rest.hpp"
-
+#include "exercises/03_penalty_impulses/4_depth_at_rest.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>

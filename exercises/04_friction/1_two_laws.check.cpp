@@ -1,5 +1,5 @@
+#include "chapters/04_friction/friction_law.hpp"
 #include "exercises/checking.hpp"
-#include "friction_law.hpp"
 
 #include <cmath>
 

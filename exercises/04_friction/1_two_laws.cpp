@@ -1,7 +1,7 @@
-#include "friction_law.hpp"
+#include "chapters/04_friction/friction_law.hpp"
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

@@ -1,4 +1,4 @@
-#include "2_grain.hpp"
+#include "exercises/04_friction/2_grain.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>

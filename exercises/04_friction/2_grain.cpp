@@ -1,4 +1,5 @@
-#include "2_grain.hpp"
+#include "exercises/04_friction/2_grain.hpp"
+
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tangent_plane.hpp"
+#include "chapters/04_friction/tangent_plane.hpp"
 
 namespace enduring {
 

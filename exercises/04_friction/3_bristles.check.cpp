@@ -1,4 +1,4 @@
-#include "3_bristles.hpp"
+#include "exercises/04_friction/3_bristles.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>

@@ -1,7 +1,8 @@
-#include "3_bristles.hpp"
+#include "exercises/04_friction/3_bristles.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <cmath>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

@@ -1,4 +1,4 @@
-#include "4_hung_on_a_spring.hpp"
+#include "exercises/04_friction/4_hung_on_a_spring.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>

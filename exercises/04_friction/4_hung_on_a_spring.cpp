@@ -1,9 +1,9 @@
-#include "4_hung_on_a_spring.hpp"
+#include "exercises/04_friction/4_hung_on_a_spring.hpp"
 
-#include "friction_law.hpp"
+#include "chapters/04_friction/friction_law.hpp"
+#include "exercises/not_implemented_yet.hpp"
 
 #include <cmath>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

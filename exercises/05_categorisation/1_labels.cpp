@@ -1,7 +1,8 @@
-#include "category.hpp"
-
 #include "chapters/03_penalty_impulses/contact_normal.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "chapters/05_categorisation/category.hpp"
+#include "chapters/05_categorisation/solver.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {

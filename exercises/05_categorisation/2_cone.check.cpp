@@ -1,5 +1,5 @@
-#include "2_cone.hpp"
 #include "chapters/05_categorisation/experiments/corner.hpp"
+#include "exercises/05_categorisation/2_cone.hpp"
 #include "exercises/checking.hpp"
 
 #include <algorithm>

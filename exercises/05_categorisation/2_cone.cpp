@@ -1,10 +1,11 @@
-#include "2_cone.hpp"
+#include "exercises/05_categorisation/2_cone.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

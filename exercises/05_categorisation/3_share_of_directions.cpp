@@ -1,8 +1,9 @@
-#include "3_share_of_directions.hpp"
+#include "exercises/05_categorisation/3_share_of_directions.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <cmath>
 #include <numbers>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring::chapter05 {
 

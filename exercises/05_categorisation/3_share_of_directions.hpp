@@ -1,6 +1,6 @@
 #pragma once
 
-#include "experiments/corner.hpp"
+#include "chapters/05_categorisation/experiments/corner.hpp"
 
 #include <array>
 

@@ -1,5 +1,5 @@
-#include "4_borrowed_normals.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "exercises/05_categorisation/4_borrowed_normals.hpp"
 #include "exercises/checking.hpp"
 
 namespace enduring {

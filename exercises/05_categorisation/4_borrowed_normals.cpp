@@ -1,4 +1,5 @@
-#include "4_borrowed_normals.hpp"
+#include "exercises/05_categorisation/4_borrowed_normals.hpp"
+
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {

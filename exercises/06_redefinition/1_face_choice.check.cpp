@@ -1,6 +1,6 @@
+#include "chapters/06_redefinition/face_choice.hpp"
 #include "chapters/06_redefinition/tests/small_worlds.hpp"
 #include "exercises/checking.hpp"
-#include "face_choice.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
-#include "2_walk.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
+#include "exercises/06_redefinition/2_walk.hpp"
 #include "exercises/checking.hpp"
 
 #include <random>

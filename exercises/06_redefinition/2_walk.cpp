@@ -1,8 +1,9 @@
-#include "2_walk.hpp"
+#include "exercises/06_redefinition/2_walk.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
 #include <stdexcept>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

@@ -1,8 +1,9 @@
-#include "3_smooth_normal.hpp"
+#include "exercises/06_redefinition/3_smooth_normal.hpp"
+
+#include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
 

@@ -1,4 +1,4 @@
-#include "4_changes_of_face.hpp"
+#include "exercises/06_redefinition/4_changes_of_face.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>

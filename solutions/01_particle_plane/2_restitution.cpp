@@ -1,6 +1,5 @@
-#include "2_restitution.hpp"
-
-#include "plane_impulse.hpp"
+#include "chapters/01_particle_plane/plane_impulse.hpp"
+#include "exercises/01_particle_plane/2_restitution.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "3_stiffness_for_a_step.hpp"
-
-#include "amplification.hpp"
+#include "chapters/01_particle_plane/amplification.hpp"
+#include "exercises/01_particle_plane/3_stiffness_for_a_step.hpp"
 
 #include <algorithm>
 #include <cmath>

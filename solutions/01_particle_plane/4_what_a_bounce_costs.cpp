@@ -1,6 +1,5 @@
-#include "4_what_a_bounce_costs.hpp"
-
-#include "amplification.hpp"
+#include "chapters/01_particle_plane/amplification.hpp"
+#include "exercises/01_particle_plane/4_what_a_bounce_costs.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "2_conservative_time.hpp"
+#include "exercises/02_collision_detection/2_conservative_time.hpp"
 
 #include <algorithm>
 

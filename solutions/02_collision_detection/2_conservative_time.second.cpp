@@ -1,6 +1,6 @@
 // A second way to the distance: minimise over the two barycentric weights by projecting the point onto the triangle's plane, clipping along its sides one
 // after the other (Ericson's regions), and a bound without the corner that stands still.
-#include "2_conservative_time.hpp"
+#include "exercises/02_collision_detection/2_conservative_time.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "3_gliding_edges.hpp"
+#include "exercises/02_collision_detection/3_gliding_edges.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "4_pairs_left.hpp"
+#include "exercises/02_collision_detection/4_pairs_left.hpp"
 
 #include <array>
 

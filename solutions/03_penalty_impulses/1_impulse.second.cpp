@@ -1,7 +1,6 @@
 // By quadrature: three points of Gauss are exact for degree 5, and need neither the twelve numbers nor `restricted`.
-#include "penalty_impulse.hpp"
-
-#include "penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/penetration_interval.hpp"
 
 #include <cmath>
 #include <utility>

@@ -1,6 +1,6 @@
 // By least squares: of all weights that satisfy the four conditions, the affine ones make the sum of w^2/m least. With
 // u = w / sqrt(m) that is the shortest solution of four equations for as many unknowns as there are nodes.
-#include "3_shared_push.hpp"
+#include "exercises/03_penalty_impulses/3_shared_push.hpp"
 
 #include <Eigen/Dense>
 

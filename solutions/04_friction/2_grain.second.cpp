@@ -1,5 +1,5 @@
 // A second way: no formula for the point of the ellipse. Of many directions, the one that takes the most energy is searched.
-#include "2_grain.hpp"
+#include "exercises/04_friction/2_grain.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // A second way: no exponential. Many small steps of the midpoint rule.
-#include "3_bristles.hpp"
+#include "exercises/04_friction/3_bristles.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,5 @@
-#include "4_hung_on_a_spring.hpp"
-
-#include "friction_law.hpp"
+#include "chapters/04_friction/friction_law.hpp"
+#include "exercises/04_friction/4_hung_on_a_spring.hpp"
 
 #include <cmath>
 

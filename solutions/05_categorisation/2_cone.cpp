@@ -1,4 +1,4 @@
-#include "2_cone.hpp"
+#include "exercises/05_categorisation/2_cone.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // A second way: no list of candidates. The axis walks towards the direction that is farthest from it, in ever smaller steps
 // (Badoiu and Clarkson's idea for balls).
-#include "2_cone.hpp"
+#include "exercises/05_categorisation/2_cone.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "3_share_of_directions.hpp"
+#include "exercises/05_categorisation/3_share_of_directions.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "4_borrowed_normals.hpp"
+#include "exercises/05_categorisation/4_borrowed_normals.hpp"
 
 namespace enduring {
 

@@ -1,5 +1,5 @@
 // A second way: no search from each vertex. Distances to every regular vertex are relaxed over the edges until nothing changes.
-#include "4_borrowed_normals.hpp"
+#include "exercises/05_categorisation/4_borrowed_normals.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "2_walk.hpp"
+#include "exercises/06_redefinition/2_walk.hpp"
 
 #include <algorithm>
 #include <stdexcept>

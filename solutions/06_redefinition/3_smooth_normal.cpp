@@ -1,4 +1,4 @@
-#include "3_smooth_normal.hpp"
+#include "exercises/06_redefinition/3_smooth_normal.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,4 @@
-#include "experiments.hpp"
-
+#include "chapters/01_particle_plane/experiments/experiments.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
 #include "chapters/01_particle_plane/settling.hpp"
 

@@ -1,9 +1,9 @@
-#include "experiments.hpp"
-
 #include "chapters/01_particle_plane/amplification.hpp"
+#include "chapters/01_particle_plane/experiments/experiments.hpp"
 #include "chapters/01_particle_plane/plane_contact.hpp"
-#include "common/render/film_probes.hpp"
-#include "common/simulation/run.hpp"
+#include "chapters/01_particle_plane/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <algorithm>
 

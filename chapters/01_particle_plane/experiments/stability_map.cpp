@@ -1,6 +1,5 @@
-#include "experiments.hpp"
-
 #include "chapters/01_particle_plane/amplification.hpp"
+#include "chapters/01_particle_plane/experiments/experiments.hpp"
 #include "chapters/01_particle_plane/settling.hpp"
 
 namespace enduring::chapter01 {

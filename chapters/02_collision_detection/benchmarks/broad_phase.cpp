@@ -1,8 +1,7 @@
 // One step of the broad phase for two balls about to touch: our tree of faces, and Bullet's dynamic tree over the same boxes.
 #include "chapters/02_collision_detection/broad_phase.hpp"
 #include "chapters/02_collision_detection/experiments/bullet_tree.hpp"
-
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 
 #include <benchmark/benchmark.h>
 

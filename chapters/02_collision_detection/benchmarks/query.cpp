@@ -1,8 +1,7 @@
 // What one query costs over the pairs whose swept boxes overlap: certified, and the textbook's beside it.
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/textbook.hpp"
-
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 
 #include <benchmark/benchmark.h>
 

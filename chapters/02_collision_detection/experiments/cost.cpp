@@ -1,9 +1,8 @@
 // What one query costs over the pairs that survive the boxes in two scenes of the course, for the textbook's and ours.
-#include "cpu_time.hpp"
-#include "experiments.hpp"
-#include "recorded_queries.hpp"
-
 #include "chapters/02_collision_detection/certified.hpp"
+#include "chapters/02_collision_detection/experiments/cpu_time.hpp"
+#include "chapters/02_collision_detection/experiments/experiments.hpp"
+#include "chapters/02_collision_detection/experiments/recorded_queries.hpp"
 #include "chapters/02_collision_detection/textbook.hpp"
 
 namespace enduring::chapter02 {

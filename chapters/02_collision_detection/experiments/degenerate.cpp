@@ -1,12 +1,10 @@
-#include "experiments.hpp"
-#include "hard_cases.hpp"
-
 #include "chapters/02_collision_detection/certified.hpp"
+#include "chapters/02_collision_detection/experiments/experiments.hpp"
+#include "chapters/02_collision_detection/experiments/hard_cases.hpp"
 #include "chapters/02_collision_detection/query_files.hpp"
 #include "chapters/02_collision_detection/textbook.hpp"
-
-#include "common/report/number_text.hpp"
-#include "common/report/source_directory.hpp"
+#include "common/input/number_text.hpp"
+#include "common/input/source_directory.hpp"
 
 #include <algorithm>
 #include <array>

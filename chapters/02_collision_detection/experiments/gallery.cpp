@@ -1,12 +1,10 @@
 // Each elementary case as a strip of three pictures - before, at the touch, after - and what the queries say about it.
-#include "experiments.hpp"
-#include "gallery_cases.hpp"
-#include "gallery_stage.hpp"
-
 #include "chapters/02_collision_detection/certified.hpp"
+#include "chapters/02_collision_detection/experiments/experiments.hpp"
+#include "chapters/02_collision_detection/experiments/gallery_cases.hpp"
+#include "chapters/02_collision_detection/experiments/gallery_stage.hpp"
 #include "chapters/02_collision_detection/textbook.hpp"
-
-#include "common/report/number_text.hpp"
+#include "common/input/number_text.hpp"
 
 namespace enduring::chapter02 {
 namespace {

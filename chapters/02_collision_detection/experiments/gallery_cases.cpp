@@ -1,4 +1,4 @@
-#include "gallery_cases.hpp"
+#include "chapters/02_collision_detection/experiments/gallery_cases.hpp"
 
 namespace enduring::chapter02 {
 

@@ -1,9 +1,8 @@
-#include "gallery_stage.hpp"
+#include "chapters/02_collision_detection/experiments/gallery_stage.hpp"
 
 #include "chapters/02_collision_detection/edge_triangle.hpp"
-
-#include "common/render/strip.hpp"
-#include "common/report/number_text.hpp"
+#include "common/experiments/render/strip.hpp"
+#include "common/input/number_text.hpp"
 
 namespace enduring::chapter02 {
 namespace {

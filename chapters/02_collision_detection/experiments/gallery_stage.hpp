@@ -1,9 +1,8 @@
 #pragma once
 
-#include "gallery_cases.hpp"
-#include "tunnelling.hpp"
-
-#include "common/render/renderer.hpp"
+#include "chapters/02_collision_detection/experiments/gallery_cases.hpp"
+#include "chapters/02_collision_detection/experiments/tunnelling.hpp"
+#include "common/experiments/render/renderer.hpp"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "hard_cases.hpp"
+#include "chapters/02_collision_detection/experiments/hard_cases.hpp"
 
 #include <cmath>
 

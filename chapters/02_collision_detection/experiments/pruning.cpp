@@ -1,13 +1,11 @@
 // How many pairs each way of the broad phase leaves to the query, and what finding and answering them takes, against the
 // size of the meshes.
-#include "bullet_tree.hpp"
-#include "cpu_time.hpp"
-#include "experiments.hpp"
-
 #include "chapters/02_collision_detection/broad_phase.hpp"
 #include "chapters/02_collision_detection/certified.hpp"
-
-#include "common/geometry/shapes.hpp"
+#include "chapters/02_collision_detection/experiments/bullet_tree.hpp"
+#include "chapters/02_collision_detection/experiments/cpu_time.hpp"
+#include "chapters/02_collision_detection/experiments/experiments.hpp"
+#include "common/geometry/round_shapes.hpp"
 
 namespace enduring::chapter02 {
 namespace {

@@ -1,9 +1,8 @@
-#include "experiments.hpp"
-
 #include "chapters/02_collision_detection/certified.hpp"
+#include "chapters/02_collision_detection/experiments/experiments.hpp"
 #include "chapters/02_collision_detection/query_files.hpp"
-#include "common/report/input_error.hpp"
-#include "common/report/number_text.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/number_text.hpp"
 
 #include <iostream>
 

@@ -1,9 +1,9 @@
-#include "recorded_queries.hpp"
+#include "chapters/02_collision_detection/experiments/recorded_queries.hpp"
 
 #include "chapters/01_particle_plane/plane_contact.hpp"
+#include "chapters/01_particle_plane/solver.hpp"
 #include "chapters/02_collision_detection/broad_phase.hpp"
-
-#include "common/simulation/run.hpp"
+#include "common/experiments/run/run.hpp"
 
 namespace enduring::chapter02 {
 namespace {

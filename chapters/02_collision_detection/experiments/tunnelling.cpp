@@ -1,4 +1,4 @@
-#include "tunnelling.hpp"
+#include "chapters/02_collision_detection/experiments/tunnelling.hpp"
 
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/edge_triangle.hpp"

@@ -1,4 +1,4 @@
-#include "exact_oracle.hpp"
+#include "chapters/02_collision_detection/tests/exact_oracle.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chapters/02_collision_detection/query.hpp"
-#include "integer_polynomial.hpp"
+#include "chapters/02_collision_detection/tests/integer_polynomial.hpp"
 
 namespace enduring::exact {
 

@@ -1,4 +1,4 @@
-#include "integer_polynomial.hpp"
+#include "chapters/02_collision_detection/tests/integer_polynomial.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "step_generators.hpp"
+#include "chapters/02_collision_detection/tests/step_generators.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // What one impulse costs, from the positions of the four vertices to the impulse on p.
 
-#include "../penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 
 #include <benchmark/benchmark.h>
 

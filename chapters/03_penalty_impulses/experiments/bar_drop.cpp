@@ -1,9 +1,10 @@
-#include "bar_drop.hpp"
+#include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
 
-#include "../penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/experiments/jitter.hpp"
+#include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "jitter.hpp"
-#include "scene_change.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/simulation/run.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <array>
 #include <filesystem>

@@ -1,11 +1,10 @@
-#include "experiments.hpp"
-
-#include "bar_drop.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
-#include "common/simulation/elements_of.hpp"
-#include "common/simulation/progress.hpp"
-#include "jitter.hpp"
-#include "pair_film.hpp"
+#include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
+#include "chapters/03_penalty_impulses/experiments/experiments.hpp"
+#include "chapters/03_penalty_impulses/experiments/jitter.hpp"
+#include "chapters/03_penalty_impulses/experiments/pair_film.hpp"
+#include "common/experiments/run/elements_of.hpp"
+#include "common/experiments/run/progress.hpp"
 
 #include <algorithm>
 #include <cmath>

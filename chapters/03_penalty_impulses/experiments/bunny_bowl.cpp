@@ -1,12 +1,12 @@
-#include "experiments.hpp"
-
-#include "../penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/experiments/experiments.hpp"
+#include "chapters/03_penalty_impulses/experiments/pair_film.hpp"
+#include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
+#include "common/experiments/run/elements_of.hpp"
+#include "common/experiments/run/run.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/elements_of.hpp"
 #include "common/simulation/energy.hpp"
-#include "common/simulation/run.hpp"
-#include "pair_film.hpp"
-#include "scene_change.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/report/chapter_program.hpp"
+#include "common/experiments/report/chapter_program.hpp"
 
 namespace enduring::chapter03 {
 

@@ -1,10 +1,10 @@
-#include "experiments.hpp"
-
-#include "../penalty_contact.hpp"
-#include "common/render/film_probes.hpp"
+#include "chapters/03_penalty_impulses/experiments/experiments.hpp"
+#include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/run.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/run.hpp"
-#include "scene_change.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,7 @@
-#include "experiments.hpp"
-
-#include "../exact_impulse.hpp"
-#include "../penalty_impulse.hpp"
-#include "../penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/exact_impulse.hpp"
+#include "chapters/03_penalty_impulses/experiments/experiments.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/penetration_interval.hpp"
 
 #include <algorithm>
 

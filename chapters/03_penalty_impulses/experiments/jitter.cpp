@@ -1,4 +1,4 @@
-#include "jitter.hpp"
+#include "chapters/03_penalty_impulses/experiments/jitter.hpp"
 
 #include <algorithm>
 #include <cmath>

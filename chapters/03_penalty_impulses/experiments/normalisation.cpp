@@ -1,7 +1,6 @@
-#include "experiments.hpp"
-
-#include "../exact_impulse.hpp"
-#include "../penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/exact_impulse.hpp"
+#include "chapters/03_penalty_impulses/experiments/experiments.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "pair_film.hpp"
+#include "chapters/03_penalty_impulses/experiments/pair_film.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/render/film_probes.hpp"
-#include "common/report/report.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/report.hpp"
 
 #include <string>
 #include <vector>

@@ -1,9 +1,8 @@
-#include "experiments.hpp"
-
-#include "bar_drop.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
-#include "common/simulation/progress.hpp"
-#include "jitter.hpp"
+#include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
+#include "chapters/03_penalty_impulses/experiments/experiments.hpp"
+#include "chapters/03_penalty_impulses/experiments/jitter.hpp"
+#include "common/experiments/run/progress.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
-#include "scene_change.hpp"
+#include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
 
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <nlohmann/json.hpp>
 

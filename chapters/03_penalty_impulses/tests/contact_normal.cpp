@@ -1,5 +1,5 @@
-#include "../contact_normal.hpp"
-#include "random_pairs.hpp"
+#include "chapters/03_penalty_impulses/contact_normal.hpp"
+#include "chapters/03_penalty_impulses/tests/random_pairs.hpp"
 
 #include <doctest/doctest.h>
 

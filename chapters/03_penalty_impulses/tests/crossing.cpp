@@ -1,4 +1,4 @@
-#include "../crossing.hpp"
+#include "chapters/03_penalty_impulses/crossing.hpp"
 
 #include <doctest/doctest.h>
 

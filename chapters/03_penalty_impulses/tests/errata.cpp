@@ -2,6 +2,7 @@
 #include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
 #include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <doctest/doctest.h>

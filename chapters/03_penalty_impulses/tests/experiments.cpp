@@ -1,12 +1,13 @@
-#include "../experiments/bar_drop.hpp"
-#include "../experiments/jitter.hpp"
-#include "../experiments/scene_change.hpp"
-#include "../penalty_contact.hpp"
-#include "common/render/reference.hpp"
-#include "common/render/renderer.hpp"
-#include "common/render/scene_view.hpp"
-#include "common/simulation/elements_of.hpp"
-#include "common/simulation/run.hpp"
+#include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
+#include "chapters/03_penalty_impulses/experiments/jitter.hpp"
+#include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
+#include "common/experiments/render/reference.hpp"
+#include "common/experiments/render/renderer.hpp"
+#include "common/experiments/render/scene_view.hpp"
+#include "common/experiments/run/elements_of.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

@@ -1,12 +1,13 @@
-#include "../penalty_contact.hpp"
-#include "../penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/point_masses.hpp"
 #include "common/simulation/pressed_bodies.hpp"
 #include "common/simulation/static_body.hpp"
-#include "common/simulation/step_record.hpp"
 #include "common/simulation/tests/block_of_any_kind.hpp"
-#include "common/simulation/worked_step.hpp"
+#include "common/worked_step/step_record.hpp"
+#include "common/worked_step/worked_step.hpp"
 
 #include <doctest/doctest.h>
 

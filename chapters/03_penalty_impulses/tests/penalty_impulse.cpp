@@ -1,7 +1,7 @@
-#include "../exact_impulse.hpp"
-#include "../penalty_impulse.hpp"
 #include "chapters/01_particle_plane/plane_impulse.hpp"
-#include "random_pairs.hpp"
+#include "chapters/03_penalty_impulses/exact_impulse.hpp"
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/tests/random_pairs.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
-#include "../penalty_contact.hpp"
-#include "common/simulation/tests/worked_step_numbers.hpp"
+#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
+#include "common/worked_step/tests/worked_step_numbers.hpp"
 
 using namespace enduring;
 

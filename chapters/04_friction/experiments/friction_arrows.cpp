@@ -1,4 +1,4 @@
-#include "friction_arrows.hpp"
+#include "chapters/04_friction/experiments/friction_arrows.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/render/film_probes.hpp"
+#include "common/experiments/render/film_probes.hpp"
 
 namespace enduring::chapter04 {
 

@@ -1,6 +1,7 @@
-#include "launch.hpp"
+#include "chapters/04_friction/experiments/launch.hpp"
 
-#include "../friction_contact.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,10 +1,10 @@
-#include "experiments.hpp"
-
-#include "../friction_contact.hpp"
-#include "common/render/film_probes.hpp"
+#include "chapters/04_friction/experiments/experiments.hpp"
+#include "chapters/04_friction/experiments/launch.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/run.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/run.hpp"
-#include "launch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "experiments.hpp"
-
-#include "launch.hpp"
+#include "chapters/04_friction/experiments/experiments.hpp"
+#include "chapters/04_friction/experiments/launch.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/scenes/scene.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/scene.hpp"
 #include "common/simulation/turning_body.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include "experiments.hpp"
-
-#include "../friction_contact.hpp"
-#include "common/simulation/run.hpp"
-#include "launch.hpp"
+#include "chapters/04_friction/experiments/experiments.hpp"
+#include "chapters/04_friction/experiments/launch.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "experiments.hpp"
-
-#include "../friction_contact.hpp"
-#include "common/simulation/run.hpp"
-#include "friction_arrows.hpp"
-#include "launch.hpp"
-#include "spring_energy.hpp"
+#include "chapters/04_friction/experiments/experiments.hpp"
+#include "chapters/04_friction/experiments/friction_arrows.hpp"
+#include "chapters/04_friction/experiments/launch.hpp"
+#include "chapters/04_friction/experiments/spring_energy.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "spring_energy.hpp"
+#include "chapters/04_friction/experiments/spring_energy.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"

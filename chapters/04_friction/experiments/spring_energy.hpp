@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/simulation/probes.hpp"
-#include "common/simulation/scene.hpp"
+#include "common/experiments/run/probes.hpp"
+#include "common/scenes/scene.hpp"
 
 namespace enduring::chapter04 {
 

@@ -1,7 +1,6 @@
-#include "experiments.hpp"
-
-#include "common/simulation/progress.hpp"
-#include "launch.hpp"
+#include "chapters/04_friction/experiments/experiments.hpp"
+#include "chapters/04_friction/experiments/launch.hpp"
+#include "common/experiments/run/progress.hpp"
 
 #include <algorithm>
 #include <cmath>

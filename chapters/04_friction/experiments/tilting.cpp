@@ -1,9 +1,10 @@
-#include "experiments.hpp"
+#include "chapters/04_friction/experiments/tilting.hpp"
 
-#include "../friction_contact.hpp"
+#include "chapters/04_friction/experiments/experiments.hpp"
+#include "chapters/04_friction/experiments/launch.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
 #include "common/simulation/step.hpp"
-#include "launch.hpp"
-#include "tilting.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,10 @@
-#include "turning.hpp"
+#include "chapters/04_friction/experiments/turning.hpp"
 
-#include "../friction_contact.hpp"
-#include "common/simulation/probes.hpp"
-#include "experiments.hpp"
+#include "chapters/04_friction/experiments/experiments.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "common/experiments/run/probes.hpp"
+#include "common/scenes/scene.hpp"
 
 #include <nlohmann/json.hpp>
 

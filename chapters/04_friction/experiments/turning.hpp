@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/report/report.hpp"
+#include "common/experiments/report/report.hpp"
 
 namespace enduring::chapter04 {
 

@@ -1,5 +1,5 @@
-#include "chapters/04_friction/tangent_plane.hpp"
 #include "chapters/04_friction/friction_law.hpp"
+#include "chapters/04_friction/tangent_plane.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
-#include "../friction_contact.hpp"
-#include "../mended_friction.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/mended_friction.hpp"
+#include "chapters/04_friction/solver.hpp"
 #include "common/simulation/point_masses.hpp"
 
 #include <doctest/doctest.h>

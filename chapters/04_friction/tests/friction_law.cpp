@@ -1,4 +1,4 @@
-#include "../mended_friction.hpp"
+#include "chapters/04_friction/mended_friction.hpp"
 
 #include <doctest/doctest.h>
 

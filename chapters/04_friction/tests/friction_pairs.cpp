@@ -1,12 +1,14 @@
-#include "../friction_contact.hpp"
-#include "../mended_friction.hpp"
-#include "common/geometry/shapes.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/mended_friction.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/rigid/mass_properties.hpp"
+#include "common/scenes/scene_reader.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 #include "common/simulation/point_masses.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/scene_reader.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>

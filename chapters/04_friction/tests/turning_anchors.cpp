@@ -1,7 +1,8 @@
-#include "../experiments/rides.hpp"
-#include "../friction_contact.hpp"
-#include "../surface_turn.hpp"
-#include "../tangent_plane.hpp"
+#include "chapters/04_friction/experiments/rides.hpp"
+#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "chapters/04_friction/surface_turn.hpp"
+#include "chapters/04_friction/tangent_plane.hpp"
 #include "common/simulation/point_masses.hpp"
 
 #include <doctest/doctest.h>

@@ -1,8 +1,7 @@
 // What one label costs, from the positions in cache: a cube on a grid, with pairs that are regular or hooked.
 
-#include "../category.hpp"
-
-#include "common/geometry/shapes.hpp"
+#include "chapters/05_categorisation/category.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/simulation/static_body.hpp"
 
 #include <benchmark/benchmark.h>

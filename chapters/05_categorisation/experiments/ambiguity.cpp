@@ -1,13 +1,13 @@
-#include "ambiguity.hpp"
+#include "chapters/05_categorisation/experiments/ambiguity.hpp"
 
-#include "common/geometry/shapes.hpp"
-#include "common/render/renderer.hpp"
-#include "common/render/scene_view.hpp"
-#include "common/render/strip.hpp"
-#include "common/report/input_error.hpp"
+#include "chapters/05_categorisation/experiments/experiments.hpp"
+#include "common/experiments/render/renderer.hpp"
+#include "common/experiments/render/scene_view.hpp"
+#include "common/experiments/render/strip.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/input/input_error.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/static_body.hpp"
-#include "experiments.hpp"
 
 #include <algorithm>
 #include <cmath>

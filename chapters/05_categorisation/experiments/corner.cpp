@@ -1,6 +1,6 @@
-#include "corner.hpp"
+#include "chapters/05_categorisation/experiments/corner.hpp"
 
-#include "../category.hpp"
+#include "chapters/05_categorisation/category.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../normal_span.hpp"
+#include "chapters/05_categorisation/normal_span.hpp"
 
 #include <string>
 #include <vector>

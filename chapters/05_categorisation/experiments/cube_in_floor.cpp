@@ -1,6 +1,6 @@
-#include "cube_in_floor.hpp"
+#include "chapters/05_categorisation/experiments/cube_in_floor.hpp"
 
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/box_shapes.hpp"
 
 namespace enduring::chapter05 {
 

@@ -1,8 +1,8 @@
-#include "direction_sphere.hpp"
+#include "chapters/05_categorisation/experiments/direction_sphere.hpp"
 
-#include "common/geometry/shapes.hpp"
-#include "common/render/renderer.hpp"
-#include "common/render/strip.hpp"
+#include "common/experiments/render/renderer.hpp"
+#include "common/experiments/render/strip.hpp"
+#include "common/geometry/round_shapes.hpp"
 
 namespace enduring::chapter05 {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "chapters/05_categorisation/experiments/corner.hpp"
+#include "common/experiments/render/picture.hpp"
 #include "common/geometry/meshes.hpp"
-#include "common/render/picture.hpp"
-#include "corner.hpp"
 
 #include <array>
 

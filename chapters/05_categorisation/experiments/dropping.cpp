@@ -1,7 +1,6 @@
-#include "experiments.hpp"
-
-#include "common/render/strip.hpp"
-#include "intrusion.hpp"
+#include "chapters/05_categorisation/experiments/experiments.hpp"
+#include "chapters/05_categorisation/experiments/intrusion.hpp"
+#include "common/experiments/render/strip.hpp"
 
 namespace enduring::chapter05 {
 

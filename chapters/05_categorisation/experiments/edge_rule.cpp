@@ -1,8 +1,7 @@
-#include "experiments.hpp"
-
-#include "common/simulation/run.hpp"
-#include "hooked_pairs.hpp"
-#include "pair_census.hpp"
+#include "chapters/05_categorisation/experiments/experiments.hpp"
+#include "chapters/05_categorisation/experiments/hooked_pairs.hpp"
+#include "chapters/05_categorisation/experiments/pair_census.hpp"
+#include "common/experiments/run/run.hpp"
 
 namespace enduring::chapter05 {
 

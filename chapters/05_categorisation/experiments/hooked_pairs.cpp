@@ -1,6 +1,7 @@
-#include "hooked_pairs.hpp"
+#include "chapters/05_categorisation/experiments/hooked_pairs.hpp"
 
 #include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../category.hpp"
+#include "chapters/05_categorisation/category.hpp"
 
 namespace enduring::chapter05 {
 

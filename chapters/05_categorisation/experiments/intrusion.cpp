@@ -1,9 +1,8 @@
-#include "intrusion.hpp"
+#include "chapters/05_categorisation/experiments/intrusion.hpp"
 
-#include "common/simulation/run.hpp"
-#include "label_marks.hpp"
-
-#include "common/render/renderer.hpp"
+#include "chapters/05_categorisation/experiments/label_marks.hpp"
+#include "common/experiments/render/renderer.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <algorithm>
 #include <limits>

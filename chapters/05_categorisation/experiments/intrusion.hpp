@@ -1,8 +1,8 @@
 #pragma once
 
-#include "common/render/picture.hpp"
-#include "common/report/report.hpp"
-#include "hooked_pairs.hpp"
+#include "chapters/05_categorisation/experiments/hooked_pairs.hpp"
+#include "common/experiments/render/picture.hpp"
+#include "common/experiments/report/report.hpp"
 
 #include <string>
 #include <vector>

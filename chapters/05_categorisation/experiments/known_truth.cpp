@@ -1,7 +1,7 @@
-#include "known_truth.hpp"
+#include "chapters/05_categorisation/experiments/known_truth.hpp"
 
+#include "common/experiments/run/run.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/run.hpp"
 
 #include <cmath>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hooked_pairs.hpp"
+#include "chapters/05_categorisation/experiments/hooked_pairs.hpp"
 
 #include <functional>
 #include <map>

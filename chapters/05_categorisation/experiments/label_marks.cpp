@@ -1,4 +1,4 @@
-#include "label_marks.hpp"
+#include "chapters/05_categorisation/experiments/label_marks.hpp"
 
 namespace enduring::chapter05 {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/render/scene_view.hpp"
+#include "common/experiments/render/scene_view.hpp"
 
 namespace enduring::chapter05 {
 

@@ -1,4 +1,4 @@
-#include "pair_census.hpp"
+#include "chapters/05_categorisation/experiments/pair_census.hpp"
 
 #include <algorithm>
 

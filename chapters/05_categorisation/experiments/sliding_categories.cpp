@@ -1,12 +1,13 @@
-#include "experiments.hpp"
-
-#include "../category.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
-#include "common/render/film_probes.hpp"
-#include "common/simulation/run.hpp"
-#include "known_truth.hpp"
-#include "label_marks.hpp"
-#include "pair_census.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "chapters/05_categorisation/category.hpp"
+#include "chapters/05_categorisation/experiments/experiments.hpp"
+#include "chapters/05_categorisation/experiments/known_truth.hpp"
+#include "chapters/05_categorisation/experiments/label_marks.hpp"
+#include "chapters/05_categorisation/experiments/pair_census.hpp"
+#include "chapters/05_categorisation/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
-#include "experiments.hpp"
-
-#include "corner.hpp"
-#include "direction_sphere.hpp"
+#include "chapters/05_categorisation/experiments/corner.hpp"
+#include "chapters/05_categorisation/experiments/direction_sphere.hpp"
+#include "chapters/05_categorisation/experiments/experiments.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,5 @@
-#include "../category.hpp"
-
-#include "../experiments/corner.hpp"
+#include "chapters/05_categorisation/category.hpp"
+#include "chapters/05_categorisation/experiments/corner.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,6 @@
-#include "../category.hpp"
-#include "../experiments/cube_in_floor.hpp"
-
-#include "common/geometry/shapes.hpp"
+#include "chapters/05_categorisation/category.hpp"
+#include "chapters/05_categorisation/experiments/cube_in_floor.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/simulation/rigid_body.hpp"
 

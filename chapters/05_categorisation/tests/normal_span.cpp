@@ -1,4 +1,4 @@
-#include "../experiments/corner.hpp"
+#include "chapters/05_categorisation/experiments/corner.hpp"
 
 #include <doctest/doctest.h>
 

@@ -4,14 +4,15 @@
 // The mended friction solves all pairs together. With half of them taken away the cube no longer rests, and it takes more
 // rounds: "both" is the number to read there.
 
-#include "../edge_edge_dismissal.hpp"
-#include "../redefinition_solver.hpp"
-#include "../resolution.hpp"
-#include "../vertex_face_redefinition.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "common/simulation/run.hpp"
+#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/redefinition_passes.hpp"
+#include "chapters/06_redefinition/resolution.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <benchmark/benchmark.h>
 

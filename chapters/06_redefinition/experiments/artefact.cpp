@@ -1,7 +1,6 @@
-#include "experiments.hpp"
-#include "motivating_scene.hpp"
-
-#include "common/simulation/run.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "common/experiments/run/run.hpp"
 
 namespace enduring::chapter06 {
 namespace {

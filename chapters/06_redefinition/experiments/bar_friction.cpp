@@ -1,12 +1,12 @@
-#include "experiments.hpp"
+#include "chapters/06_redefinition/experiments/bar_friction.hpp"
 
-#include "../redefinition_solver.hpp"
-#include "bar_friction.hpp"
-#include "common/render/film_probes.hpp"
-#include "common/report/number_text.hpp"
-#include "common/simulation/elements_of.hpp"
-#include "common/simulation/run.hpp"
-#include "motivating_scene.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/elements_of.hpp"
+#include "common/experiments/run/run.hpp"
+#include "common/input/number_text.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "common/report/report.hpp"
-#include "common/simulation/probes.hpp"
-#include "common/simulation/scene.hpp"
+#include "common/experiments/report/report.hpp"
+#include "common/experiments/run/probes.hpp"
+#include "common/scenes/scene.hpp"
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-#include "bar_slide.hpp"
+#include "chapters/06_redefinition/experiments/bar_slide.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/render/scene_view.hpp"
-#include "common/simulation/probes.hpp"
+#include "common/experiments/render/scene_view.hpp"
+#include "common/experiments/run/probes.hpp"
 
 #include <vector>
 

@@ -1,12 +1,11 @@
-#include "experiments.hpp"
-
-#include "../redefinition_solver.hpp"
-#include "common/render/film_probes.hpp"
-#include "common/render/renderer.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/inverted_elements.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/render/renderer.hpp"
+#include "common/experiments/run/run.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/energy.hpp"
-#include "common/simulation/run.hpp"
-#include "inverted_elements.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,4 @@
-#include "buried_vertex.hpp"
+#include "chapters/06_redefinition/experiments/buried_vertex.hpp"
 
 #include "common/geometry/triangle_distance.hpp"
 #include "common/geometry/winding_number.hpp"

@@ -1,11 +1,15 @@
-#include "chapter_solver.hpp"
+#include "chapters/06_redefinition/experiments/chapter_solver.hpp"
 
-#include "../redefinition_solver.hpp"
 #include "chapters/01_particle_plane/plane_contact.hpp"
+#include "chapters/01_particle_plane/solver.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "common/report/input_error.hpp"
+#include "chapters/05_categorisation/solver.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/input/input_error.hpp"
 
 namespace enduring::chapter06 {
 

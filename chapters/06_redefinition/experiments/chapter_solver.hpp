@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/simulation/scene.hpp"
+#include "common/scenes/scene.hpp"
 
 namespace enduring::chapter06 {
 

@@ -1,4 +1,4 @@
-#include "contact_census.hpp"
+#include "chapters/06_redefinition/experiments/contact_census.hpp"
 
 #include <algorithm>
 #include <array>

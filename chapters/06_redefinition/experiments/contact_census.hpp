@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/simulation/probes.hpp"
+#include "common/experiments/run/probes.hpp"
 
 namespace enduring::chapter06 {
 

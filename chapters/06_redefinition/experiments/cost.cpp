@@ -1,10 +1,10 @@
-#include "experiments.hpp"
-
-#include "../discrete_solver.hpp"
-#include "../redefinition_solver.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
-#include "common/simulation/run.hpp"
-#include "stage_clock.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
+#include "chapters/06_redefinition/baseline/discrete_solver.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/stage_clock.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <nlohmann/json.hpp>
 

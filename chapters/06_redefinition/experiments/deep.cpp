@@ -1,10 +1,9 @@
-#include "experiments.hpp"
-#include "buried_vertex.hpp"
-#include "motivating_scene.hpp"
-
-#include "common/report/number_text.hpp"
+#include "chapters/06_redefinition/experiments/buried_vertex.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "common/experiments/run/run.hpp"
+#include "common/input/number_text.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/run.hpp"
 
 #include <algorithm>
 

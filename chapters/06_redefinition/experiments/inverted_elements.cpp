@@ -1,6 +1,6 @@
-#include "inverted_elements.hpp"
+#include "chapters/06_redefinition/experiments/inverted_elements.hpp"
 
-#include "common/render/scene_view.hpp"
+#include "common/experiments/render/scene_view.hpp"
 #include "common/simulation/deformable_body.hpp"
 
 namespace enduring::chapter06 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/render/stage.hpp"
-#include "common/simulation/scene.hpp"
+#include "common/experiments/render/stage.hpp"
+#include "common/scenes/scene.hpp"
 
 namespace enduring::chapter06 {
 

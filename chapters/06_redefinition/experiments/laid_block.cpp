@@ -1,10 +1,10 @@
-#include "laid_block.hpp"
+#include "chapters/06_redefinition/experiments/laid_block.hpp"
 
-#include "../redefinition_solver.hpp"
-#include "common/geometry/shapes.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
-#include "experiments.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -1,7 +1,7 @@
-#include "ledger.hpp"
+#include "chapters/06_redefinition/experiments/ledger.hpp"
 
-#include "common/report/number_text.hpp"
-#include "experiments.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motivating_scene.hpp"
+#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
 
 namespace enduring::chapter06 {
 

@@ -1,7 +1,7 @@
-#include "levers.hpp"
+#include "chapters/06_redefinition/experiments/levers.hpp"
 
-#include "../redefinition_solver.hpp"
-#include "common/geometry/shapes.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/rigid_body.hpp"
 

@@ -1,10 +1,10 @@
-#include "mesh_slope.hpp"
+#include "chapters/06_redefinition/experiments/mesh_slope.hpp"
 
-#include "../redefinition_solver.hpp"
-#include "common/render/film_probes.hpp"
-#include "common/simulation/run.hpp"
-#include "experiments.hpp"
-#include "motivating_scene.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,11 @@
-#include "motivating_scene.hpp"
+#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
 
-#include "chapter_solver.hpp"
 #include "chapters/01_particle_plane/plane_contact.hpp"
+#include "chapters/01_particle_plane/solver.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
-#include "common/report/input_error.hpp"
-#include "common/report/number_text.hpp"
+#include "chapters/06_redefinition/experiments/chapter_solver.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "common/render/film_probes.hpp"
-#include "common/simulation/probes.hpp"
-#include "common/simulation/run.hpp"
-#include "common/simulation/scene.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/probes.hpp"
+#include "common/experiments/run/run.hpp"
+#include "common/scenes/scene.hpp"
 
 #include <array>
 #include <memory>

@@ -1,6 +1,5 @@
-#include "motivating_scene.hpp"
-
-#include "buried_vertex.hpp"
+#include "chapters/06_redefinition/experiments/buried_vertex.hpp"
+#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>

@@ -1,14 +1,14 @@
-#include "own_scene.hpp"
+#include "chapters/06_redefinition/experiments/own_scene.hpp"
 
-#include "chapter_solver.hpp"
-#include "common/paraview/series.hpp"
-#include "common/render/film_probes.hpp"
-#include "common/report/input_error.hpp"
-#include "common/report/number_text.hpp"
-#include "common/simulation/run.hpp"
-#include "contact_census.hpp"
-#include "experiments.hpp"
-#include "motivating_scene.hpp"
+#include "chapters/06_redefinition/experiments/chapter_solver.hpp"
+#include "chapters/06_redefinition/experiments/contact_census.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "common/experiments/paraview/series.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/run.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <exception>

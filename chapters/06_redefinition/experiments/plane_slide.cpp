@@ -1,6 +1,6 @@
-#include "plane_slide.hpp"
+#include "chapters/06_redefinition/experiments/plane_slide.hpp"
 
-#include "common/simulation/run.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <nlohmann/json.hpp>
 

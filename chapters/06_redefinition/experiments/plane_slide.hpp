@@ -1,7 +1,7 @@
 #pragma once
 
-#include "common/geometry/shapes.hpp"
-#include "common/simulation/scene.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/scenes/scene.hpp"
 
 namespace enduring::chapter06 {
 

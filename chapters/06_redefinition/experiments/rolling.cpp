@@ -1,11 +1,12 @@
-#include "rolling.hpp"
+#include "chapters/06_redefinition/experiments/rolling.hpp"
 
-#include "../redefinition_solver.hpp"
-#include "common/geometry/shapes.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/levers.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
-#include "experiments.hpp"
-#include "levers.hpp"
 
 #include <algorithm>
 #include <cmath>

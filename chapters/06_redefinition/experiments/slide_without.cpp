@@ -1,8 +1,8 @@
-#include "slide_without.hpp"
+#include "chapters/06_redefinition/experiments/slide_without.hpp"
 
-#include "../edge_edge_dismissal.hpp"
-#include "../redefinition_solver.hpp"
-#include "../resolution.hpp"
+#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/resolution.hpp"
+#include "chapters/06_redefinition/solver.hpp"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
-#include "experiments.hpp"
-
-#include "../redefinition_solver.hpp"
-#include "bar_slide.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "common/render/film_probes.hpp"
-#include "common/simulation/elements_of.hpp"
-#include "common/simulation/run.hpp"
-#include "plane_slide.hpp"
-#include "slide_without.hpp"
+#include "chapters/05_categorisation/solver.hpp"
+#include "chapters/06_redefinition/experiments/bar_slide.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/experiments/plane_slide.hpp"
+#include "chapters/06_redefinition/experiments/slide_without.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/elements_of.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <algorithm>
 #include <cmath>

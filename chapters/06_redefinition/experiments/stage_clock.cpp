@@ -1,12 +1,13 @@
-#include "stage_clock.hpp"
+#include "chapters/06_redefinition/experiments/stage_clock.hpp"
 
-#include "../edge_edge_dismissal.hpp"
-#include "../redefinition_solver.hpp"
-#include "../resolution.hpp"
-#include "../vertex_face_redefinition.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/05_categorisation/category.hpp"
+#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/redefinition_passes.hpp"
+#include "chapters/06_redefinition/resolution.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 #include "common/simulation/processor_clock.hpp"
 
 #include <algorithm>

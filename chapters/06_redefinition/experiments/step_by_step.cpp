@@ -1,11 +1,11 @@
-#include "experiments.hpp"
-
-#include "../face_choice.hpp"
-#include "../redefinition_solver.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "common/render/film_probes.hpp"
-#include "common/simulation/run.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/face_choice.hpp"
+#include "chapters/06_redefinition/redefinition_passes.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,8 +1,9 @@
-#include "../redefinition_solver.hpp"
 #include "chapters/04_friction/experiments/rides.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/04_friction/solver.hpp"
 #include "chapters/04_friction/surface_turn.hpp"
-#include "experiments.hpp"
+#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/solver.hpp"
 
 namespace enduring::chapter06 {
 namespace {

@@ -1,8 +1,8 @@
-#include "../experiments/buried_vertex.hpp"
-#include "../experiments/ledger.hpp"
-#include "common/geometry/shapes.hpp"
-#include "common/render/reference.hpp"
-#include "common/report/input_error.hpp"
+#include "chapters/06_redefinition/experiments/buried_vertex.hpp"
+#include "chapters/06_redefinition/experiments/ledger.hpp"
+#include "common/experiments/render/reference.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/input/input_error.hpp"
 #include "common/simulation/static_body.hpp"
 
 #include <doctest/doctest.h>

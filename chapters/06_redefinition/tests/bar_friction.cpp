@@ -1,4 +1,4 @@
-#include "../experiments/bar_friction.hpp"
+#include "chapters/06_redefinition/experiments/bar_friction.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,8 @@
-#include "../experiments/inverted_elements.hpp"
-#include "../experiments/stage_clock.hpp"
-#include "../redefinition_solver.hpp"
-#include "common/simulation/probes.hpp"
-#include "common/simulation/run.hpp"
+#include "chapters/06_redefinition/experiments/inverted_elements.hpp"
+#include "chapters/06_redefinition/experiments/stage_clock.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/run/probes.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <doctest/doctest.h>
 

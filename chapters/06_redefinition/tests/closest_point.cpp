@@ -1,6 +1,6 @@
-#include "../closest_point.hpp"
-
-#include "common/geometry/shapes.hpp"
+#include "chapters/06_redefinition/baseline/closest_point.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "common/geometry/winding_number.hpp"
 
 #include <doctest/doctest.h>

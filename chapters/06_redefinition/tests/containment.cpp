@@ -1,8 +1,8 @@
-#include "../redefinition_solver.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
+#include "common/experiments/run/run.hpp"
 #include "common/geometry/winding_number.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/run.hpp"
-#include "small_worlds.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,8 +1,8 @@
-#include "../discrete_detection.hpp"
-#include "../discrete_solver.hpp"
-#include "common/geometry/shapes.hpp"
+#include "chapters/06_redefinition/baseline/discrete_detection.hpp"
+#include "chapters/06_redefinition/baseline/discrete_solver.hpp"
+#include "common/experiments/run/run.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/run.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

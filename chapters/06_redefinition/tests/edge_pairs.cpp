@@ -1,8 +1,8 @@
-#include "../edge_edge_dismissal.hpp"
-#include "../edge_pairs_of_redefinition.hpp"
-#include "../new_pairs.hpp"
+#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/edge_pairs_of_redefinition.hpp"
+#include "chapters/06_redefinition/new_pairs.hpp"
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "small_worlds.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "../face_choice.hpp"
-#include "small_worlds.hpp"
+#include "chapters/06_redefinition/face_choice.hpp"
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
-#include "../face_choice.hpp"
-#include "../vertex_face_redefinition.hpp"
-#include "small_worlds.hpp"
+#include "chapters/06_redefinition/face_choice.hpp"
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 
 using namespace enduring;
 using namespace enduring::small_worlds;

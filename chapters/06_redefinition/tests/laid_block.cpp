@@ -1,4 +1,4 @@
-#include "../experiments/laid_block.hpp"
+#include "chapters/06_redefinition/experiments/laid_block.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "../experiments/mesh_slope.hpp"
+#include "chapters/06_redefinition/experiments/mesh_slope.hpp"
 
 #include <doctest/doctest.h>
 

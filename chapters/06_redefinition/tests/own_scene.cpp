@@ -1,8 +1,8 @@
 #include "chapters/06_redefinition/experiments/chapter_solver.hpp"
 #include "chapters/06_redefinition/experiments/own_scene.hpp"
-#include "common/report/input_error.hpp"
-#include "common/report/tests/temporary_folder.hpp"
-#include "common/simulation/scene.hpp"
+#include "common/experiments/report/tests/temporary_folder.hpp"
+#include "common/input/input_error.hpp"
+#include "common/scenes/scene.hpp"
 
 #include <doctest/doctest.h>
 

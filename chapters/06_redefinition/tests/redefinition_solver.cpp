@@ -1,11 +1,12 @@
-#include "../edge_edge_dismissal.hpp"
-#include "../redefinition_solver.hpp"
-#include "../resolution.hpp"
+#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/redefinition_passes.hpp"
+#include "chapters/06_redefinition/resolution.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
+#include "common/experiments/run/run.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/run.hpp"
 #include "common/simulation/tests/block_of_any_kind.hpp"
-#include "common/simulation/tests/worked_step_numbers.hpp"
-#include "small_worlds.hpp"
+#include "common/worked_step/tests/worked_step_numbers.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,8 @@
-#include "../resolution.hpp"
 #include "chapters/05_categorisation/category.hpp"
+#include "chapters/05_categorisation/solver.hpp"
+#include "chapters/06_redefinition/resolution.hpp"
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "small_worlds.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -1,5 +1,5 @@
-#include "../experiments/levers.hpp"
-#include "../experiments/rolling.hpp"
+#include "chapters/06_redefinition/experiments/levers.hpp"
+#include "chapters/06_redefinition/experiments/rolling.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,8 +1,9 @@
-#include "../experiments/bar_slide.hpp"
-#include "../experiments/plane_slide.hpp"
-#include "../redefinition_solver.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "common/simulation/run.hpp"
+#include "chapters/05_categorisation/solver.hpp"
+#include "chapters/06_redefinition/experiments/bar_slide.hpp"
+#include "chapters/06_redefinition/experiments/plane_slide.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/run/run.hpp"
 
 #include <doctest/doctest.h>
 

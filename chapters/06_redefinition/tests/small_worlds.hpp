@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../redefinition_solver.hpp"
-#include "common/geometry/shapes.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/simulation/point_masses.hpp"
 #include "common/simulation/static_body.hpp"
 

@@ -1,7 +1,7 @@
-#include "../redefinition_solver.hpp"
-#include "../vertex_face_redefinition.hpp"
 #include "chapters/04_friction/experiments/rides.hpp"
-#include "small_worlds.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 
 using namespace enduring;
 using namespace enduring::small_worlds;

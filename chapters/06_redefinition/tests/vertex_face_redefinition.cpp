@@ -1,9 +1,10 @@
-#include "../face_choice.hpp"
-#include "../new_pairs.hpp"
-#include "../vertex_face_redefinition.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
+#include "chapters/06_redefinition/face_choice.hpp"
+#include "chapters/06_redefinition/new_pairs.hpp"
+#include "chapters/06_redefinition/tests/small_worlds.hpp"
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 #include "common/simulation/contact_geometry.hpp"
-#include "small_worlds.hpp"
 
 #include <cmath>
 #include <random>

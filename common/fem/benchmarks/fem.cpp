@@ -1,7 +1,7 @@
 #include "common/fem/elastic_body.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/read_gmsh.hpp"
-#include "common/report/source_directory.hpp"
+#include "common/input/source_directory.hpp"
 
 #include <benchmark/benchmark.h>
 

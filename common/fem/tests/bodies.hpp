@@ -2,7 +2,7 @@
 
 #include "common/fem/elastic_body.hpp"
 #include "common/geometry/quadratic.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
 
 #include <Eigen/Geometry>
 

@@ -1,8 +1,7 @@
-#include "bodies.hpp"
-
 #include "common/fem/mass_matrix.hpp"
+#include "common/fem/tests/bodies.hpp"
 #include "common/fem/tetrahedron_quadrature.hpp"
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "bodies.hpp"
-
+#include "common/experiments/verification/spin_verification.hpp"
+#include "common/experiments/verification/static_verification.hpp"
 #include "common/fem/stiffness_assembly.hpp"
 #include "common/fem/surface_embedding.hpp"
-#include "common/fem/verification.hpp"
+#include "common/fem/tests/bodies.hpp"
 #include "common/geometry/surface_extraction.hpp"
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <Eigen/Dense>
 #include <doctest/doctest.h>

@@ -1,6 +1,5 @@
-#include "bodies.hpp"
-
 #include "common/fem/polar_rotation.hpp"
+#include "common/fem/tests/bodies.hpp"
 
 #include <Eigen/LU>
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "common/geometry/read_gmsh.hpp"
-#include "common/geometry/surface_checks.hpp"
-#include "common/report/input_error.hpp"
+#include "common/geometry/solid_checks.hpp"
+#include "common/input/input_error.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,10 +1,12 @@
+#include "common/geometry/box_shapes.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/read_gmsh.hpp"
 #include "common/geometry/read_obj.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/solid_checks.hpp"
 #include "common/geometry/surface_checks.hpp"
 #include "common/geometry/surface_extraction.hpp"
-#include "common/report/input_error.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 

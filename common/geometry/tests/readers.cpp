@@ -2,10 +2,12 @@
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/read_gmsh.hpp"
 #include "common/geometry/read_obj.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
+#include "common/geometry/solid_checks.hpp"
 #include "common/geometry/surface_checks.hpp"
 #include "common/geometry/surface_extraction.hpp"
-#include "common/report/source_directory.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/input/source_directory.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,8 @@
-#include "common/geometry/shapes.hpp"
-
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "common/geometry/surface_checks.hpp"
-#include "common/report/input_error.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,8 @@
 #include "common/geometry/element_quality.hpp"
 #include "common/geometry/quadratic.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "common/geometry/surface_extraction.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
 
 #include <doctest/doctest.h>
 

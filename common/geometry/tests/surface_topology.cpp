@@ -1,7 +1,7 @@
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "common/geometry/surface_topology.hpp"
-
-#include "common/geometry/shapes.hpp"
-#include "common/report/input_error.hpp"
+#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "common/geometry/surface_tree.hpp"
-
-#include "common/geometry/shapes.hpp"
 #include "common/geometry/triangle_distance.hpp"
 #include "common/geometry/winding_number.hpp"
 

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "common/geometry/box_shapes.hpp"
 #include "common/geometry/quadratic.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"

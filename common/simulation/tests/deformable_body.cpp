@@ -1,8 +1,8 @@
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/read_gmsh.hpp"
-#include "common/geometry/shapes.hpp"
 #include "common/geometry/surface_extraction.hpp"
-#include "common/report/source_directory.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/input/source_directory.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/simulation/deformable_body.hpp"
 

@@ -1,5 +1,5 @@
 #include "common/geometry/quadratic.hpp"
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
 
 #include <Eigen/SparseCholesky>

@@ -1,4 +1,4 @@
-#include "common/geometry/shapes.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/step.hpp"

@@ -1,4 +1,4 @@
-#include "common/simulation/scene_reader.hpp"
+#include "common/scenes/scene_reader.hpp"
 
 #include <doctest/doctest.h>
 

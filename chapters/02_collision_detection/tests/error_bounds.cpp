@@ -1,0 +1,177 @@
+#include "chapters/02_collision_detection/separating_directions.hpp"
+#include "chapters/02_collision_detection/tests/step_generators.hpp"
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <doctest/doctest.h>
+
+using namespace enduring;
+using namespace enduring::certified;
+using namespace enduring::generated;
+using Rational = boost::multiprecision::cpp_rational;
+
+namespace {
+
+Rational exact(double a) { return Rational(a); }
+Rational exact(DoubleDouble a) { return Rational(a.hi) + Rational(a.lo); }
+
+using ExactVector = std::array<Rational, 3>;
+
+ExactVector difference(const Vec3& a, const Vec3& b)
+{
+    return {Rational(a[0]) - Rational(b[0]), Rational(a[1]) - Rational(b[1]), Rational(a[2]) - Rational(b[2])};
+}
+
+Rational volume(const ExactVector& a, const ExactVector& b, const ExactVector& c)
+{
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+/// Bernstein coefficients of the volume of three moving differences: coefficient i is the mean over all choices of i
+/// differences taken at the end of the step, the others at its start.
+std::array<Rational, 4> exact_height(const Points& p)
+{
+    const auto d = [&](std::size_t corner, std::size_t end) { return difference(p[4 * end], p[corner + 4 * end]); };
+    std::array<Rational, 4> c;
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j)
+            for (std::size_t k = 0; k < 2; ++k)
+                c[i + j + k] += volume(d(1, i), d(2, j), d(3, k));
+    c[1] /= 3;
+    c[2] /= 3;
+    return c;
+}
+
+/// The polynomial over [0, 1/2], `times` times over.
+std::array<Rational, 4> halved(std::array<Rational, 4> c, int times)
+{
+    for (int n = 0; n < times; ++n)
+        for (std::size_t round = 1; round < 4; ++round)
+            for (std::size_t i = 3; i >= round; --i)
+                c[i] = (c[i] + c[i - 1]) / 2;
+    return c;
+}
+
+/// Largest error of a coefficient of the height, in parts of its bound.
+template <class Real>
+double worst_share(const Points& points, int halvings)
+{
+    auto computed = height(VertexFaceDifferences<Real>(step_of<VertexFaceStep>(points)));
+    for (int n = 0; n < halvings; ++n) {
+        auto early = computed, late = computed;
+        halve(computed, early, late);
+        computed = early;
+    }
+    const std::array<Rational, 4> truth = halved(exact_height(points), halvings);
+    double share = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        share = std::max(share, Rational(abs(exact(computed.c[i]) - truth[i]) / Rational(computed.error)).convert_to<double>());
+    return share;
+}
+
+template <class Real>
+void require_bounds_hold()
+{
+    Random random(11);
+    double worst = 0;
+    for (const Category& category : categories())
+        for (int i = 0; i < 40; ++i) {
+            CAPTURE(category.name);
+            CAPTURE(i);
+            const Points points = category.make(random, false);
+            for (const int halvings : {0, 3}) {
+                const double share = worst_share<Real>(points, halvings);
+                CHECK(share <= 1);
+                worst = std::max(worst, share);
+            }
+        }
+    // A bound that is never approached would send easy pairs to the slow stage.
+    CHECK(worst > 1e-3);
+}
+
+}  // namespace
+
+TEST_CASE("error bounds: no coefficient of the height in doubles is off by more than its bound says")
+{
+    require_bounds_hold<double>();
+}
+
+TEST_CASE("error bounds: no coefficient of the height in double-doubles is off by more than its bound says")
+{
+    require_bounds_hold<DoubleDouble>();
+}
+
+TEST_CASE_TEMPLATE("error bounds: halving and narrowing a polynomial cost no more than the bound grows", Real, double, DoubleDouble)
+{
+    Random random(15);
+    for (int i = 0; i < 100; ++i) {
+        MovingVector<Real, 2> vector{{}, 1, 0};  // known exactly
+        std::array<Rational, 3> truth;
+        for (std::size_t k = 0; k < 3; ++k) {
+            vector.c[k].x = random.uniform(-1, 1);
+            truth[k] = exact(vector.c[k].x);
+        }
+        vector.size = largest(vector);
+        for (int cut = 0; cut < 12; ++cut) {
+            const double from = random.uniform(0, 0.5), to = random.uniform(0.5, 1);
+            const bool narrow = random.integer(0, 1) == 1, late = random.integer(0, 1) == 1;
+            truth = narrow ? part<Rational>(truth, from, to) : part<Rational>(truth, late ? 0.5 : 0, late ? 1 : 0.5);
+            MovingVector<Real, 2> early, rest;
+            halve(vector, early, rest);
+            vector = narrow ? part(vector, from, to) : late ? rest : early;
+            CAPTURE(cut);
+            for (std::size_t k = 0; k < 3; ++k) {
+                CHECK(abs(exact(vector.c[k].x) - truth[k]) <= Rational(vector.error));
+                CHECK(abs(truth[k]) <= Rational(vector.size));
+            }
+        }
+    }
+}
+
+TEST_CASE("double-double: sums and products of doubles are exact")
+{
+    Random random(12);
+    for (int i = 0; i < 2000; ++i) {
+        const double a = std::ldexp(random.uniform(-1, 1), random.integer(-60, 60)), b = std::ldexp(random.uniform(-1, 1), random.integer(-60, 60));
+        CAPTURE(a);
+        CAPTURE(b);
+        CHECK(exact(two_sum(a, b)) == Rational(a) + Rational(b));
+        CHECK(exact(two_difference(a, b)) == Rational(a) - Rational(b));
+        CHECK(exact(two_product(a, b)) == Rational(a) * Rational(b));
+    }
+}
+
+TEST_CASE("double-double: sums and products keep a relative error of 2^-103, also where they cancel")
+{
+    Random random(13);
+    const Rational allowed = Rational(1) / (boost::multiprecision::cpp_int(1) << 103);
+    for (int i = 0; i < 2000; ++i) {
+        const DoubleDouble a = two_product(random.uniform(-1, 1), random.uniform(-1, 1));
+        const DoubleDouble near = two_sum(-a.hi, std::ldexp(random.uniform(-1, 1), -random.integer(1, 100)));
+        const DoubleDouble b = random.integer(0, 1) ? near : two_product(random.uniform(-1, 1), random.uniform(-1, 1));
+        CAPTURE(i);
+        const Rational sum = exact(a) + exact(b), product = exact(a) * exact(b);
+        CHECK(abs(exact(a + b) - sum) <= allowed * abs(sum));
+        CHECK(abs(exact(a - b) - (exact(a) - exact(b))) <= allowed * abs(exact(a) - exact(b)));
+        CHECK(abs(exact(a * b) - product) <= allowed * abs(product));
+    }
+}
+
+TEST_CASE("separating directions: at each instant they leave open exactly the contacts")
+{
+    // One interval without motion: then the tests throughout are the tests at one instant.
+    Random random(14);
+    for (int i = 0; i < 2000; ++i) {
+        Points p = categories()[2].make(random, false);
+        for (std::size_t k = 0; k < 4; ++k)
+            p[k + 4] = p[k];
+        const Vec3 v = p[0], f0 = p[1], f1 = p[2], f2 = p[3];
+        // On small integers: in the plane and on one side of all edges, or, where the face has no area, between two corners.
+        const Vec3 normal = (f1 - f0).cross(f2 - f0);
+        const auto between = [&](const Vec3& a, const Vec3& b) { return (a - v).cross(b - v).isZero(0) && (a - v).dot(b - v) <= 0; };
+        const bool inside = normal.isZero(0) ? between(f0, f1) || between(f1, f2) || between(f2, f0)
+                                             : normal.dot(v - f0) == 0 && normal.dot((f1 - f0).cross(v - f0)) >= 0 &&
+                                                   normal.dot((f2 - f1).cross(v - f1)) >= 0 && normal.dot((f0 - f2).cross(v - f2)) >= 0;
+        CAPTURE(i);
+        CHECK(separating_directions(VertexFaceDifferences<double>(step_of<VertexFaceStep>(p))).apart(Throughout{}) == !inside);
+    }
+}

@@ -1,0 +1,152 @@
+#include "common/experiments/report/chapter_program.hpp"
+
+#include "common/experiments/report/pending_file.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/source_directory.hpp"
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+
+namespace enduring {
+namespace {
+
+/// What the command line said, before anything was done about it.
+struct CommandLine {
+    std::vector<std::string> words;
+    std::string out, scene;
+    bool list = false, quick = false;
+};
+
+void describe(CLI::App& app, const ChapterProgram& program, CommandLine& line)
+{
+    app.add_option("experiments", line.words, "experiments to run, all when none is named (see --list)");
+    app.add_option("--scene", line.scene,
+                   program.own_scene ? "a scene of your own; with an experiment named, instead of that experiment's scene"
+                                     : "a scene file instead of the experiment's own")
+        ->type_name("FILE");
+    app.add_option("--out", line.out, "folder for tables and pictures (default build/results/" + program.folder + ", with --quick build/results-quick/...)")
+        ->type_name("DIR");
+    app.add_flag("--list", line.list, "name the experiments, one a line");
+    app.add_flag("--quick", line.quick, "a small version: seconds instead of minutes");
+    if (program.add_options)
+        program.add_options(app);
+}
+
+std::size_t widest_name(const ChapterProgram& program)
+{
+    std::size_t width = 0;
+    for (const Experiment& experiment : program.experiments)
+        width = std::max(width, experiment.name.size());
+    return width;
+}
+
+void list_experiments(const ChapterProgram& program, std::ostream& out)
+{
+    for (const Experiment& experiment : program.experiments)
+        out << "  " << std::left << std::setw(static_cast<int>(widest_name(program))) << experiment.name << "  "
+            << experiment.summary << '\n';
+}
+
+/// @throws InputError  a word that names no experiment
+std::vector<const Experiment*> chosen(const ChapterProgram& program, const std::vector<std::string>& words)
+{
+    std::vector<const Experiment*> experiments;
+    for (const std::string& word : words)
+        if (std::none_of(program.experiments.begin(), program.experiments.end(),
+                         [&](const Experiment& experiment) { return experiment.name == word; }))
+            throw InputError("no experiment is called '" + word + "'");
+    for (const Experiment& experiment : program.experiments)
+        if (words.empty() || std::find(words.begin(), words.end(), experiment.name) != words.end())
+            experiments.push_back(&experiment);
+    return experiments;
+}
+
+/// Whether the command line asks for a scene of the reader's own, and not for an experiment.
+bool is_own_scene(const ChapterProgram& program, const CommandLine& line)
+{
+    return program.own_scene && !line.scene.empty() && line.words.empty();
+}
+
+RunOptions settle(const ChapterProgram& program, const CommandLine& line)
+{
+    RunOptions options;
+    options.out = line.out;
+    if (line.out.empty()) {
+        options.out = source_directory() / "build" / (line.quick ? "results-quick" : "results") / program.folder;
+        if (is_own_scene(program, line))
+            options.out /= std::filesystem::path(line.scene).stem();
+    }
+    if (!line.scene.empty())
+        options.scene = line.scene;
+    options.quick = line.quick;
+    return options;
+}
+
+void run_experiments(const ChapterProgram& program, const std::vector<const Experiment*>& experiments,
+                     const RunOptions& options)
+{
+    std::cout << program.title << ": " << options.out.lexically_normal().string() << std::endl;
+    for (const Experiment* experiment : experiments) {
+        std::cout << "  " << std::left << std::setw(static_cast<int>(widest_name(program))) << experiment->name << "  "
+                  << std::flush;
+        Report report(options.out);
+        experiment->run(options, report);
+        for (const std::filesystem::path& file : report.written())
+            if (std::filesystem::exists(file))
+                std::cout << file.filename().string() << ' ';
+        std::cout << std::endl;
+    }
+}
+
+}  // namespace
+
+int run_chapter(int argc, char** argv, const ChapterProgram& program)
+{
+    CLI::App app(program.title, "chapter" + program.folder.substr(0, 2));
+    CommandLine line;
+    describe(app, program, line);
+    const auto usage = [&](const std::string& mistake) {
+        std::cerr << app.get_name() << ": " << mistake << "\n\n" << app.help() << "\nExperiments:\n";
+        list_experiments(program, std::cerr);
+        return 2;
+    };
+    std::vector<const Experiment*> experiments;
+    try {
+        app.parse(argc, argv);
+        experiments = chosen(program, line.words);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help() << "\nExperiments:\n";
+        list_experiments(program, std::cout);
+        return 0;
+    } catch (const CLI::ParseError& mistake) {
+        return usage(mistake.what());
+    } catch (const InputError& mistake) {
+        return usage(mistake.what());
+    }
+    if (line.list) {
+        list_experiments(program, std::cout);
+        return 0;
+    }
+
+    PendingFile::cleaned_on_interrupt();
+    try {
+        const RunOptions options = settle(program, line);
+        const Experiment own_scene{line.scene, "", program.own_scene};
+        if (is_own_scene(program, line))
+            run_experiments(program, {&own_scene}, options);
+        else if (!program.instead_of_experiments || !program.instead_of_experiments(options))
+            run_experiments(program, experiments, options);
+        return 0;
+    } catch (const InputError& mistake) {
+        std::cout << std::endl;
+        std::cerr << app.get_name() << ": " << mistake.what() << '\n';
+        return 2;
+    } catch (const std::exception& failure) {
+        std::cout << std::endl;
+        std::cerr << app.get_name() << ": failed: " << failure.what() << '\n';
+        return 1;
+    }
+}
+
+}  // namespace enduring

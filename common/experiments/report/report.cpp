@@ -1,0 +1,113 @@
+#include "common/experiments/report/report.hpp"
+
+#include "common/experiments/report/pending_file.hpp"
+#include "common/experiments/report/subprocess.hpp"
+#include "common/experiments/report/table.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/number_text.hpp"
+#include "common/input/source_directory.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+namespace enduring {
+namespace {
+
+/// A gnuplot string: between single quotes only the quote itself is special.
+std::string gnuplot_quoted(const std::filesystem::path& path)
+{
+    std::string quoted = "'";
+    for (const char c : path.string())
+        quoted += c == '\'' ? "''" : std::string(1, c);
+    return quoted + "'";
+}
+
+}  // namespace
+
+Report::Report(std::filesystem::path folder) : folder_(std::move(folder))
+{
+    std::error_code failure;
+    made_folder_ = std::filesystem::create_directories(folder_, failure);
+    if (failure)
+        throw InputError(folder_.string() + ": cannot be created (" + failure.message() + ")");
+    PendingFile trial(folder_ / "writable");  // a run that could not leave its results should not start
+}
+
+Report::~Report()
+{
+    std::error_code ignored;  // a folder with files in it stays
+    if (made_folder_)
+        std::filesystem::remove(folder_, ignored);
+}
+
+void Report::table(const std::string& name, const Table& table)
+{
+    write_file(file(name + ".csv"), csv(table));
+}
+
+void Report::page_table(const std::string& name, const Table& table, int digits)
+{
+    write_file(file(name + ".md"), markdown(table, digits));
+}
+
+void Report::fact(const std::string& experiment, const std::string& name, double value, int digits)
+{
+    write_facts(experiment, {name, value, readable(value, digits)});
+}
+
+void Report::fact(const std::string& experiment, const std::string& name, const std::string& text)
+{
+    write_facts(experiment, {name, std::string(), text});
+}
+
+void Report::write_facts(const std::string& experiment, std::vector<Cell> fact)
+{
+    auto& facts = facts_[experiment];
+    const auto same = std::find_if(facts.begin(), facts.end(), [&](const auto& told) { return told[0] == fact[0]; });
+    if (same == facts.end())
+        facts.push_back(std::move(fact));
+    else
+        *same = std::move(fact);
+
+    Table all({"name", "value", "text"});
+    for (const auto& told : facts)
+        all.add(told);
+    table("facts_" + experiment, all);
+}
+
+void Report::plot(const std::filesystem::path& script_in_sources, const std::string& name)
+{
+    const std::filesystem::path sources = source_directory(), script = sources / script_in_sources;
+    if (!std::filesystem::is_regular_file(script))
+        throw InputError(script.string() + ": no such gnuplot script");
+    PendingFile picture(file((name.empty() ? script.stem().string() : name) + ".svg"));
+    const std::string variables = "folder=" + gnuplot_quoted(folder_) + "; style=" + gnuplot_quoted(sources / "common/experiments/report/plot_style.gp")
+                                  + "; output=" + gnuplot_quoted(picture.neighbour());
+    Subprocess gnuplot({"gnuplot", "-e", variables, script.string()}, "gnuplot-nox");
+    gnuplot.finish();
+    if (std::filesystem::file_size(picture.neighbour()) == 0)
+        throw std::runtime_error(script.string() + ": gnuplot drew nothing");
+    picture.publish();
+}
+
+std::filesystem::path Report::file(const std::string& name)
+{
+    const std::filesystem::path place = folder_ / name;
+    if (std::find(written_.begin(), written_.end(), place) == written_.end())
+        written_.push_back(place);
+    return place;
+}
+
+void write_file(const std::filesystem::path& path, const std::string& content)
+{
+    PendingFile file(path);
+    std::ofstream out(file.neighbour(), std::ios::binary);
+    out << content;
+    out.close();
+    if (!out)
+        throw InputError(path.string() + ": cannot be written to its end (is the disk full?)");
+    file.publish();
+}
+
+}  // namespace enduring

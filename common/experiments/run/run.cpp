@@ -1,0 +1,52 @@
+#include "common/experiments/run/run.hpp"
+
+#include "common/experiments/report/warn_once.hpp"
+#include "common/experiments/run/energy_budget.hpp"
+#include "common/experiments/run/progress.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace enduring {
+
+int step_count(const Scene& scene)
+{
+    const double steps = scene.duration / scene.dt;
+    const double whole = std::round(steps);
+    return static_cast<int>(std::abs(steps - whole) < 1e-6 * steps ? whole : std::ceil(steps));
+}
+
+RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& probes, const RunLimits& limits)
+{
+    RunResult result;
+    const PassTimer timer = [&result](const std::string& pass, double seconds) { result.timings.add(pass, seconds); };
+    const auto observe = [&] {
+        for (Probe* probe : probes)
+            probe->observe(scene.world, result.contacts, scene.dt);
+    };
+
+    if (!limits.may_gain_energy)
+        for (const std::string& warning : scene.warnings)
+            warn_once(warning);
+    EnergyBudget budget(scene);
+    const int steps = limits.steps.value_or(step_count(scene));
+    Progress progress(scene.name + ", " + solver.name, steps);
+    observe();
+    while (result.steps < steps) {
+        advance(scene.world, result.contacts, solver, scene.dt, timer);
+        ++result.steps;
+        observe();
+        progress.update(result.steps);
+        if (!result.energy_gain && (result.energy_gain = budget.exceeded(scene.world, result.contacts))) {
+            const std::string run_of = scene.name + ", " + solver.name + ": ", told = run_of + *result.energy_gain;
+            if (!limits.may_gain_energy)
+                throw std::runtime_error(told);
+            warn_once(run_of, told + " (This run shows it on purpose, and those of its kind that follow are not told.)");
+        }
+        if (limits.stop && limits.stop(scene.world, result.contacts))
+            break;
+    }
+    return result;
+}
+
+}  // namespace enduring

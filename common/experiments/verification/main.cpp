@@ -1,0 +1,83 @@
+#include "common/experiments/report/chapter_program.hpp"
+#include "common/experiments/verification/free_top.hpp"
+#include "common/experiments/verification/inertia_verification.hpp"
+#include "common/experiments/verification/mass_verification.hpp"
+#include "common/experiments/verification/modal_verification.hpp"
+#include "common/experiments/verification/response_verification.hpp"
+#include "common/experiments/verification/spin_verification.hpp"
+#include "common/experiments/verification/static_verification.hpp"
+#include "common/worked_step/worked_step.hpp"
+#include "common/worked_step/worked_step_tables.hpp"
+
+// Not a chapter of its own: what the pages on the base say about elastic and rigid bodies is measured here.
+
+namespace enduring {
+namespace {
+
+void leave(Report& report, const std::string& name, const Table& table)
+{
+    report.table(name, table);
+    report.page_table(name, table);
+}
+
+void free_top(const RunOptions&, Report& report) { report_top_drift(report); }
+
+void lumping(const RunOptions&, Report& report) { leave(report, "lumping", verification::ways_of_lumping()); }
+
+void cantilever(const RunOptions&, Report& report) { leave(report, "cantilever", verification::cantilever()); }
+
+void frequency(const RunOptions&, Report& report) { leave(report, "frequency", verification::bending_frequency()); }
+
+void torsion(const RunOptions&, Report& report) { leave(report, "torsion", verification::torsion_frequency()); }
+
+void inertia(const RunOptions&, Report& report)
+{
+    leave(report, "inertia", verification::inertia_ratios());
+    report.table("inertia_over_cells", verification::inertia_over_cells());
+    report.plot("common/experiments/verification/plots/inertia_over_cells.gp");
+}
+
+void pushed_bar(const RunOptions&, Report& report)
+{
+    const Table table = verification::pushed_bar();
+    leave(report, "pushed_bar", table);
+    report.fact("pushed_bar", "coarse_linear_percent", std::get<double>(table.rows()[0][3]));
+}
+
+void convergence(const RunOptions&, Report& report)
+{
+    leave(report, "convergence_in_space", verification::convergence_in_space());
+    leave(report, "convergence_in_time", verification::convergence_in_time());
+}
+
+void spinning_bar(const RunOptions&, Report& report)
+{
+    leave(report, "spinning_bar", verification::spinning_bar_growth());
+    report.plot("common/experiments/verification/plots/spinning_bar.gp");
+}
+
+void one_worked_step(const RunOptions&, Report& report) { write_worked_step(worked_step_solver(worked_step().stiffness), report); }
+
+}  // namespace
+}  // namespace enduring
+
+int main(int argc, char** argv)
+{
+    using namespace enduring;
+    return run_chapter(argc, argv, {
+        "00_base",
+        "The base: elastic and rigid bodies, measured",
+        {
+            {"lumping", "masses of the ten-node element: row sums, and two ways that stay positive", lumping},
+            {"cantilever", "deflection of a clamped bar against beam theory with shear", cantilever},
+            {"frequency", "first bending frequency of a clamped bar against beam theory", frequency},
+            {"torsion", "first torsional frequency of a clamped bar against Saint-Venant's torsion", torsion},
+            {"inertia", "moments of inertia of bars and bunnies, by the mass matrix and by lumped masses", inertia},
+            {"pushed_bar", "angular momentum and work that a bar gains from a push at its edge, with each response", pushed_bar},
+            {"convergence", "orders in space and time", convergence},
+            {"spinning_bar", "how much energy the once-a-step rotations add", spinning_bar},
+            {"free_top", "drift of a rigid body that tumbles freely, by Bullet's steps and by ours", free_top},
+            {"worked_step", "every array of one step after every pass, in numbers to check by hand", one_worked_step},
+        },
+    });
+}

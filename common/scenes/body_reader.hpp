@@ -1,0 +1,14 @@
+#pragma once
+
+#include "common/scenes/shape_reader.hpp"
+#include "common/simulation/body.hpp"
+
+#include <memory>
+
+namespace enduring {
+
+/// Builds one entry of a scene's "bodies": shape, placement, material and motion.
+/// @throws InputError  anything the format does not allow, with the JSON path
+std::unique_ptr<Body> read_body(const JsonValue& value, const SceneSurroundings& surroundings);
+
+}  // namespace enduring

@@ -1,0 +1,106 @@
+#include "common/scenes/deformable_reader.hpp"
+
+#include "common/geometry/quadratic.hpp"
+#include "common/geometry/solid_checks.hpp"
+#include "common/scenes/placement.hpp"
+#include "common/simulation/deformable_body.hpp"
+
+#include <limits>
+
+namespace enduring {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A box in the shape's coordinates: every node in it stays where it is.
+struct FixedRegion {
+    Vec3 low, high;
+    bool contains(const Vec3& point) const { return (point.array() >= low.array()).all() && (point.array() <= high.array()).all(); }
+};
+
+FixedRegion read_region(const JsonValue& value)
+{
+    value.require_keys({"min", "max"});
+    const NumberRange coordinate{-1e6, 1e6, true, true, "m"};
+    return {value.vector_or("min", coordinate, Vec3::Constant(-infinity)), value.vector_or("max", coordinate, Vec3::Constant(infinity))};
+}
+
+std::vector<int> read_fixed_nodes(const JsonValue& body, const std::vector<Vec3>& nodes)
+{
+    std::vector<int> fixed;
+    const std::optional<JsonValue> value = body.find("fixed");
+    if (!value)
+        return fixed;
+    const FixedRegion region = read_region(*value);
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+        if (region.contains(nodes[node]))
+            fixed.push_back(static_cast<int>(node));
+    if (fixed.empty())
+        value->complain("no node of the shape lies in this region");
+    return fixed;
+}
+
+ElasticMaterial read_material(const JsonValue& body, const TetrahedralMesh& mesh)
+{
+    ElasticMaterial material;
+    const double volume = ElasticMesh(mesh).volume();
+    material.density = read_mass(body, volume) / volume;
+    material.young = body.at("young").number({1e-3, 1e13, true, true, "Pa"});
+    material.poisson = body.at("poisson").number({-0.99, 0.4999});
+    if (const std::optional<JsonValue> damping = body.find("rayleigh")) {
+        damping->require_keys({"mass", "stiffness"});
+        material.mass_damping = damping->number_or("mass", {0, 1e6, true, true, "1/s"}, material.mass_damping);
+        material.stiffness_damping = damping->number_or("stiffness", {0, 1e3, true, true, "s"}, material.stiffness_damping);
+    }
+    return material;
+}
+
+TetrahedralMesh read_solid(const JsonValue& value, const SceneSurroundings& surroundings)
+{
+    Shape shape = read_shape(value.at("shape"), surroundings);
+    if (!shape.solid)
+        value.at("shape").fail("a shape made of tetrahedra, \"bar\" or a \"file\" ending in .msh");
+    check_solid(*shape.solid, "the mesh");
+    return *std::move(shape.solid);
+}
+
+std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& surroundings)
+{
+    const TetrahedralMesh mesh = read_solid(value, surroundings);
+    const Placement placement = read_placement(value);
+    const InitialMotion motion = read_motion(value);
+    DeformableSettings settings;
+    settings.material = read_material(value, mesh);
+    settings.rotation = placement.rotation.toRotationMatrix();
+    settings.position = placement.position;
+    settings.velocity = motion.velocity;
+    settings.angular_velocity = motion.angular_velocity;
+    if (const std::optional<JsonValue> response = value.find("impulse_response"))
+        settings.impulse_response = response->choice({"lumped", "implicit"}) == 1 ? ImpulseResponse::implicit : ImpulseResponse::lumped;
+
+    settings.options.solver_tolerance = value.number_or("solver_tolerance", {1e-14, 1e-2}, settings.options.solver_tolerance);
+
+    const std::optional<JsonValue> basis = value.find("basis");
+    if (!basis || basis->choice({"linear", "quadratic"}) == 1) {
+        const QuadraticTetrahedralMesh quadratic = with_edge_midpoints(mesh);
+        settings.fixed_nodes = read_fixed_nodes(value, quadratic.nodes);
+        return std::make_unique<DeformableBody>(value.at("name").text(), quadratic, settings);
+    }
+    settings.fixed_nodes = read_fixed_nodes(value, mesh.nodes);
+    return std::make_unique<DeformableBody>(value.at("name").text(), mesh, settings);
+}
+
+}  // namespace
+
+std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings)
+{
+    value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis", "fixed", "impulse_response",
+                        "solver_tolerance", "position", "rotation", "velocity", "angular_velocity", "look"});
+    try {
+        return build(value, surroundings);
+    } catch (const InputError& error) {
+        value.pass_on(error);
+    }
+}
+
+}  // namespace enduring

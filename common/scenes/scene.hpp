@@ -1,0 +1,48 @@
+#pragma once
+
+#include "common/geometry/vector.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace enduring {
+
+/// Where a picture is taken from.
+struct SceneCamera {
+    Vec3 eye{3, 2, 4}, target{0, 0, 0};
+    double field_of_view_deg = 35;
+};
+
+/// How a body looks; has no influence on the simulation.
+struct BodyLook {
+    Vec3 color{0.7, 0.7, 0.7};  ///< linear RGB in [0, 1]
+    bool smooth = false;
+};
+
+/// One documented JSON file, read by every chapter's solver (docs: the scene format). A scene read twice builds the same
+/// world to the last bit.
+struct Scene {
+    std::string name, description;
+    double dt = 0.01;       ///< [s]
+    double duration = 1.0;  ///< [s]
+    ContactParameters contact;
+    SceneCamera camera;
+    std::map<std::string, BodyLook> looks;  ///< by body name
+    World world;                            ///< bodies placed, velocities set, time 0
+    std::vector<std::string> warnings;      ///< what will probably go wrong, a sentence each (see scene_warnings()); run() tells them
+};
+
+/// Changes to a scene before it is built, as a JSON merge patch: {"contact": {"stiffness": 2000}}.
+/// @param path   the file; meshes it names are searched beside it, then in common/meshes
+/// @param patch  merge patch as text, empty for none (what experiments use to vary one number)
+/// @throws InputError  names the file, the JSON path as /bodies/0/density, what was expected and what stands there
+Scene load_scene(const std::filesystem::path& path, const std::string& patch = "");
+
+/// A scene that ships with the course: common/scenes/NAME.json.
+std::filesystem::path scene_file(const std::string& name);
+
+}  // namespace enduring

@@ -1,0 +1,151 @@
+#include "common/scenes/scene_reader.hpp"
+
+#include "common/input/json_document.hpp"
+#include "common/input/json_value.hpp"
+#include "common/input/mistakes.hpp"
+#include "common/input/source_directory.hpp"
+#include "common/scenes/body_reader.hpp"
+#include "common/scenes/friction_reader.hpp"
+#include "common/scenes/scene_warnings.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace enduring {
+namespace {
+
+constexpr std::size_t most_planes = 100;
+const NumberRange stiffness_range{0, 1e12, false, true, "N/m"};
+
+ContactParameters read_contact(const JsonValue& value)
+{
+    value.require_keys({"method", "stiffness", "friction"});
+    ContactParameters contact;
+    Mistakes mistakes;
+    mistakes.gather([&] {
+        if (const std::optional<JsonValue> method = value.find("method"))
+            contact.method = method->choice({"dpf", "cpf"}) == 0 ? PenaltyMethod::discrete : PenaltyMethod::continuous;
+    });
+    mistakes.gather([&] { contact.stiffness = value.number_or("stiffness", stiffness_range, contact.stiffness); });
+    mistakes.gather([&] {
+        if (const std::optional<JsonValue> friction = value.find("friction"))
+            contact.friction = read_friction(*friction, contact.stiffness);
+    });
+    mistakes.complain();
+    return contact;
+}
+
+SceneCamera read_camera(const JsonValue& value)
+{
+    value.require_keys({"eye", "target", "field_of_view_deg"});
+    const NumberRange place{-1e5, 1e5, true, true, "m"};
+    SceneCamera camera;
+    camera.eye = value.vector_or("eye", place, camera.eye);
+    camera.target = value.vector_or("target", place, camera.target);
+    camera.field_of_view_deg = value.number_or("field_of_view_deg", {1, 120, true, true, "degrees"}, camera.field_of_view_deg);
+    if ((camera.eye - camera.target).norm() < 1e-9)
+        value.complain("\"eye\" and \"target\" are the same point");
+    return camera;
+}
+
+BodyLook read_look(const JsonValue& value)
+{
+    value.require_keys({"color", "smooth"});
+    BodyLook look;
+    look.color = value.vector_or("color", {0, 1}, look.color);
+    look.smooth = value.flag_or("smooth", look.smooth);
+    return look;
+}
+
+Plane read_plane(const JsonValue& value)
+{
+    value.require_keys({"name", "point", "normal", "stiffness"});
+    Plane plane;
+    plane.name = value.at("name").text();
+    plane.point = value.vector_or("point", {-1e4, 1e4, true, true, "m"}, plane.point);
+    if (const std::optional<JsonValue> normal = value.find("normal"))
+        plane.normal = normal->direction();
+    if (const std::optional<JsonValue> stiffness = value.find("stiffness"))
+        plane.stiffness = stiffness->number(stiffness_range);
+    return plane;
+}
+
+/// Probes and pictures find bodies and planes by name, so no two may share one.
+void require_new_name(const JsonValue& entry, std::set<std::string>& names)
+{
+    if (!names.insert(entry.at("name").text()).second)
+        entry.at("name").complain("another body or plane is already called \"" + entry.at("name").text() + "\"");
+}
+
+void read_planes(const JsonValue& root, std::set<std::string>& names, Scene& scene, Mistakes& mistakes)
+{
+    const std::optional<JsonValue> planes = root.find("planes");
+    if (!planes)
+        return;
+    for (const JsonValue& entry : planes->items(0, most_planes))
+        mistakes.gather([&] {
+            require_new_name(entry, names);
+            scene.world.planes.push_back(read_plane(entry));
+        });
+}
+
+void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings, std::set<std::string>& names, Scene& scene, Mistakes& mistakes)
+{
+    for (const JsonValue& entry : root.at("bodies").items(1, surroundings.limits.bodies)) {
+        mistakes.gather([&] {
+            require_new_name(entry, names);
+            scene.world.bodies.push_back(read_body(entry, surroundings));
+        });
+        mistakes.gather([&] {
+            const std::optional<JsonValue> look = entry.find("look");
+            const BodyLook read = look ? read_look(*look) : BodyLook{};
+            if (const std::optional<JsonValue> name = entry.find("name"))
+                scene.looks[name->text()] = read;
+        });
+    }
+}
+
+Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
+{
+    Scene scene;
+    std::set<std::string> names;
+    Mistakes mistakes;
+    mistakes.gather([&] { root.require_keys({"name", "description", "gravity", "dt", "duration", "contact", "planes", "bodies", "camera"}); });
+    mistakes.gather([&] { scene.name = root.at("name").text(); });
+    mistakes.gather([&] { scene.description = root.text_or("description", ""); });
+    mistakes.gather([&] { scene.dt = root.at("dt").number({1e-6, 1, true, true, "s"}); });
+    mistakes.gather([&] { scene.duration = root.at("duration").number({0, 3600, false, true, "s"}); });
+    mistakes.gather([&] { scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"}, scene.world.gravity); });
+    mistakes.gather([&] { scene.contact = root.find("contact") ? read_contact(root.at("contact")) : scene.contact; });
+    mistakes.gather([&] { scene.camera = root.find("camera") ? read_camera(root.at("camera")) : scene.camera; });
+    mistakes.gather([&] { read_planes(root, names, scene, mistakes); });
+    mistakes.gather([&] { read_bodies(root, surroundings, names, scene, mistakes); });
+    mistakes.complain();
+    return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::string& text, const std::string& patch, const std::string& file, const SceneSurroundings& surroundings)
+{
+    nlohmann::json document = parse_json(text, file);
+    if (!patch.empty())
+        apply_patch(document, parse_json(patch, file + " (change)"), file);
+    Scene scene = read_root(JsonValue(document, file), surroundings);
+    scene.warnings = scene_warnings(scene, file);
+    return scene;
+}
+
+Scene load_scene(const std::filesystem::path& path, const std::string& patch)
+{
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path course_meshes = source_directory() / "common" / "meshes";
+    return read_scene(read_text_file(path), patch, path.string(), {{folder, course_meshes}});
+}
+
+std::filesystem::path scene_file(const std::string& name)
+{
+    return source_directory() / "common" / "scenes" / (name + ".json");
+}
+
+}  // namespace enduring

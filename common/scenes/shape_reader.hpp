@@ -1,0 +1,35 @@
+#pragma once
+
+#include "common/geometry/meshes.hpp"
+#include "common/input/json_value.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace enduring {
+
+/// What a scene file may ask for; a fuzzer asks for less.
+struct SceneLimits {
+    int surface_faces = 1'000'000;  ///< of one generated surface
+    int elements = 300'000;         ///< of one generated bar
+    std::size_t bodies = 1000;
+};
+
+/// Where a scene's words lead: folders that are searched for meshes, in this order, and the limits.
+struct SceneSurroundings {
+    std::vector<std::filesystem::path> mesh_folders;
+    SceneLimits limits{};
+};
+
+/// A shape in its own coordinates, scaled, not yet placed: a surface, and the solid inside it where there is one.
+struct Shape {
+    SurfaceMesh surface;
+    std::optional<TetrahedralMesh> solid;
+};
+
+/// Reads {"box": {...}}, {"file": "bunny_785.msh", "scale": 0.1} and the other shapes of the scene format.
+/// @throws InputError  anything the format does not allow, with the JSON path
+Shape read_shape(const JsonValue& value, const SceneSurroundings& surroundings);
+
+}  // namespace enduring

@@ -1,0 +1,16 @@
+#include "common/simulation/contact_parameters.hpp"
+
+namespace enduring {
+
+FrictionParameters friction_defaults(FrictionModel model, double stiffness)
+{
+    FrictionParameters friction;
+    friction.model = model;
+    if (model == FrictionModel::mended) {
+        friction.spring = stiffness;
+        friction.weighting = 20;
+    }
+    return friction;
+}
+
+}  // namespace enduring
