@@ -2,7 +2,7 @@
 import csv
 import re
 
-STAGES = {"enduring": "what endures", "detect": "detection", "respond": "response", "finish": "before the step is settled"}
+STAGES = {"refresh": "pairs that endure", "detect": "detection", "respond": "response", "finish": "before the step is settled"}
 
 
 def changes_block(root, results, folder):

@@ -30,8 +30,8 @@ EMSCRIPTEN_BINDINGS(live)
     function("stability", +[](bool continuous, double dt, double k, int steps) { return array_of(stability(continuous, dt, k, steps)); });
     function("query", +[](bool edges, val points) { return array_of(query(edges, points_of(points))); });
     function("integral", +[](double d0, double d1, double d2, double d3) { return array_of(integral(d0, d1, d2, d3)); });
-    function("slope", +[](bool mended, double angle, double mu_s, double mu_d, double damping, double seconds) {
-        return array_of(slope(mended, angle, mu_s, mu_d, damping, seconds));
+    function("slope", +[](bool mass_splitting, double angle, double mu_s, double mu_d, double damping, double seconds) {
+        return array_of(slope(mass_splitting, angle, mu_s, mu_d, damping, seconds));
     });
     function("circle", +[](double opening) { return array_of(circle(opening)); });
     function("begin_sliding", &begin_sliding);

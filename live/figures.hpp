@@ -25,9 +25,9 @@ Numbers query(bool edges, const std::array<double, 24>& points);
 Numbers integral(double d0, double d1, double d2, double d3);
 
 /// Chapter 4: a block of 1 kg set down on a slope, one pair with an anchor.
-/// @param mended  the mended law in the place of the thesis' one
+/// @param mass_splitting  mass-splitting friction in the place of the thesis' one
 /// @return {whether it never let go, largest friction over normal force, places along the slope [m] every 10 ms ...}
-Numbers slope(bool mended, double angle_deg, double mu_s, double mu_d, double damping, double seconds);
+Numbers slope(bool mass_splitting, double angle_deg, double mu_s, double mu_d, double damping, double seconds);
 
 /// Chapter 5: the classification circle of a wedge that looks down.
 /// @return for each whole degree that the floor leans, from -180 to 179: 1 for a board that can touch, + 2 where the averaged normal says

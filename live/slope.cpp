@@ -7,11 +7,11 @@
 
 namespace enduring::live {
 
-Numbers slope(bool mended, double angle_deg, double mu_s, double mu_d, double damping, double seconds)
+Numbers slope(bool mass_splitting, double angle_deg, double mu_s, double mu_d, double damping, double seconds)
 {
     constexpr double dt = 1e-3, gravity = 9.81, mass = 1;
     const double angle = angle_deg * std::numbers::pi / 180, normal_impulse = mass * gravity * std::cos(angle) * dt;
-    FrictionParameters friction = friction_defaults(mended ? FrictionModel::mended : FrictionModel::yamane_nakamura, 1000);
+    FrictionParameters friction = friction_defaults(mass_splitting ? FrictionModel::mass_splitting : FrictionModel::yamane_nakamura, 1000);
     friction.mu_s = mu_s;
     friction.mu_d = std::min(mu_d, mu_s);
     friction.spring = 1000;
@@ -23,7 +23,7 @@ Numbers slope(bool mended, double angle_deg, double mu_s, double mu_d, double da
         if (i % 10 == 0)
             result.push_back(place);
         velocity.x() += gravity * std::sin(angle) * dt;
-        const FrictionImpulse answer = mended ? better_impulse(Vec2::Zero(), velocity, 1 / mass, normal_impulse,
+        const FrictionImpulse answer = mass_splitting ? better_impulse(Vec2::Zero(), velocity, 1 / mass, normal_impulse,
                                                                anchor_of(friction, 1 / mass, stretch, dt), friction)
                                               : yamane_nakamura({stretch, velocity, normal_impulse}, friction, dt);
         velocity += answer.impulse / mass;
@@ -31,7 +31,7 @@ Numbers slope(bool mended, double angle_deg, double mu_s, double mu_d, double da
         place += dt * velocity.x();
         if (answer.slip > 0) {
             result[0] = 0;
-            const double longest = mended ? stretch_after_slip(answer.slip, answer.impulse.norm(), friction, dt) : 0;
+            const double longest = mass_splitting ? stretch_after_slip(answer.slip, answer.impulse.norm(), friction, dt) : 0;
             stretch *= std::min(1.0, longest / std::max(stretch.norm(), 1e-12));
         }
         result[1] = std::max(result[1], answer.impulse.norm() / normal_impulse);

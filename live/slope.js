@@ -6,9 +6,9 @@ Live.add("slope", (figure, chapters) => {
   figure.slider({ name: "mu_s", label: "μs", from: 0, to: 1, value: 0.4 });
   figure.slider({ name: "mu_d", label: "μd", from: 0, to: 1, value: 0.2 });
   figure.slider({ name: "damping", label: "damping ratio ζ", from: 0, to: 1, value: 0.1 });
-  figure.choice({ name: "law", label: "law", options: [["thesis", "the thesis' spring and damper"], ["mended", "mended"]] });
+  figure.choice({ name: "law", label: "law", options: [["thesis", "the thesis' spring and damper"], ["mass_splitting", "mass splitting"]] });
   figure.draw = (g, width, height, c, { angle, mu_s, mu_d, damping, law }) => {
-    const [held, largest, ...places] = chapters.slope(law === "mended", angle, mu_s, mu_d, damping, 2);
+    const [held, largest, ...places] = chapters.slope(law === "mass_splitting", angle, mu_s, mu_d, damping, 2);
     const narrow = width < 500, picture = narrow ? [0, 0, width, height * 0.5] : [0, 0, width * 0.46, height];
     const plot = narrow ? [52, height * 0.57, width - 68, height * 0.32] : [width * 0.46 + 56, 22, width * 0.54 - 72, height - 66];
     const a = angle * Math.PI / 180, [ox, oy] = [picture[2] / 2, picture[3] * 0.62], length = picture[2] * 0.45, size = picture[3] * 0.13;

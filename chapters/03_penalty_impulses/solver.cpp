@@ -14,7 +14,7 @@ Solver chapter03_solver(const ContactParameters& parameters)
     const auto detection = std::make_shared<CrossingDetection>();
     Solver solver = chapter01_solver(parameters);
     solver.name = "chapter 3";
-    solver.enduring.push_back({"resolve pairs", [](World& world, Contacts& contacts, double) {
+    solver.refresh.push_back({"resolve pairs", [](World& world, Contacts& contacts, double) {
         resolve_separated_pairs(world, contacts);
     }});
     solver.detect.push_back({"broad phase", [detection](World& world, Contacts&, double) {

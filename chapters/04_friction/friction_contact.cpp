@@ -1,7 +1,7 @@
 #include "chapters/04_friction/friction_contact.hpp"
 
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
-#include "chapters/04_friction/mended_friction.hpp"
+#include "chapters/04_friction/mass_splitting_friction.hpp"
 #include "chapters/04_friction/surface_turn.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
@@ -18,7 +18,7 @@ Vec3 relative_velocity(const World& world, const Contact& contact)
     return velocity;
 }
 
-void rub_each(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+void friction_pair_by_pair(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
 {
     for (Contact& contact : contacts) {
         if (!pushes_now(contact))
@@ -43,18 +43,18 @@ Vec3 after_slip(const Contact& contact, const Vec3& stretch, const FrictionParam
 
 }  // namespace
 
-//! [rub_pairs]
-void rub_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+//! [compute_friction_impulses]
+void compute_friction_impulses(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
 {
     for (Contact& contact : contacts)
         if (contact.waiting())
             contact.slip = 0;
-    if (friction.model == FrictionModel::mended)
-        rub_together(world, contacts, friction, dt);
+    if (friction.model == FrictionModel::mass_splitting)
+        mass_splitting_friction(world, contacts, friction, dt);
     else
-        rub_each(world, contacts, friction, dt);
+        friction_pair_by_pair(world, contacts, friction, dt);
 }
-//! [rub_pairs]
+//! [compute_friction_impulses]
 
 //! [move_anchors]
 void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
@@ -82,7 +82,7 @@ void add_friction(Solver& solver, const FrictionParameters& friction)
     if (friction.model == FrictionModel::none)
         return;
     solver.respond.push_back({"friction", [friction](World& world, Contacts& contacts, double dt) {
-        rub_pairs(world, contacts, friction, dt);
+        compute_friction_impulses(world, contacts, friction, dt);
     }});
     solver.finish.push_back({"move friction anchors", [friction](World& world, Contacts& contacts, double dt) {
         move_friction_anchors(world, contacts, friction, dt);

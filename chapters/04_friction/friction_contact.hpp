@@ -9,7 +9,7 @@ namespace enduring {
 /// prediction, and the step applies them together with the normal ones.
 /// @param dt  length of the step [s], positive
 /// @see thesis 5.3
-void rub_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);
+void compute_friction_impulses(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt);
 
 /// Finish, from the last prediction: every anchor turns with the surface that it sits on, and the point that it holds moves on
 /// along that surface, a new pair's from its time of impact. A pair that no longer pushes has no anchor; one that is held only

@@ -86,11 +86,11 @@ int MassShares::pairs_sharing(const World& world, const Contact& contact, int i)
     return most;
 }
 
-double MassShares::together(const Body& body, OfBody& of_body, int vertex) const
+double MassShares::response_bound(const Body& body, OfBody& of_body, int vertex) const
 {
     double& known = of_body.together[static_cast<std::size_t>(vertex)];
     if (known < 0)
-        known = body.together(vertex, of_body.pushes);
+        known = body.response_bound(vertex, of_body.pushes);
     return known;
 }
 
@@ -104,7 +104,7 @@ double MassShares::inverse_mass(const World& world, const Contact& contact, cons
             continue;
         const auto v = static_cast<std::size_t>(i);
         const Mat3 share = pairs_sharing(world, contact, i) * body.inverse_mass(contact.vertices[v]);
-        const double bound = together(body, bodies_[body_index(contact, i)], contact.vertices[v]);
+        const double bound = response_bound(body, bodies_[body_index(contact, i)], contact.vertices[v]);
         sum += std::abs(contact.weights[v]) * (bound < share.norm() ? Mat3(bound * Mat3::Identity()) : share);
     }
     return largest_eigenvalue(plane.of(sum));

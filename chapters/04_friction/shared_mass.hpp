@@ -25,7 +25,7 @@ public:
     /// [1/kg]; zero where nothing can move.
     ///
     /// A bound: the largest eigenvalue of sum_i |w_i| n_i K_i, with K_i the inverse mass at vertex i and n_i the pairs that
-    /// share it, or Body::together() in the place of n_i K_i if that is less. At a point between vertices the true one is
+    /// share it, or Body::response_bound() in the place of n_i K_i if that is less. At a point between vertices the true one is
     /// smaller, for an inverse mass is a convex function of the place.
     double inverse_mass(const World& world, const Contact& contact, const TangentPlane& plane);
 
@@ -36,7 +36,7 @@ private:
         std::vector<double> together;   ///< by surface vertex, negative until asked for
     };
     int pairs_sharing(const World& world, const Contact& contact, int i) const;
-    double together(const Body& body, OfBody& of_body, int vertex) const;
+    double response_bound(const Body& body, OfBody& of_body, int vertex) const;
 
     std::vector<OfBody> bodies_;
 };

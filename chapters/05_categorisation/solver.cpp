@@ -10,7 +10,7 @@ Solver chapter05_solver(const ContactParameters& parameters)
 {
     Solver solver = chapter04_solver(parameters);
     solver.name = "chapter 5";
-    solver.enduring.push_back({"categorise", [](World& world, Contacts& contacts, double) {
+    solver.refresh.push_back({"categorise", [](World& world, Contacts& contacts, double) {
         label_contacts(world, contacts);
     }});
     solver.detect.push_back({"categorise new", [](World& world, Contacts& contacts, double) {

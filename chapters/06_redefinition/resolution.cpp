@@ -47,17 +47,17 @@ std::vector<Passage> find_passages(const World& world, const CrossingDetection& 
 //! [passages]
 
 /// Where a vertex is after its passages, and through which it went last.
-struct Whereabouts {
+struct PassageResult {
     bool inside;
     bool came_back = false;  ///< it was inside, left, and is inside again
     const Passage* last = nullptr;
 };
 
-//! [whereabouts]
+//! [follow_passages]
 /// @param inside  at the start of the step
-Whereabouts follow(std::span<const Passage> passages, bool inside)
+PassageResult follow_passages(std::span<const Passage> passages, bool inside)
 {
-    Whereabouts now{inside};
+    PassageResult now{inside};
     bool has_left = false;
     for (std::size_t i = 0; i < passages.size();) {
         // Through an edge, a vertex passes both its faces at once. If they disagree it grazes a ridge: then it counts as
@@ -74,7 +74,7 @@ Whereabouts follow(std::span<const Passage> passages, bool inside)
     }
     return now;
 }
-//! [whereabouts]
+//! [follow_passages]
 
 /// A pair at the place where a vertex came back in.
 Contact pair_at(const World& world, const Contact& before, const Passage& entry)
@@ -103,7 +103,7 @@ void resolve_vertices_that_left(const World& world, const CrossingDetection& det
             continue;
         const bool endures = contacts[i].start == 0;
         const std::span<const Passage> of_this_pair(passages.data() + (first - passages.begin()), static_cast<std::size_t>(next - first));
-        const Whereabouts end = follow(of_this_pair, endures);
+        const PassageResult end = follow_passages(of_this_pair, endures);
         contacts[i].resolved = !end.inside || end.came_back;
         if (end.came_back)
             contacts.push_back(pair_at(world, contacts[i], *end.last));

@@ -16,7 +16,7 @@ Solver chapter06_solver(const ContactParameters& parameters)
     const auto detection = std::make_shared<CrossingDetection>();
     Solver solver = chapter01_solver(parameters);
     solver.name = "chapter 6";
-    solver.enduring.push_back({"follow pairs", [](World& world, Contacts& contacts, double) {
+    solver.refresh.push_back({"follow pairs", [](World& world, Contacts& contacts, double) {
         follow_enduring_pairs(world, contacts);
     }});
     solver.detect.push_back({"broad phase", [detection](World& world, Contacts&, double) {

@@ -10,17 +10,17 @@ namespace {
 
 FrictionModel read_model(const JsonValue& value)
 {
-    constexpr std::array models{FrictionModel::none, FrictionModel::yamane_nakamura, FrictionModel::mended};
-    return models[value.at("model").choice({"none", "yamane_nakamura", "mended"})];
+    constexpr std::array models{FrictionModel::none, FrictionModel::yamane_nakamura, FrictionModel::mass_splitting};
+    return models[value.at("model").choice({"none", "yamane_nakamura", "mass_splitting"})];
 }
 
 /// A scene may switch friction off and keep its numbers; a key that would do nothing beside others that do is a mistake.
 void require_known_keys(const JsonValue& value, FrictionModel model)
 {
     value.require_keys({"model", "mu_s", "mu_d", "spring", "damper", "damping_ratio", "weighting"});
-    const std::string foreign = model == FrictionModel::mended ? "damper" : "damping_ratio";
+    const std::string foreign = model == FrictionModel::mass_splitting ? "damper" : "damping_ratio";
     if (const std::optional<JsonValue> key = value.find(foreign); key && model != FrictionModel::none)
-        key->complain(model == FrictionModel::mended ? "the model \"mended\" knows no \"damper\"; it has a \"damping_ratio\""
+        key->complain(model == FrictionModel::mass_splitting ? "the model \"mass_splitting\" knows no \"damper\"; it has a \"damping_ratio\""
                                                      : "the model \"yamane_nakamura\" knows no \"damping_ratio\"; it has a \"damper\"");
 }
 

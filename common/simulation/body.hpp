@@ -76,7 +76,7 @@ public:
 
     /// The same question answered better by a body whose parts hang together, if it can: a bound on what all `pushes` change
     /// at a vertex together, each weight's worth of impulse in its own worst direction [1/kg]; infinite where it knows none.
-    virtual double together(int, std::span<const Push>) const { return std::numeric_limits<double>::infinity(); }
+    virtual double response_bound(int, std::span<const Push>) const { return std::numeric_limits<double>::infinity(); }
 
     virtual bool is_static() const { return false; }
     virtual double mass() const = 0;                                  ///< [kg]; 0 for a static body

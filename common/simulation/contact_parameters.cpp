@@ -6,7 +6,7 @@ FrictionParameters friction_defaults(FrictionModel model, double stiffness)
 {
     FrictionParameters friction;
     friction.model = model;
-    if (model == FrictionModel::mended) {
+    if (model == FrictionModel::mass_splitting) {
         friction.spring = stiffness;
         friction.weighting = 20;
     }

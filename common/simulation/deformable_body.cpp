@@ -118,9 +118,9 @@ std::span<const int> DeformableBody::moved_parts(int vertex) const
     return impulse_response_ == ImpulseResponse::implicit ? Body::moved_parts(vertex) : embedding_.node_numbers_of(vertex);
 }
 
-double DeformableBody::together(int vertex, std::span<const Push> pushes) const
+double DeformableBody::response_bound(int vertex, std::span<const Push> pushes) const
 {
-    return impulse_response_ == ImpulseResponse::implicit ? vertex_response_.together(vertex, pushes) : Body::together(vertex, pushes);
+    return impulse_response_ == ImpulseResponse::implicit ? vertex_response_.response_bound(vertex, pushes) : Body::response_bound(vertex, pushes);
 }
 
 Energy DeformableBody::energy(const Vec3& gravity) const

@@ -54,7 +54,7 @@ public:
 
     int part_count() const override { return impulse_response_ == ImpulseResponse::implicit ? 1 : elastic_.node_count(); }
     std::span<const int> moved_parts(int vertex) const override;
-    double together(int vertex, std::span<const Push> pushes) const override;
+    double response_bound(int vertex, std::span<const Push> pushes) const override;
 
     double mass() const override { return elastic_.mass(); }
     Energy energy(const Vec3& gravity) const override;
@@ -73,7 +73,7 @@ private:
     SurfaceEmbedding embedding_;
     ImpulseResponse impulse_response_;
     NodalVectors waiting_impulses_;  ///< on the nodes, until the next update_prediction; only for the implicit response
-    mutable VertexResponse vertex_response_;  ///< learns when asked; only for the implicit response
+    mutable VertexResponse vertex_response_;  ///< filled when asked; only for the implicit response
     NodalVectors tried_velocities_;  ///< of the nodes; only for the lumped response
 };
 

@@ -105,7 +105,7 @@ void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
         predict(world, dt);
         begin_step(contacts);
     });
-    run_passes(solver.enduring, world, contacts, dt, timer);
+    run_passes(solver.refresh, world, contacts, dt, timer);
 
     run_passes(solver.detect, world, contacts, dt, timer);
     for (int n = 0; n < max_responses && any_waiting(contacts); ++n) {

@@ -37,7 +37,7 @@ struct Pass {
 /// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line.
 struct Solver {
     std::string name;
-    std::vector<Pass> enduring{};  ///< once a step, before any detection: resolve, dismiss or redefine what endures
+    std::vector<Pass> refresh{};   ///< once a step, before any detection: resolve, dismiss or redefine the pairs that endure
     std::vector<Pass> detect{};    ///< append new crossings as unhandled contacts
     std::vector<Pass> respond{};   ///< give every waiting contact its impulses; the step applies them, all together
     std::vector<Pass> finish{};    ///< once a step, from the last prediction, before it becomes the state: friction anchors move
@@ -51,7 +51,7 @@ using PassTimer = std::function<void(const std::string& pass, double seconds)>;
 void apply_impulses(World& world, Contacts& contacts);
 
 /// One step of the thesis' scheme (its section 3.3, made precise in the book's page on the step):
-///   predict; enduring passes; at most 5 x (detect, respond, apply impulses, update the prediction) until nothing new
+///   predict; refresh passes; at most 5 x (detect, respond, apply impulses, update the prediction) until nothing new
 ///   appears; finish; commit velocities, then positions. Pairs found by the last detection stay, unhandled, for the next step.
 ///
 /// @param world     bodies, changed in place

@@ -66,8 +66,8 @@ Mat3 VertexResponse::block_to(const UnitResponses& responses, int vertex) const
     return block;
 }
 
-//! [learnt]
-int VertexResponse::learnt(int vertex)
+//! [column_of]
+int VertexResponse::column_of(int vertex)
 {
     if (place_.empty())
         place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
@@ -88,7 +88,7 @@ int VertexResponse::learnt(int vertex)
     }
     return place;
 }
-//! [learnt]
+//! [column_of]
 
 const VertexResponse::Block& VertexResponse::stored(int i, int j) const
 {
@@ -97,18 +97,18 @@ const VertexResponse::Block& VertexResponse::stored(int i, int j) const
 
 Mat3 VertexResponse::block(int u, int v)
 {
-    const int i = learnt(u), j = learnt(v);
+    const int i = column_of(u), j = column_of(v);
     const Mat3& local = stored(i, j).matrix;
     const Mat3 turned = i >= j ? local : Mat3(local.transpose());
     return frame(vertices_[static_cast<std::size_t>(i)]) * turned * frame(vertices_[static_cast<std::size_t>(j)]).transpose();
 }
 
-double VertexResponse::together(int vertex, std::span<const Push> pushes)
+double VertexResponse::response_bound(int vertex, std::span<const Push> pushes)
 {
-    const int place = learnt(vertex);
+    const int place = column_of(vertex);
     double sum = 0;
     for (const Push& push : pushes)
-        sum += push.weight * stored(place, learnt(push.vertex)).length;
+        sum += push.weight * stored(place, column_of(push.vertex)).length;
     return sum;
 }
 
@@ -124,7 +124,7 @@ void VertexResponse::begin_trial()
 
 void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
 {
-    const int place = learnt(vertex);
+    const int place = column_of(vertex);
     Vertex& known = vertices_[static_cast<std::size_t>(place)];
     if (!known.is_tried)
         tried_.push_back(place);
@@ -135,7 +135,7 @@ void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
 
 Vec3 VertexResponse::tried_change(int vertex)
 {
-    const int place = learnt(vertex);
+    const int place = column_of(vertex);
     Vertex& own = vertices_[static_cast<std::size_t>(place)];
     if (own.change_of == trial_state_)
         return own.change;  // several pairs ask for the same vertex

@@ -12,9 +12,9 @@ namespace enduring {
 /// What impulses at surface vertices do to the velocities there, for a body whose elements pass them on within the step: the
 /// blocks S_u A^-1 S_v^T of its system's inverse.
 ///
-/// A vertex costs three passes through the factor, so it is learnt when first asked for. Its blocks are kept in the frames
+/// A vertex costs three passes through the factor, so it is computed when first asked for. Its blocks are kept in the frames
 /// of the elements around both vertices and turn with them; that the elements also deform changes them little. In which
-/// order the vertices of one step are learnt changes no bit.
+/// order the vertices of one step are asked for changes no bit.
 class VertexResponse {
 public:
     /// Both outlive it.
@@ -27,7 +27,7 @@ public:
 
     /// Sum of weight times length of block(vertex, .) over the pushes [1/kg]. As a matrix of blocks has no eigenvalue above its
     /// largest such sum, this bounds what they do together.
-    double together(int vertex, std::span<const Push> pushes);
+    double response_bound(int vertex, std::span<const Push> pushes);
 
     /// Impulses to be tried: forgets those before.
     void begin_trial();
@@ -45,8 +45,8 @@ private:
     struct Vertex {
         int vertex;
         std::vector<int> elements;   ///< around its first node
-        UnitResponses responses;     ///< kept for the step in which it was learnt
-        std::vector<Block> blocks;   ///< of this vertex with each one learnt before and itself, in the frames of both
+        UnitResponses responses;     ///< kept for the step in which it was computed
+        std::vector<Block> blocks;   ///< of this vertex with each one computed before and itself, in the frames of both
         Mat3 frame = Mat3::Identity();
         int frame_of_step = -1;
         bool is_tried = false;       ///< was pushed in this trial
@@ -54,7 +54,7 @@ private:
         Vec3 change = Vec3::Zero();  ///< what the trial changes here, in world axes
         long change_of = -1;         ///< state of the trial that `change` is for
     };
-    int learnt(int vertex);
+    int column_of(int vertex);
     const Block& stored(int i, int j) const;
     UnitResponses unit_responses(int vertex) const;
     Mat3 block_to(const UnitResponses& responses, int vertex) const;
@@ -65,10 +65,10 @@ private:
     double dt_ = 0;
     int step_ = 0;
     long trial_state_ = 0;  ///< counts what is tried
-    std::vector<int> place_;  ///< of each surface vertex among those learnt, -1 before
+    std::vector<int> place_;  ///< of each surface vertex among those computed, -1 before
     std::vector<Vertex> vertices_;
     std::vector<int> tried_;      ///< places of vertices that were pushed in this trial
-    std::vector<int> new_;        ///< places of those learnt in this step
+    std::vector<int> new_;        ///< places of those computed in this step
 };
 
 }  // namespace enduring

@@ -17,7 +17,7 @@ require(MODULE)().then(m => {
     cpf: list(m.stability(true, 0.1, 100, 3)), dpf: list(m.stability(false, 0.1, 100, 3)),
     fall: list(m.query(false, fall)), away: list(m.query(false, [...face, ...face.map((v, i) => i === 1 ? 2 : v)])),
     inside: list(m.integral(-1, -1, -1, -1)), outside: list(m.integral(1, 1, 1, 1)), line: list(m.integral(1, 1 / 3, -1 / 3, -1)),
-    loose: list(m.slope(false, 10, 0.3, 0.3, 0, 1)), firm: list(m.slope(false, 10, 0.4, 0.4, 0, 1)), mended: list(m.slope(true, 10, 0.18, 0.18, 0, 1)),
+    loose: list(m.slope(false, 10, 0.3, 0.3, 0, 1)), firm: list(m.slope(false, 10, 0.4, 0.4, 0, 1)), mass_splitting: list(m.slope(true, 10, 0.18, 0.18, 0, 1)),
     flat: list(m.circle(180)), right: list(m.circle(90)), six: slide(6), five: slide(5) }));
 });
 """
@@ -48,8 +48,8 @@ class LiveFigures(unittest.TestCase):
         self.assertAlmostEqual(self.said["line"][0], 0.25, 12)
         self.assertAlmostEqual(self.said["line"][2], 0.5, 12)
 
-    def test_an_undamped_anchor_needs_twice_the_tangent_and_the_mended_one_does_not(self):
-        self.assertEqual([self.said[name][0] for name in ("loose", "firm", "mended")], [0, 1, 1])
+    def test_an_undamped_anchor_needs_twice_the_tangent_and_the_mass_splitting_one_does_not(self):
+        self.assertEqual([self.said[name][0] for name in ("loose", "firm", "mass_splitting")], [0, 1, 1])
 
     def test_on_a_flat_vertex_average_and_span_agree_and_on_an_edge_they_do_not(self):
         self.assertTrue(all((mark & 2 > 0) == (mark & 4 > 0) for mark in self.said["flat"]))

@@ -19,10 +19,10 @@ FrictionParameters thesis()
     return friction;
 }
 
-FrictionParameters mended()
+FrictionParameters mass_splitting()
 {
     FrictionParameters friction = thesis();
-    friction.model = FrictionModel::mended;
+    friction.model = FrictionModel::mass_splitting;
     friction.mu_s = 0.5;
     friction.mu_d = 0.3;
     friction.spring = 2000;
@@ -74,23 +74,23 @@ TEST_CASE("anchor: the spring is capped at what brings the share back in one ste
 {
     {
         given("spring 2000 N/m, damping ratio 20, share of 2 kg, dt 0.01 s");
-        const Anchor soft = anchor_of(mended(), 0.5, {0.01, 0}, 0.01);
+        const Anchor soft = anchor_of(mass_splitting(), 0.5, {0.01, 0}, 0.01);
         expect("spring", soft.spring, 2000.0, 1e-9, "N/m");
         expect("damper", soft.damper, 40 * std::sqrt(4000.0), 1e-9, "N s/m");
     }
     given("spring 2000 N/m, damping ratio 20, share of 2 kg, dt 0.1 s");
-    const Anchor capped = anchor_of(mended(), 0.5, {0.01, 0}, 0.1);
+    const Anchor capped = anchor_of(mass_splitting(), 0.5, {0.01, 0}, 0.1);
     expect("spring", capped.spring, 200.0, 1e-9, "N/m");
     expect("damper", capped.damper, 40 * std::sqrt(400.0), 1e-9, "N s/m");
     expect("stretch", capped.stretch, Vec2(0.01, 0), 0, "m");
 }
 
-TEST_CASE("mended: a pair alone comes to rest on backward Euler of its spring and damper")
+TEST_CASE("mass splitting: a pair alone comes to rest on backward Euler of its spring and damper")
 {
     const double inverse_mass = 0.5, step = 0.01;
-    const Anchor anchor = anchor_of(mended(), inverse_mass, {0.001, -0.002}, step);
+    const Anchor anchor = anchor_of(mass_splitting(), inverse_mass, {0.001, -0.002}, step);
     const Vec2 free_slip(0.03, 0.01);
-    const Vec2 impulse = better_impulse({0, 0}, free_slip, inverse_mass, 100, anchor, mended()).impulse;
+    const Vec2 impulse = better_impulse({0, 0}, free_slip, inverse_mass, 100, anchor, mass_splitting()).impulse;
     const Vec2 slip = free_slip + inverse_mass * impulse;
     const Vec2 wanted = -step * (anchor.spring * (anchor.stretch + step * slip) + anchor.damper * slip);
     {
@@ -98,28 +98,28 @@ TEST_CASE("mended: a pair alone comes to rest on backward Euler of its spring an
         expect("J against -dt (k (s + dt u) + d u)", impulse, wanted, 1e-12, "N s");
     }
     given("the same pair asked again: impulse ", readable(impulse), " N s and slip ", readable(slip), " m/s, as its first answer made them");
-    expect("friction impulse", better_impulse(impulse, slip, inverse_mass, 100, anchor, mended()).impulse, impulse, 1e-12, "N s");
+    expect("friction impulse", better_impulse(impulse, slip, inverse_mass, 100, anchor, mass_splitting()).impulse, impulse, 1e-12, "N s");
 }
 
-TEST_CASE("mended: who creeps carries mu_s, who slips fast mu_d, and never more than mu_s")
+TEST_CASE("mass splitting: who creeps carries mu_s, who slips fast mu_d, and never more than mu_s")
 {
     const double inverse_mass = 0.5, normal = 1.2;
-    const Anchor anchor = anchor_of(mended(), inverse_mass, {0, 0}, 0.01);
+    const Anchor anchor = anchor_of(mass_splitting(), inverse_mass, {0, 0}, 0.01);
     given("normal impulse 1.2 N s, mu_s 0.5, mu_d 0.3, k_w 20 s/m, share of 2 kg");
-    const FrictionImpulse creeping = better_impulse({0, 0}, {0.3236, 0}, inverse_mass, normal, anchor, mended());
-    const FrictionImpulse fast = better_impulse({0, 0}, {30, 0}, inverse_mass, normal, anchor, mended());
+    const FrictionImpulse creeping = better_impulse({0, 0}, {0.3236, 0}, inverse_mass, normal, anchor, mass_splitting());
+    const FrictionImpulse fast = better_impulse({0, 0}, {30, 0}, inverse_mass, normal, anchor, mass_splitting());
     expect("carried at a creep", creeping.impulse.norm(), 0.6, 0.02, "N s");
     expect_that("at a creep it is no more than mu_s |I_n|", creeping.impulse.norm() <= 0.6);
     expect("carried at 30 m/s", fast.impulse, Vec2(-0.36, 0), 1e-9, "N s");
     expect("slip of the anchor, r (|J'| - mu_s |I_n|)", fast.slip, 30 - (inverse_mass + anchor.yielding()) * 0.6, 1e-9, "m/s");
-    say("the mended law: at the limit it carries ", std::round(10 * creeping.impulse.norm()) / 10, " N s, at a fast slip ", fast.impulse.norm(), " N s");
+    say("mass-splitting friction: at the limit it carries ", std::round(10 * creeping.impulse.norm()) / 10, " N s, at a fast slip ", fast.impulse.norm(), " N s");
 }
 
 TEST_CASE("after slip: the anchor lags by what the pull can hold, and less the faster it slips")
 {
     given("impulse 0.4 N s, spring 2000 N/m, dt 0.01 s, k_w 20 s/m");
-    expect("stretch at no slip", stretch_after_slip(0, 0.4, mended(), 0.01), 0.02, 1e-15, "m");
-    expect("stretch at ln(2)/20 m/s", stretch_after_slip(std::log(2.0) / 20, 0.4, mended(), 0.01), 0.01, 1e-15, "m");
+    expect("stretch at no slip", stretch_after_slip(0, 0.4, mass_splitting(), 0.01), 0.02, 1e-15, "m");
+    expect("stretch at ln(2)/20 m/s", stretch_after_slip(std::log(2.0) / 20, 0.4, mass_splitting(), 0.01), 0.01, 1e-15, "m");
 }
 
 }  // namespace enduring

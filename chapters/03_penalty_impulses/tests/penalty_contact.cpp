@@ -267,7 +267,7 @@ TEST_CASE("penalty contact: the worked step gets the numbers of the stand-ins fr
 {
     WorkedStep by_hand = worked_step(), ours = worked_step();
     Solver solver = worked_step_solver(ours.stiffness);
-    solver.enduring[0].run = [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); };
+    solver.refresh[0].run = [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); };
     solver.respond[0].run = [k = ours.stiffness](World& world, Contacts& contacts, double dt) {
         push_pairs_apart(world, contacts, PenaltyMethod::continuous, k, dt);
     };

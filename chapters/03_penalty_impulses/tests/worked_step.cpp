@@ -12,7 +12,7 @@ Solver real_solver(double stiffness)
     ContactParameters parameters;
     parameters.stiffness = stiffness;
     Solver solver = chapter03_solver(parameters);
-    solver.enduring.push_back(stand_in_redefine());
+    solver.refresh.push_back(stand_in_redefine());
     return solver;
 }
 

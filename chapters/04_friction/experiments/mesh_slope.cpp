@@ -18,11 +18,11 @@ bool pushes_along(const World& world, const Contact& contact, double angle_deg)
     return std::abs(contact_geometry(world, contact, 0).normal.dot(Vec3(-up.y(), up.x(), 0))) < std::sqrt(0.5);
 }
 
-/// floor, time_s, way_m, speed_m_per_s, pairs, sideways.
+/// floor, time_s, distance_m, speed_m_per_s, pairs, sideways.
 class BlockProbe final : public TableProbe {
 public:
     BlockProbe(std::string floor, std::string block, double angle_deg)
-        : TableProbe({"floor", "time_s", "way_m", "speed_m_per_s", "pairs", "sideways"}), floor_(std::move(floor)), block_(std::move(block)), angle_deg_(angle_deg)
+        : TableProbe({"floor", "time_s", "distance_m", "speed_m_per_s", "pairs", "sideways"}), floor_(std::move(floor)), block_(std::move(block)), angle_deg_(angle_deg)
     {
     }
     void observe(const World& world, const Contacts& contacts, double) override
@@ -72,7 +72,7 @@ void mesh_slope(const RunOptions& options, Report& report)
     BlockProbe on_plane("plane", "block", angle_deg);
     run(plane, chapter04_solver(plane.contact), {&on_plane});
 
-    Table table({"floor", "time_s", "way_m", "speed_m_per_s", "pairs", "sideways"});
+    Table table({"floor", "time_s", "distance_m", "speed_m_per_s", "pairs", "sideways"});
     table.append(on_plane.table());
     table.append(on_mesh.table());
     report.table("mesh_slope", table);

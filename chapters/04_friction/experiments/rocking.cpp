@@ -38,19 +38,19 @@ private:
 /// A finding: the launched cube rocks, and needs more friction than its angle says.
 void rocking(const RunOptions& options, Report& report)
 {
-    const FrictionParameters mended = friction_defaults(FrictionModel::mended, 20000);
+    const FrictionParameters mass_splitting = friction_defaults(FrictionModel::mass_splitting, 20000);
     Table thresholds({"angle_deg", "dt_s", "block_ratio", "cube_ratio"});
     for (const double angle : options.quick ? std::vector{10.0} : std::vector{5.0, 10.0, 20.0, 30.0})
         for (const double dt : options.quick ? std::vector{0.01} : std::vector{0.01, 0.002}) {
             const double tangent = std::tan(angle * std::numbers::pi / 180);
-            thresholds.add({angle, dt, smallest_mu_s({angle, dt, 0.1, 3, mended}) / tangent, smallest_mu_s({angle, dt, 1, 3, mended}) / tangent});
+            thresholds.add({angle, dt, smallest_mu_s({angle, dt, 0.1, 3, mass_splitting}) / tangent, smallest_mu_s({angle, dt, 1, 3, mass_splitting}) / tangent});
         }
     report.table("rocking_threshold", thresholds);
     report.page_table("rocking_threshold", thresholds, 3);
 
     Table loads({"height_m", "time_s", "speed_m_per_s", "uphill_share"});
     for (const double height : {0.1, 1.0}) {
-        Launch launch{10, 0.01, height, 3, with_mu_s(mended, 0.25)};
+        Launch launch{10, 0.01, height, 3, with_mu_s(mass_splitting, 0.25)};
         Scene scene = scene_of(launch);
         RockingProbe probe(height, launch.angle_deg);
         run(scene, chapter04_solver(scene.contact), {&probe});

@@ -24,15 +24,15 @@ nlohmann::json friction_change(const nlohmann::json& friction) { return {{"conta
 /// (5.22) read as an impulse, its velocity as the way of one step: spring / dt and damper as they stand (see printed_constants).
 nlohmann::json as_impulse(double mu_s, double dt) { return friction_change({{"mu_s", mu_s}, {"spring", 100 / dt}, {"damper", 25}}); }
 
-nlohmann::json mended(double mu_s)
+nlohmann::json mass_splitting(double mu_s)
 {
-    return friction_change({{"model", "mended"}, {"mu_s", mu_s}, {"spring", nullptr}, {"damper", nullptr}, {"weighting", nullptr}});
+    return friction_change({{"model", "mass_splitting"}, {"mu_s", mu_s}, {"spring", nullptr}, {"damper", nullptr}, {"weighting", nullptr}});
 }
 
-/// series, time_s, way_m, speed_m_per_s along the slope.
-class WayProbe final : public TableProbe {
+/// series, time_s, distance_m, speed_m_per_s along the slope.
+class DistanceProbe final : public TableProbe {
 public:
-    WayProbe(std::string series, double angle_deg) : TableProbe({"series", "time_s", "way_m", "speed_m_per_s"}), series_(std::move(series)), angle_deg_(angle_deg) {}
+    DistanceProbe(std::string series, double angle_deg) : TableProbe({"series", "time_s", "distance_m", "speed_m_per_s"}), series_(std::move(series)), angle_deg_(angle_deg) {}
     void observe(const World& world, const Contacts&, double) override
     {
         last_ = along_slope(world, angle_deg_);
@@ -56,31 +56,31 @@ void slope(const RunOptions& options, Report& report)
 {
     constexpr double angle_deg = 10, dt = 0.01;
     const std::filesystem::path file = options.scene.value_or(scene_file("slope"));
-    Table ways({"series", "time_s", "way_m", "speed_m_per_s"}), energies({"series", "time_s", "energy_j"});
+    Table ways({"series", "time_s", "distance_m", "speed_m_per_s"}), energies({"series", "time_s", "energy_j"});
     Table outcome({"friction", "way at the end [m]", "speed there [m/s]", "largest rise of energy [J]"});
-    double mended_rise = 0;
+    double mass_splitting_rise = 0;
     for (const Series& series : {Series{"as printed 0.3", nlohmann::json::object()}, Series{"as printed 0.4", friction_change({{"mu_s", 0.4}})},
                                  Series{"as impulse 0.3", as_impulse(0.3, dt)}, Series{"as impulse 0.4", as_impulse(0.4, dt)},
-                                 Series{"mended 0.3", mended(0.3)}, Series{"mended 0.4", mended(0.4)}, Series{"mended 0.16", mended(0.16)}}) {
+                                 Series{"mass splitting 0.3", mass_splitting(0.3)}, Series{"mass splitting 0.4", mass_splitting(0.4)}, Series{"mass splitting 0.16", mass_splitting(0.16)}}) {
         Scene scene = load_scene(file, series.change.dump());
-        WayProbe way(series.name, angle_deg);
+        DistanceProbe way(series.name, angle_deg);
         SpringEnergyProbe energy(series.name, scene.contact);
         StripProbe pictures(scene, {0.05, 0.8, 1.15, 3}, friction_arrows(0.02, scene.dt), 560, 380);
         std::vector<Probe*> probes{&way, &energy};
-        if (series.name == "mended 0.4")
+        if (series.name == "mass splitting 0.4")
             probes.push_back(&pictures);
         run(scene, chapter04_solver(scene.contact), probes);
         ways.append(way.table());
         energies.append(energy.table());
-        if (series.name.starts_with("mended"))
-            mended_rise = std::max(mended_rise, energy.largest_rise());
+        if (series.name.starts_with("mass_splitting"))
+            mass_splitting_rise = std::max(mass_splitting_rise, energy.largest_rise());
         outcome.add({series.name, way.last().way, way.last().speed, energy.largest_rise()});
-        if (series.name == "mended 0.4") {
+        if (series.name == "mass splitting 0.4") {
             write_png(pictures.all(2), report.file("slope.png"));
             report.fact("slope", "turned_at", way.turned_at(), 3);
         }
     }
-    report.fact("slope", "mended_rise_j", mended_rise, 1);
+    report.fact("slope", "mass_splitting_rise_j", mass_splitting_rise, 1);
     report.table("slope", ways);
     report.table("slope_energy", energies);
     report.page_table("slope_outcome", outcome, 3);

@@ -44,8 +44,8 @@ std::vector<Series> all_series(bool quick)
     std::vector<Series> all;
     for (const double ratio : quick ? std::vector{0.25, 1.0} : std::vector{0.05, 0.25, 0.5, 1.0, 2.0})
         all.push_back({"yamane_nakamura", ratio, printed_model(ratio)});
-    const FrictionParameters mended = friction_defaults(FrictionModel::mended, stiffness);
-    all.push_back({"mended", mended.damping_ratio, mended});
+    const FrictionParameters mass_splitting = friction_defaults(FrictionModel::mass_splitting, stiffness);
+    all.push_back({"mass_splitting", mass_splitting.damping_ratio, mass_splitting});
     return all;
 }
 
@@ -58,7 +58,7 @@ void report_slides(const std::vector<double>& angles, Report& report)
             Launch launch;
             launch.angle_deg = angle;
             launch.dt = dt;
-            launch.friction = with_mu_s(friction_defaults(FrictionModel::mended, stiffness), 0.8 * tangent(angle));
+            launch.friction = with_mu_s(friction_defaults(FrictionModel::mass_splitting, stiffness), 0.8 * tangent(angle));
             const Vec3 up = uphill(angle);
             const double mu_d = launch.friction.mu_d;
             const double up_error = mean_acceleration(launch, 2.5, 0.5) / (-9.81 * (up.y() + mu_d * up.x())) - 1;
@@ -80,7 +80,7 @@ void threshold(const RunOptions& options, Report& report)
     const std::vector<double> steps = options.quick ? std::vector{0.01} : std::vector{0.01, 0.002};
     Table table({"model", "angle_deg", "dt", "damping_ratio", "mu_s"});
     Table ten({"model", "damping ratio", "Δt [s]", "smallest", "over tan 10°", "one degree of freedom"});
-    Table mended({"angle [°]", "tan", "Δt [s]", "smallest", "over tan"});
+    Table mass_splitting({"angle [°]", "tan", "Δt [s]", "smallest", "over tan"});
     double worst = 0;
     const std::vector<Series> all = all_series(options.quick);
     Progress progress("threshold", static_cast<int>(all.size() * angles.size()));
@@ -94,21 +94,21 @@ void threshold(const RunOptions& options, Report& report)
                 launch.friction = series.friction;
                 const double mu_s = smallest_mu_s(launch), ratio = mu_s / tangent(angle);
                 table.add({series.model, angle, dt, series.damping_ratio, mu_s});
-                const bool is_mended = series.model == "mended";
-                if (is_mended) {
-                    mended.add({angle, tangent(angle), dt, mu_s, ratio});
+                const bool is_mass_splitting = series.model == "mass_splitting";
+                if (is_mass_splitting) {
+                    mass_splitting.add({angle, tangent(angle), dt, mu_s, ratio});
                     worst = std::max(worst, std::abs(ratio - 1));
                 }
                 if (angle == 10)
                     ten.add({series.model, series.damping_ratio, dt, mu_s, ratio,
-                             is_mended ? Cell("-") : Cell(peak_over_weight(series.damping_ratio))});
+                             is_mass_splitting ? Cell("-") : Cell(peak_over_weight(series.damping_ratio))});
             }
             progress.update(++done);
         }
     report.table("threshold", table);
     report.page_table("threshold_ten_degrees", ten, 3);
-    report.page_table("threshold_mended", mended, 3);
-    report.fact("threshold", "worst_mended_percent", 100 * worst, 2);
+    report.page_table("threshold_mass_splitting", mass_splitting, 3);
+    report.fact("threshold", "worst_mass_splitting_percent", 100 * worst, 2);
     report.fact("threshold", "undamped_mu_s", peak_over_weight(0) * tangent(10), 3);
     report.plot("chapters/04_friction/plots/threshold.gp");
     report_slides(angles, report);

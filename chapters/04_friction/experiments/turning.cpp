@@ -18,7 +18,7 @@ namespace {
 Scene level_scene(double dt)
 {
     const nlohmann::json change{{"dt", dt},
-                                {"contact", {{"stiffness", 2000}, {"friction", {{"model", "mended"}, {"mu_s", 0.15}, {"mu_d", 0.1}}}}},
+                                {"contact", {{"stiffness", 2000}, {"friction", {{"model", "mass_splitting"}, {"mu_s", 0.15}, {"mu_d", 0.1}}}}},
                                 {"planes", {{{"name", "floor"}}}},
                                 {"/bodies/block",
                                  {{"mass", 2}, {"shape", {{"box", {{"size", {0.2, 0.02, 0.2}}}}}}, {"position", {0, 0.01 - 2 * 9.81 / 8000, 0}},

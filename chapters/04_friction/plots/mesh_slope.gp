@@ -7,8 +7,8 @@ set key bottom right
 on(f, x) = strcol("floor") eq f ? x : NaN
 set format x ""
 set ylabel "way [m]"
-plot folder."/mesh_slope.csv" using "time_s":(on("plane", column("way_m"))) with lines linetype 3 title "plane", \
-     "" using "time_s":(on("triangles", column("way_m"))) with lines linetype 1 title "triangles"
+plot folder."/mesh_slope.csv" using "time_s":(on("plane", column("distance_m"))) with lines linetype 3 title "plane", \
+     "" using "time_s":(on("triangles", column("distance_m"))) with lines linetype 1 title "triangles"
 set format x "%g"
 set xlabel "time [s]"
 set ylabel "speed [m/s]"

@@ -1,5 +1,5 @@
 #include "chapters/04_friction/friction_contact.hpp"
-#include "chapters/04_friction/mended_friction.hpp"
+#include "chapters/04_friction/mass_splitting_friction.hpp"
 #include "chapters/04_friction/solver.hpp"
 #include "common/simulation/point_masses.hpp"
 
@@ -38,7 +38,7 @@ struct OnPlane {
 
 TEST_CASE("friction anchors: a point that is held drags its stretch along the surface, not off it")
 {
-    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mended}) {
+    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mass_splitting}) {
         OnPlane it(model, {0.01, -0.5, 0.02});
         it.contact().stretch = {0.001, 0, 0};
         it.finish();
@@ -51,7 +51,7 @@ TEST_CASE("friction anchors: a point that is held drags its stretch along the su
 
 TEST_CASE("friction anchors: a pair that does not push has none, and one that is held keeps its own")
 {
-    OnPlane it(FrictionModel::mended, {0.01, 0, 0});
+    OnPlane it(FrictionModel::mass_splitting, {0.01, 0, 0});
     it.contact().stretch = {0.001, 0, 0};
     it.contact().held = true;
     it.contact().impulse.setZero();
@@ -62,32 +62,32 @@ TEST_CASE("friction anchors: a pair that does not push has none, and one that is
     CHECK(it.contact().stretch == Vec3::Zero());
 }
 
-TEST_CASE("friction anchors: when a pair lets go, the thesis' anchor comes to the point, the mended one within its pull")
+TEST_CASE("friction anchors: when a pair lets go, the thesis' anchor comes to the point, the mass-splitting one within its pull")
 {
     OnPlane printed(FrictionModel::yamane_nakamura, {0.3, 0, 0});
     printed.contact().slip = 3;
     printed.finish();
     CHECK(printed.contact().stretch == Vec3::Zero());
 
-    OnPlane mended(FrictionModel::mended, {0.3, 0, 0});
-    mended.contact().slip = 0.01;
-    mended.contact().friction = {-0.6, 0, 0};  // 6 N, that is 0.12 m of a spring of 50 N/m
-    mended.finish();
-    CHECK((mended.contact().stretch - Vec3(0.12 * std::exp(-20 * 0.01), 0, 0)).norm() < 1e-14);
-    mended.contact().slip = 10;
-    mended.finish();
-    CHECK(mended.contact().stretch.norm() < 1e-20);
+    OnPlane mass_splitting(FrictionModel::mass_splitting, {0.3, 0, 0});
+    mass_splitting.contact().slip = 0.01;
+    mass_splitting.contact().friction = {-0.6, 0, 0};  // 6 N, that is 0.12 m of a spring of 50 N/m
+    mass_splitting.finish();
+    CHECK((mass_splitting.contact().stretch - Vec3(0.12 * std::exp(-20 * 0.01), 0, 0)).norm() < 1e-14);
+    mass_splitting.contact().slip = 10;
+    mass_splitting.finish();
+    CHECK(mass_splitting.contact().stretch.norm() < 1e-20);
 }
 
 TEST_CASE("friction: the pass computes and applies nothing, and only for pairs that wait and push")
 {
-    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mended}) {
+    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mass_splitting}) {
         OnPlane it(model, {0.1, 0, 0});
         it.contacts.resize(4, it.contact());
         it.contacts[1].handled = true;
         it.contacts[2].held = true;
         it.contacts[3].impulse.setZero();
-        rub_pairs(it.world, it.contacts, it.friction, it.dt);
+        compute_friction_impulses(it.world, it.contacts, it.friction, it.dt);
         CHECK(it.contacts[0].friction.x() < -0.01);
         for (std::size_t other = 1; other < 4; ++other)
             CHECK(it.contacts[other].friction == Vec3::Zero());
@@ -100,7 +100,7 @@ TEST_CASE("friction: a scene without friction runs as in chapter 3, to the last 
 {
     CHECK(chapter04_solver({}).respond.size() + 1 == [] {
         ContactParameters rough;
-        rough.friction.model = FrictionModel::mended;
+        rough.friction.model = FrictionModel::mass_splitting;
         return chapter04_solver(rough).respond.size();
     }());
     CHECK(chapter04_solver({}).finish.empty());
@@ -108,11 +108,11 @@ TEST_CASE("friction: a scene without friction runs as in chapter 3, to the last 
 
 TEST_CASE("friction anchors: a pair that waits and does not push slips no more")
 {
-    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mended}) {
+    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mass_splitting}) {
         OnPlane it(model, {0.01, 0, 0});
         it.contact().impulse.setZero();
         it.contact().slip = 3;  // of the step before
-        rub_pairs(it.world, it.contacts, it.friction, OnPlane::dt);
+        compute_friction_impulses(it.world, it.contacts, it.friction, OnPlane::dt);
         CHECK(it.contact().slip == 0);
     }
 }
@@ -120,7 +120,7 @@ TEST_CASE("friction anchors: a pair that waits and does not push slips no more")
 TEST_CASE("friction anchors: a stretch from before the surface tilted is laid along it, held or slipping")
 {
     for (const double slip : {0.0, 0.01}) {
-        OnPlane it(FrictionModel::mended, Vec3::Zero());
+        OnPlane it(FrictionModel::mass_splitting, Vec3::Zero());
         it.contact().stretch = {0.01, 0.02, 0};
         it.contact().slip = slip;
         it.contact().friction = {-0.6, 0, 0};  // enough for 0.12 m

@@ -1,4 +1,4 @@
-#include "chapters/04_friction/mended_friction.hpp"
+#include "chapters/04_friction/mass_splitting_friction.hpp"
 
 #include <doctest/doctest.h>
 
@@ -70,13 +70,13 @@ TEST_CASE("friction law: no friction is longer than mu_s times the normal impuls
         const FrictionParameters printed = random_friction(random, FrictionModel::yamane_nakamura);
         CHECK(yamane_nakamura({stretch, velocity, normal}, printed, dt).impulse.norm() <= printed.mu_s * normal * (1 + 1e-14));
 
-        const FrictionParameters mended = random_friction(random, FrictionModel::mended);
-        const Vec2 guess = random.vector(mended.mu_s * normal / 2);
-        const FrictionImpulse better = better_impulse(guess, velocity, w, normal, anchor_of(mended, w, stretch, dt), mended);
-        CHECK(better.impulse.norm() <= mended.mu_s * normal * (1 + 1e-14));
+        const FrictionParameters mass_splitting = random_friction(random, FrictionModel::mass_splitting);
+        const Vec2 guess = random.vector(mass_splitting.mu_s * normal / 2);
+        const FrictionImpulse better = better_impulse(guess, velocity, w, normal, anchor_of(mass_splitting, w, stretch, dt), mass_splitting);
+        CHECK(better.impulse.norm() <= mass_splitting.mu_s * normal * (1 + 1e-14));
         if (better.slip > 0) {
             ++slipped;
-            CHECK(better.impulse.norm() >= mended.mu_d * normal * (1 - 1e-12));
+            CHECK(better.impulse.norm() >= mass_splitting.mu_d * normal * (1 - 1e-12));
         }
     }
     CHECK(slipped > 1000);
@@ -87,7 +87,7 @@ TEST_CASE("friction law: one pair alone is one step of backward Euler of a dampe
 {
     Random random;
     for (int i = 0; i < 1000; ++i) {
-        FrictionParameters friction = friction_defaults(FrictionModel::mended, random.magnitude(10, 1e4));
+        FrictionParameters friction = friction_defaults(FrictionModel::mass_splitting, random.magnitude(10, 1e4));
         friction.mu_s = 1e9;  // holds anything
         const double dt = 0.01, mass = random.magnitude(0.5, 100);
         CAPTURE(mass);
@@ -105,7 +105,7 @@ TEST_CASE("friction law: one pair alone is one step of backward Euler of a dampe
 
 TEST_CASE("friction law: fast slip feels mu_d, slow slip mu_s, and friction opposes it")
 {
-    FrictionParameters friction = friction_defaults(FrictionModel::mended, 1000);
+    FrictionParameters friction = friction_defaults(FrictionModel::mass_splitting, 1000);
     friction.mu_s = 0.4;
     friction.mu_d = 0.1;
     const double mass = 2, normal = 0.3, dt = 0.01;

@@ -1,5 +1,5 @@
 #include "chapters/04_friction/friction_contact.hpp"
-#include "chapters/04_friction/mended_friction.hpp"
+#include "chapters/04_friction/mass_splitting_friction.hpp"
 #include "chapters/04_friction/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
@@ -19,7 +19,7 @@ using namespace enduring;
 
 namespace {
 
-const std::array<FrictionModel, 2> both_models{FrictionModel::yamane_nakamura, FrictionModel::mended};
+const std::array<FrictionModel, 2> both_models{FrictionModel::yamane_nakamura, FrictionModel::mass_splitting};
 
 /// A rigid box thrown on a soft bar that lies on a static floor of triangles, with a rigid ball beside them on a plane:
 /// every kind of pair and every pair of kinds of bodies.
@@ -183,18 +183,18 @@ TEST_CASE("friction: keeps linear momentum to rounding, between all kinds of pai
         for (unsigned seed = 0; seed < 50; ++seed) {
             RandomMeeting it(seed);
             const Vec3 before = momentum(it.world);
-            rub_pairs(it.world, it.contacts, friction_defaults(model, 1000), it.dt);
+            compute_friction_impulses(it.world, it.contacts, friction_defaults(model, 1000), it.dt);
             apply_impulses(it.world, it.contacts);
             CHECK((momentum(it.world) - before).norm() < 1e-13 * (1 + before.norm()));
         }
 }
 
-TEST_CASE("friction: the mended model takes energy in every step, springs included, over random meetings")
+TEST_CASE("friction: mass-splitting friction takes energy in every step, springs included, over random meetings")
 {
     for (unsigned seed = 0; seed < 2000; ++seed) {
         RandomMeeting it(seed);
         CAPTURE(seed);
-        FrictionParameters friction = friction_defaults(FrictionModel::mended, std::exp(it.random(2, 7)));
+        FrictionParameters friction = friction_defaults(FrictionModel::mass_splitting, std::exp(it.random(2, 7)));
         friction.mu_s = it.random(0, 1.5);
         friction.mu_d = it.random(0, friction.mu_s);
         for (Contact& contact : it.contacts) {  // a stretch that friction could have left
@@ -207,7 +207,7 @@ TEST_CASE("friction: the mended model takes energy in every step, springs includ
             stiffest = std::min(stiffest, 1 / (it.dt * it.dt * shares.inverse_mass(it.world, contact, TangentPlane(contact.impulse.normalized()))));
         friction.spring = std::min(friction.spring, stiffest);
         const double springs_before = friction_spring_energy(it.contacts, friction);
-        rub_pairs(it.world, it.contacts, friction, it.dt);
+        compute_friction_impulses(it.world, it.contacts, friction, it.dt);
         // What friction adds to what the normal impulses alone would have done.
         Contacts normal_only = it.contacts;
         for (Contact& contact : normal_only)

@@ -23,7 +23,7 @@ namespace {
 
 double tangent(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
 
-FrictionParameters mended() { return friction_defaults(FrictionModel::mended, 20000); }
+FrictionParameters mass_splitting() { return friction_defaults(FrictionModel::mass_splitting, 20000); }
 
 FrictionParameters printed(double spring, double damper)
 {
@@ -61,14 +61,14 @@ TEST_CASE("slope: chapter 3 slides back for ever where friction holds")
     CHECK(held.way == doctest::Approx(9 / (2 * 9.81 * (std::sin(std::numbers::pi / 18) + 0.1 * std::cos(std::numbers::pi / 18)))).epsilon(0.02));
 }
 
-TEST_CASE("threshold: the mended model holds within 5 % of the angle's tangent, and lets go below it")
+TEST_CASE("threshold: mass-splitting friction holds within 5 % of the angle's tangent, and lets go below it")
 {
     for (const double angle : {5.0, 10.0, 20.0, 30.0})
         for (const double dt : {0.01, 0.002}) {
             CAPTURE(angle);
             CAPTURE(dt);
-            CHECK(holds(launch(angle, dt, with_mu_s(mended(), 1.05 * tangent(angle)))));
-            CHECK_FALSE(holds(launch(angle, dt, with_mu_s(mended(), 0.99 * tangent(angle)))));
+            CHECK(holds(launch(angle, dt, with_mu_s(mass_splitting(), 1.05 * tangent(angle)))));
+            CHECK_FALSE(holds(launch(angle, dt, with_mu_s(mass_splitting(), 0.99 * tangent(angle)))));
         }
 }
 
@@ -84,18 +84,18 @@ TEST_CASE("threshold: the thesis' model overshoots what it has to hold, the less
     CHECK(twice / tangent(10) < 1.12);
 }
 
-TEST_CASE("slope: the mended model slides with g (sin -+ mu_d cos) within 1 %, up and down")
+TEST_CASE("slope: mass-splitting friction slides with g (sin -+ mu_d cos) within 1 %, up and down")
 {
     for (const double angle : {5.0, 30.0})
         for (const double dt : {0.01, 0.002}) {
-            const Launch it = launch(angle, dt, with_mu_s(mended(), 0.8 * tangent(angle)));
+            const Launch it = launch(angle, dt, with_mu_s(mass_splitting(), 0.8 * tangent(angle)));
             const Vec3 up = uphill(angle);
             CHECK(mean_acceleration(it, 2.5, 0.5) == doctest::Approx(-9.81 * (up.y() + it.friction.mu_d * up.x())).epsilon(0.01));
             CHECK(mean_acceleration(it, -0.5, -2.5) == doctest::Approx(-9.81 * (up.y() - it.friction.mu_d * up.x())).epsilon(0.01));
         }
 }
 
-TEST_CASE("slope: with the mended model the energy of bodies and springs never rises")
+TEST_CASE("slope: with mass-splitting friction the energy of bodies and springs never rises")
 {
     for (const double height : {0.1, 1.0})
         for (const double angle : {5.0, 30.0})
@@ -103,7 +103,7 @@ TEST_CASE("slope: with the mended model the energy of bodies and springs never r
                 CAPTURE(height);
                 CAPTURE(angle);
                 CAPTURE(dt);
-                Launch it = launch(angle, dt, with_mu_s(mended(), 1.2 * tangent(angle)));
+                Launch it = launch(angle, dt, with_mu_s(mass_splitting(), 1.2 * tangent(angle)));
                 it.height = height;
                 Scene scene = scene_of(it);
                 SpringEnergyProbe energy("", scene.contact);
@@ -115,7 +115,7 @@ TEST_CASE("slope: with the mended model the energy of bodies and springs never r
 TEST_CASE("tilting: a block and a cube slide at the angle of friction within 5 %")
 {
     for (const double height : {0.1, 1.0}) {
-        const double angle = sliding_angle(height, 0.01, with_mu_s(mended(), tangent(20)));
+        const double angle = sliding_angle(height, 0.01, with_mu_s(mass_splitting(), tangent(20)));
         CHECK(tangent(20) / tangent(angle) == doctest::Approx(1).epsilon(0.05));
     }
 }
@@ -156,7 +156,7 @@ TEST_CASE("tilting: a soft bar on a tilted plane is held above the angle of fric
             Scene scene = load_scene(scene_file("block_on_slope"), R"({"gravity": [-2, -9.6, 0], "contact": {"stiffness": 5000}, "planes": [{"name": "floor"}], "bodies": [
                 {"name": "bar", "type": "deformable", "basis": "linear", "shape": {"bar": {"size": [1, 0.2, 0.5], "cells": [4, 1, 2]}}, "mass": 100,
                  "young": 1e6, "poisson": 0.3, "rayleigh": {"stiffness": 0.01}, "position": [0, 0.087, 0], "impulse_response": ")" + response + R"("}]})");
-            scene.contact.friction = with_mu_s(friction_defaults(FrictionModel::mended, 5000), (held ? 1.2 : 0.6) * 2 / 9.6);
+            scene.contact.friction = with_mu_s(friction_defaults(FrictionModel::mass_splitting, 5000), (held ? 1.2 : 0.6) * 2 / 9.6);
             // A lumped push that moves one node strains its elements by more than the work it did.
             run(scene, chapter04_solver(scene.contact), {}, {.may_gain_energy = response == "lumped"});
             const double speed = scene.world.bodies[0]->linear_momentum().x() / 100;

@@ -9,7 +9,7 @@ namespace enduring::chapter05 {
 void edge_rule(const RunOptions& options, Report& report)
 {
     const std::filesystem::path file = options.scene.value_or(scene_file("hooked"));
-    Table table({"rule", "hooked pairs", "EE regular a step", "EE hooked a step", "way_m", "speed at the end [m/s]"});
+    Table table({"rule", "hooked pairs", "EE regular a step", "EE hooked a step", "distance_m", "speed at the end [m/s]"});
     for (const EdgeRule rule : {EdgeRule::both, EdgeRule::either})
         for (const HookedPairs treatment : {HookedPairs::pushed, HookedPairs::held}) {
             Scene scene = load_scene(file);

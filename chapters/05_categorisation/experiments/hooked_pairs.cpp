@@ -24,7 +24,7 @@ Solver solver_that(HookedPairs treatment, EdgeRule rule, const ContactParameters
 {
     Solver solver = chapter04_solver(parameters);
     solver.name = "chapter 5, hooked pairs treated";
-    solver.enduring.push_back({"categorise", [rule, treatment](World& world, Contacts& contacts, double) {
+    solver.refresh.push_back({"categorise", [rule, treatment](World& world, Contacts& contacts, double) {
         label_contacts(world, contacts, rule);
         treat(contacts, treatment);
     }});

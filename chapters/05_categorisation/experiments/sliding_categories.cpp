@@ -19,8 +19,8 @@ void chapter_4_defeated(const std::filesystem::path& file, Report& report)
 {
     const std::string plane = R"({"planes": [{"name": "floor"}], "bodies": [{"name": "cube", "type": "rigid", "mass": 20,
         "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "position": [0, 0.255, 0.03], "velocity": [1.5, 0, 0]}])";
-    const std::string rough = R"("contact": {"friction": {"model": "mended", "mu_s": 0.1, "mu_d": 0.05}})";
-    Table table({"floor", "mu_d", "way_m", "speed after 1.5 s [m/s]"});
+    const std::string rough = R"("contact": {"friction": {"model": "mass_splitting", "mu_s": 0.1, "mu_d": 0.05}})";
+    Table table({"floor", "mu_d", "distance_m", "speed after 1.5 s [m/s]"});
     for (const bool triangles : {false, true})
         for (const bool friction : {false, true}) {
             const std::string patch = triangles ? (friction ? "{" + rough + "}" : "") : plane + (friction ? ", " + rough : "") + "}";

@@ -53,7 +53,7 @@ Slide slide(HookedPairs treatment, EdgeRule rule)
     return slide([&](const ContactParameters& contact) { return solver_that(treatment, rule, contact); });
 }
 
-const char* friction = R"({"contact": {"friction": {"model": "mended", "mu_s": 0.2, "mu_d": 0.1}}})";
+const char* friction = R"({"contact": {"friction": {"model": "mass_splitting", "mu_s": 0.2, "mu_d": 0.1}}})";
 
 }  // namespace
 

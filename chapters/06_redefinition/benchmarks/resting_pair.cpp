@@ -1,7 +1,7 @@
 // What one resting pair costs in each stage and altogether: passes over the pairs under a cube that rests on a triangulated
 // floor, of one kind or of both, divided by their number. The column that counts is "per_pair" [s].
 //
-// The mended friction solves all pairs together. With half of them taken away the cube no longer rests, and it takes more
+// Mass-splitting friction solves all pairs together. With half of them taken away the cube no longer rests, and it takes more
 // rounds: "both" is the number to read there.
 
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
@@ -26,8 +26,8 @@ using namespace enduring;
 struct Resting {
     Resting(std::optional<ContactKind> only, FrictionModel model)
         : kind(only),
-          scene(load_scene(scene_file("hooked"), model == FrictionModel::mended
-                               ? R"({"/bodies/cube/velocity": [0, 0, 0], "contact": {"friction": {"model": "mended", "mu_s": 0.5, "mu_d": 0.4}}})"
+          scene(load_scene(scene_file("hooked"), model == FrictionModel::mass_splitting
+                               ? R"({"/bodies/cube/velocity": [0, 0, 0], "contact": {"friction": {"model": "mass_splitting", "mu_s": 0.5, "mu_d": 0.4}}})"
                                : R"({"/bodies/cube/velocity": [0, 0, 0], "contact": {"friction": {"model": "yamane_nakamura", "mu_s": 0.5, "mu_d": 0.4}}})"))
     {
         RunLimits limits;
@@ -79,18 +79,18 @@ void push(Resting& at, PenaltyMethod method) { push_pairs_apart(at.scene.world, 
 void push_continuous(Resting& at) { push(at, PenaltyMethod::continuous); }
 void push_discrete(Resting& at) { push(at, PenaltyMethod::discrete); }
 
-void rub(Resting& at) { rub_pairs(at.scene.world, at.pairs, at.scene.contact.friction, at.scene.dt); }
+void friction(Resting& at) { compute_friction_impulses(at.scene.world, at.pairs, at.scene.contact.friction, at.scene.dt); }
 
 template <Stage impulse>
 void altogether(Resting& at)
 {
     follow(at);
     impulse(at);
-    rub(at);
+    friction(at);
     resolve(at);
 }
 
-void run_stage(benchmark::State& state, std::optional<ContactKind> kind, Stage stage, FrictionModel model = FrictionModel::mended)
+void run_stage(benchmark::State& state, std::optional<ContactKind> kind, Stage stage, FrictionModel model = FrictionModel::mass_splitting)
 {
     Resting at(kind, model);
     push_continuous(at);  // friction needs a normal impulse
@@ -116,11 +116,11 @@ EACH_KIND(categorise, categorise_only);
 EACH_KIND(follow, follow);
 EACH_KIND(impulse_cpf, push_continuous);
 EACH_KIND(impulse_dpf, push_discrete);
-EACH_KIND(friction_thesis, rub, thesis);
-EACH_KIND(friction_mended, rub);
+EACH_KIND(friction_thesis, friction, thesis);
+EACH_KIND(friction_mass_splitting, friction);
 EACH_KIND(altogether_cpf_thesis, altogether<push_continuous>, thesis);
 EACH_KIND(altogether_dpf_thesis, altogether<push_discrete>, thesis);
-EACH_KIND(altogether_cpf_mended, altogether<push_continuous>);
-EACH_KIND(altogether_dpf_mended, altogether<push_discrete>);
+EACH_KIND(altogether_cpf_mass_splitting, altogether<push_continuous>);
+EACH_KIND(altogether_dpf_mass_splitting, altogether<push_discrete>);
 
 }  // namespace

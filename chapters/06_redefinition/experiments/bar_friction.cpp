@@ -63,7 +63,7 @@ void bar_friction(const RunOptions& options, Report& report)
 {
     const int settled = options.quick ? 1500 : 5000, steps = options.quick ? 2000 : 20000;
     Table moments({"mu_static", "time_s", "x_m", "speed_m_per_s", "drift_m"});
-    Table table({"elements", "mu_static", "mu_dynamic", "way_m", "way_on_a_plane_m", "drift_m"});
+    Table table({"elements", "mu_static", "mu_dynamic", "distance_m", "way_on_a_plane_m", "drift_m"});
     double worst = 0;
     for (const std::string basis : {"quadratic", "linear"})
         for (const Coefficients& mu : bar_coefficients) {

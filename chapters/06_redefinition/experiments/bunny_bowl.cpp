@@ -105,7 +105,7 @@ void add_size(Table& sizes, int elements, const Scene& scene, const RunResult& r
 Table sizes_table()
 {
     return Table({"elements", "unknowns", "pairs at the end", "predict [ms]", "answer [ms]", "detect [ms]", "follow, resolve [ms]",
-                  "push, rub [ms]", "step [ms]", "real-time factor", "kinetic energy left [%]", "most inverted"});
+                  "impulses, friction [ms]", "step [ms]", "real-time factor", "kinetic energy left [%]", "most inverted"});
 }
 
 /// Six seconds of the scene as it stands, filmed.

@@ -43,11 +43,11 @@ void add_stages(Table& table, const std::string& pair, const std::string& run, c
 void compose(const RunOptions& options, const std::filesystem::path& file, Report& report)
 {
     Table table({"pair", "run", "resolve", "categorise", "redefine", "friction", "cpf", "dpf", "with_cpf", "with_dpf", "ratio"});
-    for (const std::string model : {"mended", "yamane_nakamura"}) {
+    for (const std::string model : {"mass_splitting", "yamane_nakamura"}) {
         const std::string change = nlohmann::json{{"contact", {{"friction", {{"model", model}}}}}}.dump();
         const std::vector<PairTimes> runs = timed_runs(file, change, options.quick ? 1 : 5, options.quick ? 60 : 200);
         const StageTimes vf = mean(runs, &PairTimes::vertex_face), ee = mean(runs, &PairTimes::edge_edge);
-        const std::string friction = model == "mended" ? "mended" : "thesis";
+        const std::string friction = model == "mass_splitting" ? "mass_splitting" : "thesis";
         add_stages(table, "VF", friction, vf);
         add_stages(table, "EE", friction, ee);
         if (model == "yamane_nakamura") {  // the friction that the thesis timed

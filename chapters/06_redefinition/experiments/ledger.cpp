@@ -55,7 +55,7 @@ Table page_of(const std::vector<LedgerCell>& cells)
 Table all_passes()
 {
     ContactParameters parameters;
-    parameters.friction.model = FrictionModel::mended;
+    parameters.friction.model = FrictionModel::mass_splitting;
     Table table({"chapter", "stage", "pass"});
     for (int chapter = 1; chapter <= chapters; ++chapter) {
         const Solver solver = solver_of(chapter, parameters);
@@ -63,7 +63,7 @@ Table all_passes()
             for (const Pass& pass : passes)
                 table.add({static_cast<long>(chapter), stage, pass.name});
         };
-        add("enduring", solver.enduring);
+        add("refresh", solver.refresh);
         add("detect", solver.detect);
         add("respond", solver.respond);
         add("finish", solver.finish);

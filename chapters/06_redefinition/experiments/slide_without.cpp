@@ -65,7 +65,7 @@ std::string name_of(Omission omission)
 Solver solver_without(Omission omission, const ContactParameters& parameters)
 {
     Solver solver = chapter06_solver(parameters);
-    Pass &follow = pass_named(solver.enduring, "follow pairs"), &detect = pass_named(solver.detect, "new pairs"),
+    Pass &follow = pass_named(solver.refresh, "follow pairs"), &detect = pass_named(solver.detect, "new pairs"),
          &resolve = pass_named(solver.finish, "resolve pairs");
     if (omission == Omission::edges_behind_exits || omission == Omission::edge_handover || omission == Omission::all_edge_pairs)
         resolve.run = without_new_edges(resolve.run);
@@ -74,7 +74,7 @@ Solver solver_without(Omission omission, const ContactParameters& parameters)
     if (omission == Omission::all_edge_pairs)
         detect.run = without_new_edges(detect.run);
     if (omission == Omission::hooked_are_held) {
-        solver.enduring.push_back({"push hooked", push_hooked});
+        solver.refresh.push_back({"push hooked", push_hooked});
         solver.detect.push_back({"push hooked", push_hooked});
     }
     return solver;

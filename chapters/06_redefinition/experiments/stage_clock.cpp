@@ -76,7 +76,7 @@ public:
         times_.dpf += push(PenaltyMethod::discrete);
         times_.cpf += push(PenaltyMethod::continuous);
         push_pairs_apart(world, pairs, PenaltyMethod::continuous, parameters.stiffness, dt);
-        times_.friction += quickest(pairs, [&](Contacts& list) { rub_pairs(world, list, parameters.friction, dt); });
+        times_.friction += quickest(pairs, [&](Contacts& list) { compute_friction_impulses(world, list, parameters.friction, dt); });
     }
 
     /// All pairs, before the step is committed: vertex pairs decide about edge pairs.
@@ -121,7 +121,7 @@ PairTimes time_stages(Scene& scene, int steps, int from)
     };
     CrossingDetection detection;
     Solver solver = chapter06_solver(scene.contact);
-    solver.enduring.insert(solver.enduring.begin(), {"clock", [&](World& world, Contacts& contacts, double) {
+    solver.refresh.insert(solver.refresh.begin(), {"clock", [&](World& world, Contacts& contacts, double) {
         both([&](StageClock& clock) { clock.at_the_start(world, contacts); });
     }});
     solver.respond.insert(solver.respond.begin(), {"clock", [&](World& world, Contacts& contacts, double dt) {

@@ -113,7 +113,7 @@ Caught run_until_caught(const std::string& name, bool hooked)
         if (!caught)
             caught = hooked ? hooked_case(world, scene, contacts, *detection) : barycentric_case(world, scene, contacts);
     }};
-    std::vector<Pass>& passes = hooked ? solver.detect : solver.enduring;
+    std::vector<Pass>& passes = hooked ? solver.detect : solver.refresh;
     passes.insert(passes.begin(), spy);
     run(scene, solver, {}, {std::nullopt, [&](const World&, const Contacts&) { return caught.has_value(); }});
     if (!caught)

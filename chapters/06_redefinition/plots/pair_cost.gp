@@ -1,4 +1,4 @@
-# What one pair takes, stage by stage (thesis figure 7.17): with the mended friction, with the thesis', and after the impact.
+# What one pair takes, stage by stage (thesis figure 7.17): with mass-splitting friction, with the thesis', and after the impact.
 height = 420
 load style
 set style data histograms

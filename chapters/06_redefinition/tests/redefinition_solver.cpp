@@ -18,7 +18,7 @@ namespace {
 Solver without_edge_pairs(double stiffness)
 {
     Solver solver = chapter06_solver({PenaltyMethod::continuous, stiffness});
-    solver.enduring.back().run = [](World& world, Contacts& contacts, double) {
+    solver.refresh.back().run = [](World& world, Contacts& contacts, double) {
         Redefinitions redefinitions;
         redefine_enduring_vertices(world, contacts, redefinitions);
         drop_resolved(contacts);

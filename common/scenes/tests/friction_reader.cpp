@@ -34,24 +34,24 @@ TEST_CASE("scene: friction arrives as the file says it")
     CHECK(printed.spring == 7);
     CHECK(printed.damper == 8);
     CHECK(printed.weighting == 9);
-    CHECK(friction(R"({"model": "mended", "damping_ratio": 3})").damping_ratio == 3);
+    CHECK(friction(R"({"model": "mass_splitting", "damping_ratio": 3})").damping_ratio == 3);
     CHECK(friction(R"({"model": "none", "damper": 3, "damping_ratio": 2})").model == FrictionModel::none);
 }
 
 TEST_CASE("scene: what friction leaves out depends on its model")
 {
-    const FrictionParameters printed = friction(R"({"model": "yamane_nakamura"})"), mended = friction(R"({"model": "mended"})");
+    const FrictionParameters printed = friction(R"({"model": "yamane_nakamura"})"), mass_splitting = friction(R"({"model": "mass_splitting"})");
     CHECK(printed.spring == 100);
     CHECK(printed.damper == 25);
     CHECK(printed.weighting == 10000);
-    CHECK(mended.spring == 5000);
-    CHECK(mended.damping_ratio == 20);
-    CHECK(mended.weighting == 20);
-    for (const FrictionParameters& either : {printed, mended}) {
+    CHECK(mass_splitting.spring == 5000);
+    CHECK(mass_splitting.damping_ratio == 20);
+    CHECK(mass_splitting.weighting == 20);
+    for (const FrictionParameters& either : {printed, mass_splitting}) {
         CHECK(either.mu_s == 0.5);
         CHECK(either.mu_d == 0.3);
     }
-    CHECK(friction(R"({"model": "mended", "mu_s": 0.2})").mu_d == 0.2);
+    CHECK(friction(R"({"model": "mass_splitting", "mu_s": 0.2})").mu_d == 0.2);
 }
 
 TEST_CASE("scene: mistakes of friction are named with path, range and value")
@@ -60,14 +60,14 @@ TEST_CASE("scene: mistakes of friction are named with path, range and value")
     CHECK(complaint("{}") == at + ": the key \"model\" is missing");
     CHECK(complaint("0.3").find(at + ": expected an object") == 0);
     CHECK(complaint(R"({"model": "coulomb"})") ==
-          at + "/model: expected one of \"none\", \"yamane_nakamura\", \"mended\", found \"coulomb\"");
-    CHECK(complaint(R"({"model": "mended", "mu_s": -0.1})") == at + "/mu_s: expected a number from 0 to 10, found -0.1");
-    CHECK(complaint(R"({"model": "mended", "mu_d": 11})") == at + "/mu_d: expected a number from 0 to 10, found 11");
-    CHECK(complaint(R"({"model": "mended", "mu_s": 0.1, "mu_d": 0.2})").find(at + ": \"mu_d\" is above \"mu_s\"") == 0);
-    CHECK(complaint(R"({"model": "mended", "spring": 0})") == at + "/spring: expected a number above 0 up to 1e+12 [N/m], found 0");
+          at + "/model: expected one of \"none\", \"yamane_nakamura\", \"mass_splitting\", found \"coulomb\"");
+    CHECK(complaint(R"({"model": "mass_splitting", "mu_s": -0.1})") == at + "/mu_s: expected a number from 0 to 10, found -0.1");
+    CHECK(complaint(R"({"model": "mass_splitting", "mu_d": 11})") == at + "/mu_d: expected a number from 0 to 10, found 11");
+    CHECK(complaint(R"({"model": "mass_splitting", "mu_s": 0.1, "mu_d": 0.2})").find(at + ": \"mu_d\" is above \"mu_s\"") == 0);
+    CHECK(complaint(R"({"model": "mass_splitting", "spring": 0})") == at + "/spring: expected a number above 0 up to 1e+12 [N/m], found 0");
     CHECK(complaint(R"({"model": "yamane_nakamura", "damper": -1})") == at + "/damper: expected a number from 0 to 1e+12 [N s/m], found -1");
-    CHECK(complaint(R"({"model": "mended", "weighting": 0})") == at + "/weighting: expected a number above 0 up to 1e+09 [s/m], found 0");
-    CHECK(complaint(R"({"model": "mended", "damper": 5})").find(at + "/damper: the model \"mended\" knows no \"damper\"") == 0);
+    CHECK(complaint(R"({"model": "mass_splitting", "weighting": 0})") == at + "/weighting: expected a number above 0 up to 1e+09 [s/m], found 0");
+    CHECK(complaint(R"({"model": "mass_splitting", "damper": 5})").find(at + "/damper: the model \"mass_splitting\" knows no \"damper\"") == 0);
     CHECK(complaint(R"({"model": "yamane_nakamura", "damping_ratio": 5})").find(at + "/damping_ratio: ") == 0);
-    CHECK(complaint(R"({"model": "mended", "nu_s": 5})").find(at + "/nu_s: unknown key; did you mean \"mu_s\"?") == 0);
+    CHECK(complaint(R"({"model": "mass_splitting", "nu_s": 5})").find(at + "/nu_s: unknown key; did you mean \"mu_s\"?") == 0);
 }

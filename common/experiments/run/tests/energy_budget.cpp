@@ -47,7 +47,7 @@ Solver ground_solver(const ContactParameters& contact)
 Solver kick(double factor)
 {
     Solver solver;
-    solver.enduring.push_back({"kick", [factor](World& world, Contacts&, double) {
+    solver.refresh.push_back({"kick", [factor](World& world, Contacts&, double) {
         Body& body = *world.bodies[0];
         for (int vertex = 0; world.step == 9 && vertex < body.surface().vertex_count(); ++vertex)
             body.apply_impulse(vertex, (factor - 1) * body.mass() / 3 * body.velocity(vertex));
@@ -157,7 +157,7 @@ TEST_CASE("energy budget: the stretch of friction's springs counts, and a held p
 {
     Scene scene = points_above_ground(-0.1, 1000, 0.01);
     scene.world.gravity.setZero();
-    scene.contact.friction.model = FrictionModel::mended;
+    scene.contact.friction.model = FrictionModel::mass_splitting;
     scene.contact.friction.spring = 500;
     EnergyBudget budget(scene);
     Contact pressed{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}, held = pressed;

@@ -1,4 +1,4 @@
-#include "chapters/04_friction/mended_friction.hpp"
+#include "chapters/04_friction/mass_splitting_friction.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
 
@@ -11,7 +11,7 @@ constexpr int most_rounds = 30;
 constexpr double small_change = 1e-3;  ///< of what the pairs can hold
 
 /// A pair at work.
-struct RubbingPair {
+struct FrictionPair {
     Contact* contact;
     TangentPlane plane;
     double normal_impulse;
@@ -30,7 +30,7 @@ void try_on_bodies(const World& world, const Contact& contact, const Vec3& impul
 }
 
 /// With everything in effect that was tried.
-Vec2 slip_velocity(const World& world, const RubbingPair& pair)
+Vec2 slip_velocity(const World& world, const FrictionPair& pair)
 {
     const Contact& contact = *pair.contact;
     Vec3 velocity = Vec3::Zero();
@@ -41,10 +41,10 @@ Vec2 slip_velocity(const World& world, const RubbingPair& pair)
     return pair.plane.of(velocity);
 }
 
-std::vector<RubbingPair> pushing_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+std::vector<FrictionPair> friction_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
 {
     MassShares shares(world, contacts);
-    std::vector<RubbingPair> pairs;
+    std::vector<FrictionPair> pairs;
     for (Contact& contact : contacts) {
         if (!pushes_now(contact))
             continue;
@@ -64,17 +64,17 @@ Vec2 cut_to(double limit, const Vec2& impulse)
     return length > limit ? Vec2(impulse * (limit / length)) : impulse;
 }
 
-void try_normal_impulses(const World& world, const std::vector<RubbingPair>& pairs)
+void try_normal_impulses(const World& world, const std::vector<FrictionPair>& pairs)
 {
     for (const std::unique_ptr<Body>& body : world.bodies)
         body->begin_trial();
-    for (const RubbingPair& pair : pairs)
+    for (const FrictionPair& pair : pairs)
         try_on_bodies(world, *pair.contact, pair.contact->impulse);
 }
 
-void try_springs(const World& world, std::vector<RubbingPair>& pairs, double mu_s, double dt)
+void try_springs(const World& world, std::vector<FrictionPair>& pairs, double mu_s, double dt)
 {
-    for (RubbingPair& pair : pairs) {
+    for (FrictionPair& pair : pairs) {
         pair.limit = mu_s * pair.normal_impulse;
         pair.impulse = cut_to(mu_s * pair.normal_impulse, -dt * pair.anchor.spring * pair.anchor.stretch);
         try_on_bodies(world, *pair.contact, pair.plane.in_space(pair.impulse));
@@ -83,7 +83,7 @@ void try_springs(const World& world, std::vector<RubbingPair>& pairs, double mu_
 
 //! [toward]
 /// A pair's limit goes half of its way in each round: limits that fall all at once come back in the next.
-Vec2 toward(const FrictionImpulse& better, double mu_s, RubbingPair& pair)
+Vec2 toward(const FrictionImpulse& better, double mu_s, FrictionPair& pair)
 {
     const double limit = better.slip > 0 ? better.impulse.norm() : mu_s * pair.normal_impulse;
     pair.limit = 0.5 * (pair.limit + limit);
@@ -93,10 +93,10 @@ Vec2 toward(const FrictionImpulse& better, double mu_s, RubbingPair& pair)
 
 /// One round: every pair answers what all of them did before.
 /// @return  how much that changed, relative to what the pairs can hold, as root mean squares
-double improve(const World& world, std::vector<RubbingPair>& pairs, const FrictionParameters& friction)
+double improve(const World& world, std::vector<FrictionPair>& pairs, const FrictionParameters& friction)
 {
     double change = 0, most = 0;
-    for (RubbingPair& pair : pairs) {
+    for (FrictionPair& pair : pairs) {
         const FrictionImpulse better = better_impulse(pair.impulse, slip_velocity(world, pair), pair.inverse_mass, pair.normal_impulse,
                                                       pair.anchor, friction);
         pair.change = toward(better, friction.mu_s, pair) - pair.impulse;
@@ -104,7 +104,7 @@ double improve(const World& world, std::vector<RubbingPair>& pairs, const Fricti
         change += pair.change.squaredNorm();
         most += std::pow(friction.mu_s * pair.normal_impulse, 2);
     }
-    for (RubbingPair& pair : pairs) {
+    for (FrictionPair& pair : pairs) {
         pair.impulse += pair.change;
         try_on_bodies(world, *pair.contact, pair.plane.in_space(pair.change));
     }
@@ -121,19 +121,19 @@ bool worth_another(const std::vector<double>& changes)
 
 }  // namespace
 
-//! [rub_together]
-void rub_together(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+//! [mass_splitting_friction]
+void mass_splitting_friction(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
 {
-    std::vector<RubbingPair> pairs = pushing_pairs(world, contacts, friction, dt);
+    std::vector<FrictionPair> pairs = friction_pairs(world, contacts, friction, dt);
     try_normal_impulses(world, pairs);
     try_springs(world, pairs, friction.mu_s, dt);
     std::vector<double> changes;
     do
         changes.push_back(improve(world, pairs, friction));
     while (worth_another(changes));
-    for (const RubbingPair& pair : pairs)
+    for (const FrictionPair& pair : pairs)
         pair.contact->friction = pair.plane.in_space(cut_to(friction.mu_s * pair.normal_impulse, pair.impulse));
 }
-//! [rub_together]
+//! [mass_splitting_friction]
 
 }  // namespace enduring
