@@ -1,7 +1,6 @@
 #include "common/simulation/step.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/processor_clock.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -12,20 +11,12 @@ namespace {
 /// How often a step answers what its own answers brought about (thesis 3.3, item 4).
 constexpr int max_responses = 5;
 
-template <typename Work>
-void timed(const PassTimer& timer, const std::string& name, const Work& work)
+void run_passes(const std::vector<Pass>& passes, World& world, Contacts& contacts, double dt, const PassObserver& done)
 {
-    if (!timer)
-        return work();
-    const double begin = processor_seconds();
-    work();
-    timer(name, processor_seconds() - begin);
-}
-
-void run_passes(const std::vector<Pass>& passes, World& world, Contacts& contacts, double dt, const PassTimer& timer)
-{
-    for (const Pass& pass : passes)
-        timed(timer, pass.name, [&] { pass.run(world, contacts, dt); });
+    for (const Pass& pass : passes) {
+        pass.run(world, contacts, dt);
+        done(pass.name);
+    }
 }
 
 /// A contact that lives on pushes from the start of the new step and has not been answered in it.
@@ -98,25 +89,26 @@ void apply_impulses(World& world, Contacts& contacts)
 //! [apply_impulses]
 
 //! [advance]
-void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
-             const PassTimer& timer)
+void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
 {
-    timed(timer, "predict", [&] {
-        predict(world, dt);
-        begin_step(contacts);
-    });
-    run_passes(solver.refresh, world, contacts, dt, timer);
+    predict(world, dt);
+    begin_step(contacts);
+    done("predict");
+    run_passes(solver.refresh, world, contacts, dt, done);
 
-    run_passes(solver.detect, world, contacts, dt, timer);
+    run_passes(solver.detect, world, contacts, dt, done);
     for (int n = 0; n < max_responses && any_waiting(contacts); ++n) {
-        run_passes(solver.respond, world, contacts, dt, timer);
-        timed(timer, "apply impulses", [&] { apply_impulses(world, contacts); });
-        timed(timer, "update prediction", [&] { update_predictions(world, dt); });
-        run_passes(solver.detect, world, contacts, dt, timer);
+        run_passes(solver.respond, world, contacts, dt, done);
+        apply_impulses(world, contacts);
+        done("apply impulses");
+        update_predictions(world, dt);
+        done("update prediction");
+        run_passes(solver.detect, world, contacts, dt, done);
     }
 
-    run_passes(solver.finish, world, contacts, dt, timer);
-    timed(timer, "commit", [&] { commit(world, dt); });
+    run_passes(solver.finish, world, contacts, dt, done);
+    commit(world, dt);
+    done("commit");
 }
 //! [advance]
 

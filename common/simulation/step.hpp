@@ -43,8 +43,9 @@ struct Solver {
     std::vector<Pass> finish{};    ///< once a step, from the last prediction, before it becomes the state: friction anchors move
 };
 
-/// Called with a pass's name and the processor's seconds it took; empty when nobody measures.
-using PassTimer = std::function<void(const std::string& pass, double seconds)>;
+/// Told the name of each pass when it is done, to measure it or to look at what it changed.
+using PassObserver = std::function<void(const std::string& pass)>;
+inline void nobody_observes(const std::string&) {}
 
 /// Applies the impulses of every waiting contact, normal and friction together, and marks it handled: vertex i receives
 /// its weight times their sum (thesis 5.10, 5.16). On a plane only the vertex does.
@@ -57,7 +58,8 @@ void apply_impulses(World& world, Contacts& contacts);
 /// @param world     bodies, changed in place
 /// @param contacts  pairs that live on from the last step; on return those alive after this one
 /// @param dt        length of the step [s], positive
+/// @param done      is told of each pass, and of "predict", "apply impulses", "update prediction" and "commit"
 /// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex
-void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassTimer& timer = {});
+void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done = nobody_observes);
 
 }  // namespace enduring

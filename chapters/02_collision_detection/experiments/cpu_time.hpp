@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/simulation/processor_clock.hpp"
+#include "common/experiments/run/processor_clock.hpp"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/06_redefinition/vertex_face_redefinition.hpp"
-#include "common/simulation/processor_clock.hpp"
+#include "common/experiments/run/processor_clock.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,8 +1,19 @@
 #include "common/experiments/run/timings.hpp"
 
+#include "common/experiments/run/processor_clock.hpp"
+
 #include <algorithm>
 
 namespace enduring {
+
+void Timings::start() { last_ = processor_seconds(); }
+
+void Timings::lap(const std::string& pass)
+{
+    const double now = processor_seconds();
+    add(pass, now - last_);
+    last_ = now;
+}
 
 void Timings::add(const std::string& pass, double seconds)
 {

@@ -10,6 +10,10 @@ namespace enduring {
 /// Where the time of a run went, by pass. Kept out of all result tables, which must not change from run to run.
 class Timings {
 public:
+    /// Starts the clock: time before it belongs to no pass.
+    void start();
+    /// The time since the last lap, or since the start, went into this pass.
+    void lap(const std::string& pass);
     void add(const std::string& pass, double seconds);
 
     double total() const;                        ///< of all passes [s]
@@ -26,6 +30,7 @@ private:
         double seconds = 0;
     };
     std::vector<Row> rows_;
+    double last_ = 0;  ///< when the clock was last looked at [s]
 };
 
 }  // namespace enduring

@@ -1,3 +1,4 @@
+#include "common/experiments/run/processor_clock.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/input/input_error.hpp"
 #include "common/simulation/tests/triangle_body.hpp"
@@ -146,6 +147,19 @@ TEST_CASE("probes: the force is the impulse over dt, equal and opposite from the
     CHECK(number(on_upper.table(), 0, 4) == 2);
     CHECK_THROWS_AS(ForceProbe("upper", "ground").observe(scene.world, contacts, 0.5), InputError);
     CHECK_THROWS_AS(ForceProbe("nobody", "lower").observe(scene.world, contacts, 0.5), InputError);
+}
+
+TEST_CASE("timings: what the probes take between two steps belongs to no pass")
+{
+    Scene scene = two_sheets();
+    const auto dawdle = [](double seconds) {
+        for (const double begin = processor_seconds(); processor_seconds() - begin < seconds;) {}
+    };
+    WatchProbe slow([&](const World&, const Contacts&, double) { dawdle(0.1); });
+    const Pass slow_pass{"slow pass", [&](World&, Contacts&, double) { dawdle(0.01); }};
+    const RunResult result = run(scene, {"", {slow_pass}}, {&slow});
+    CHECK(result.timings.of("slow pass") >= 0.03);
+    CHECK(result.timings.total() < 0.1);
 }
 
 TEST_CASE("timings: passes keep the order of their first run, and add up")

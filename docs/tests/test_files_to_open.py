@@ -1,0 +1,40 @@
+"""How the files that a reader opens are counted, on a small project of known size; and what they may be in ours."""
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from files_to_open import READERS, ROOT, files_to_open, lines_of
+
+
+class FilesToOpen(unittest.TestCase):
+    def test_a_header_brings_its_source_and_what_either_includes_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder).resolve()
+            (root / "a").mkdir()
+            for name, text in {"a/entry.hpp": '#include <vector>\n#include "a/part.hpp"\n', "a/entry.cpp": '#include "a/entry.hpp"\n#include "beside.hpp"\n',
+                               "a/part.hpp": '#include "outside/library.hpp"\n', "a/beside.hpp": '#include "a/part.hpp"\n',
+                               "a/beside.cpp": "int x;\n", "a/stranger.hpp": '#include "a/entry.hpp"\n'}.items():
+                (root / name).write_text(text)
+            found = files_to_open(["a/entry.hpp"], root)
+            self.assertEqual({file.name for file in found}, {"entry.hpp", "entry.cpp", "part.hpp", "beside.hpp", "beside.cpp"})
+            self.assertEqual({file.name for file in found[root / "a/part.hpp"]}, {"entry.hpp", "beside.hpp"})
+            self.assertEqual(lines_of(found), 7)
+
+    def test_the_entries_exist_and_a_higher_chapter_opens_more(self):
+        counts = []
+        for entries in READERS.values():
+            for entry in entries:
+                self.assertTrue((ROOT / entry).is_file(), entry)
+            counts.append(len(files_to_open(entries)))
+        self.assertEqual(counts, sorted(counts))
+
+    def test_the_physics_measures_and_reads_nothing(self):
+        for file in set().union(*(files_to_open(entries) for entries in READERS.values())):
+            for folder in ("common/experiments", "common/scenes", "common/worked_step"):
+                self.assertNotIn(folder, file.as_posix())
+
+
+if __name__ == "__main__":
+    unittest.main()
