@@ -113,6 +113,9 @@ function(enduring_common path)
     target_compile_definitions(enduring_render PRIVATE ENDURING_FONT="${DEJAVU_FONT}")
     target_include_directories(enduring_render SYSTEM PUBLIC ${OSMESA_INCLUDE} ${STB_INCLUDE})
     target_link_libraries(enduring_render PUBLIC ${OSMESA_LIBRARY})
+    if(UNIX AND NOT APPLE)  # what OSMesa stands on may want a newer C++ library than this compiler brings: found when the program starts
+      target_link_options(enduring_render PUBLIC -Wl,--allow-shlib-undefined)
+    endif()
   endif()
 endfunction()
 
