@@ -144,7 +144,7 @@ def stub_of(text, exercise):
     lines = [line for line in text.splitlines() if not re.fullmatch(r"//!? \[\w+\]", line)]
     for _, begin, end in reversed(definitions(lines, exercise)):
         lines[begin + 1:end] = [f'    not_implemented_yet("{exercise.number}");']
-    includes = [i for i, line in enumerate(lines) if line.startswith("#include")]
+    includes = [i for i, line in enumerate(lines) if line.startswith('#include "')]
     lines.insert(includes[-1] + 1 if includes else 0, '#include "exercises/not_implemented_yet.hpp"')
     return "\n".join(lines) + "\n"
 

@@ -2,6 +2,7 @@
 
 #include "chapters/05_categorisation/category.hpp"
 #include "chapters/06_redefinition/face_choice.hpp"
+#include "common/geometry/shortest_turn.hpp"
 
 namespace enduring {
 namespace {
@@ -12,7 +13,7 @@ void hand_on(const World& world, Contact& contact, double tau, const FaceTrial& 
     redefinitions.push_back({contact.body_a, contact.feature_a, contact.body_b, contact.feature_b, choice.face,
                              b.face_normal(choice.face), contact.start});
     // Over the edge between two faces the friction anchor's stretch goes on as it would on a flat surface.
-    contact.stretch = Quaternion::FromTwoVectors(b.face_normal(contact.feature_b), b.face_normal(choice.face)) * contact.stretch;
+    contact.stretch = shortest_turn(b.face_normal(contact.feature_b), b.face_normal(choice.face)) * contact.stretch;
     put_on_face(contact, b.step.topology, choice.face, choice.foot.weights);
     contact.category = ContactCategory::regular;
     contact.held = false;

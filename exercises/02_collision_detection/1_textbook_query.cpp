@@ -1,5 +1,6 @@
-#include "chapters/02_collision_detection/cubic_roots.hpp"
 #include "chapters/02_collision_detection/textbook.hpp"
+
+#include "chapters/02_collision_detection/cubic_roots.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>

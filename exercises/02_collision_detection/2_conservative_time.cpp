@@ -1,5 +1,4 @@
 #include "exercises/02_collision_detection/2_conservative_time.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>

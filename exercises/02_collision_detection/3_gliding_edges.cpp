@@ -1,5 +1,4 @@
 #include "exercises/02_collision_detection/3_gliding_edges.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 #include "exercises/02_collision_detection/4_pairs_left.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <array>

@@ -1,4 +1,5 @@
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+
 #include "chapters/03_penalty_impulses/penetration_interval.hpp"
 #include "exercises/not_implemented_yet.hpp"
 

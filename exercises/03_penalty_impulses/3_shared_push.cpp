@@ -1,8 +1,8 @@
 #include "exercises/03_penalty_impulses/3_shared_push.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <Eigen/Dense>
+
 #include <cmath>
 
 namespace enduring {

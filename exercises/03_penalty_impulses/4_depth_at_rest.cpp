@@ -2,6 +2,7 @@
 
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/experiments/run/run.hpp"
 #include "exercises/not_implemented_yet.hpp"
 

@@ -1,5 +1,4 @@
 #include "exercises/04_friction/2_grain.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {

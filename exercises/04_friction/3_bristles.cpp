@@ -1,5 +1,4 @@
 #include "exercises/04_friction/3_bristles.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <cmath>

@@ -1,8 +1,7 @@
+#include "chapters/05_categorisation/category.hpp"
+
 #include "chapters/03_penalty_impulses/contact_normal.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
-#include "chapters/04_friction/solver.hpp"
-#include "chapters/05_categorisation/category.hpp"
-#include "chapters/05_categorisation/solver.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
@@ -54,19 +53,6 @@ void label_contacts(const World& world, Contacts& contacts, EdgeRule rule)
 void label_new_contacts(const World& world, Contacts& contacts, EdgeRule rule)
 {
     not_implemented_yet("5.1");
-}
-
-Solver chapter05_solver(const ContactParameters& parameters)
-{
-    Solver solver = chapter04_solver(parameters);
-    solver.name = "chapter 5";
-    solver.refresh.push_back({"categorise", [](World& world, Contacts& contacts, double) {
-        label_contacts(world, contacts);
-    }});
-    solver.detect.push_back({"categorise new", [](World& world, Contacts& contacts, double) {
-        label_new_contacts(world, contacts);
-    }});
-    return solver;
 }
 
 }  // namespace enduring

@@ -1,5 +1,4 @@
 #include "exercises/05_categorisation/2_cone.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>

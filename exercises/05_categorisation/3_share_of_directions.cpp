@@ -1,5 +1,4 @@
 #include "exercises/05_categorisation/3_share_of_directions.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <cmath>

@@ -1,5 +1,4 @@
 #include "exercises/05_categorisation/4_borrowed_normals.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {

@@ -1,6 +1,7 @@
+#include "chapters/06_redefinition/face_choice.hpp"
+
 #include "chapters/02_collision_detection/impact_weights.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "chapters/06_redefinition/face_choice.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {

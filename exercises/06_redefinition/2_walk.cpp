@@ -1,5 +1,4 @@
 #include "exercises/06_redefinition/2_walk.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>

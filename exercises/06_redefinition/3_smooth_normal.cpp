@@ -1,5 +1,4 @@
 #include "exercises/06_redefinition/3_smooth_normal.hpp"
-
 #include "exercises/not_implemented_yet.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-#include "chapters/01_particle_plane/plane_impulse.hpp"
 #include "exercises/01_particle_plane/2_restitution.hpp"
+
+#include "chapters/01_particle_plane/plane_impulse.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "chapters/01_particle_plane/amplification.hpp"
 #include "exercises/01_particle_plane/3_stiffness_for_a_step.hpp"
+
+#include "chapters/01_particle_plane/amplification.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "chapters/01_particle_plane/amplification.hpp"
 #include "exercises/01_particle_plane/4_what_a_bounce_costs.hpp"
+
+#include "chapters/01_particle_plane/amplification.hpp"
 
 #include <cmath>
 #include <numbers>

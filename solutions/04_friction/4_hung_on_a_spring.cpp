@@ -1,5 +1,6 @@
-#include "chapters/04_friction/friction_law.hpp"
 #include "exercises/04_friction/4_hung_on_a_spring.hpp"
+
+#include "chapters/04_friction/friction_law.hpp"
 
 #include <cmath>
 

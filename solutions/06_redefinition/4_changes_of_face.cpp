@@ -1,8 +1,9 @@
+#include "exercises/06_redefinition/4_changes_of_face.hpp"
+
 #include "chapters/06_redefinition/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/point_masses.hpp"
 #include "common/simulation/static_body.hpp"
-#include "exercises/06_redefinition/4_changes_of_face.hpp"
 
 #include <cmath>
 
