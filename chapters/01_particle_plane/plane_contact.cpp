@@ -1,7 +1,6 @@
 #include "chapters/01_particle_plane/plane_contact.hpp"
 
 #include "chapters/01_particle_plane/plane_impulse.hpp"
-#include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
 
@@ -80,21 +79,5 @@ void resolve_plane_contacts(World& world, Contacts& contacts)
     };
     contacts.erase(std::remove_if(contacts.begin(), contacts.end(), left_the_ground), contacts.end());
 }
-
-//! [respond]
-void push_out_of_planes(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt)
-{
-    for (Contact& contact : contacts) {
-        if (contact.kind != ContactKind::vertex_plane || !contact.waiting())
-            continue;
-        const PlaneStep step = plane_step(world, contact);
-        const double k = pair_stiffness(world, contact, stiffness);
-        const double impulse = method == PenaltyMethod::discrete
-                                   ? discrete_plane_impulse(step.depth_t1, k, dt)
-                                   : continuous_plane_impulse(step.depth_t0, step.depth_t1, k, dt);
-        contact.impulse = impulse * world.planes[static_cast<std::size_t>(contact.body_b)].normal;
-    }
-}
-//! [respond]
 
 }  // namespace enduring

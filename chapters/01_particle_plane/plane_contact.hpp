@@ -1,6 +1,5 @@
 #pragma once
 
-#include "common/simulation/contact_parameters.hpp"
 #include "common/simulation/step.hpp"
 
 namespace enduring {
@@ -12,11 +11,5 @@ void detect_plane_contacts(World& world, Contacts& contacts);
 /// Resolution: removes the plane contacts whose vertex stands outside at the start of the step, that is, left the
 /// ground in the step before.
 void resolve_plane_contacts(World& world, Contacts& contacts);
-
-/// Response: gives every waiting plane contact its impulse along the normal. All come from the same predicted positions,
-/// and the step applies them together.
-/// @param stiffness  k of one vertex [N/m], positive; a plane with a stiffness of its own takes that
-/// @param dt         length of the step [s], positive
-void push_out_of_planes(const World& world, Contacts& contacts, PenaltyMethod method, double stiffness, double dt);
 
 }  // namespace enduring

@@ -1,42 +1,9 @@
 #pragma once
 
 #include "chapters/03_penalty_impulses/bernstein.hpp"
-#include "common/geometry/vector.hpp"
-
-#include <array>
+#include "common/simulation/normal_law.hpp"
 
 namespace enduring {
-
-using PairVertices = std::array<Vec3, 4>;  ///< v f0 f1 f2, or a0 a1 b0 b1 [m]
-
-//! [pair_instant]
-/// A pair at one instant. A vertex-face pair and an edge-edge pair differ in these three vectors and in nothing else.
-struct PairInstant {
-    Vec3 side_1, side_2;  ///< the unnormalised normal is side_1 x side_2 [m]
-    Vec3 offset;          ///< from any point of B's feature to any point of A's [m], see below
-};
-
-/// Both ends of a step; between them every vertex, and so each of the three vectors, moves along a straight line.
-struct PairStep {
-    PairInstant t0, t1;
-};
-
-// The depth n . (p - q) needs no weights: p and q leave the vertices below along the sides, and n is at right angles
-// to both. The weights say where the impulse goes, not how large it is.
-
-/// @param x  v f0 f1 f2, the face counter-clockwise seen from outside
-inline PairInstant vertex_face_instant(const PairVertices& x)
-{
-    return {x[2] - x[1], x[3] - x[1], x[0] - x[1]};
-}
-
-/// @param x            a0 a1 b0 b1
-/// @param orientation  1 or -1: the sign that made (a1-a0) x (b1-b0) point from B to A at first contact
-inline PairInstant edge_edge_instant(const PairVertices& x, double orientation)
-{
-    return {orientation * (x[1] - x[0]), x[3] - x[2], x[0] - x[2]};
-}
-//! [pair_instant]
 
 //! [contact_normal]
 /// The unnormalised contact normal over the step [m^2]: n0, n1, n2 of thesis (5.12) and (5.18).

@@ -1,8 +1,10 @@
 #include "chapters/03_penalty_impulses/solver.hpp"
 
+#include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/01_particle_plane/solver.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/penalty_law.hpp"
 
 #include <memory>
 
@@ -23,9 +25,9 @@ Solver chapter03_solver(const ContactParameters& parameters)
     solver.detect.push_back({"queries", [detection](World& world, Contacts& contacts, double) {
         detection->append_entries(world, contacts);
     }});
-    solver.respond.push_back({"impulses", [parameters](World& world, Contacts& contacts, double dt) {
-        push_pairs_apart(world, contacts, parameters.method, parameters.stiffness, dt);
-    }});
+    solver.respond = {{"impulses", [law = normal_law(parameters), k = parameters.stiffness](World& world, Contacts& contacts, double dt) {
+        push_apart(world, contacts, law, k, dt);
+    }}};
     return solver;
 }
 //! [solver]

@@ -1,6 +1,5 @@
 #include "chapters/04_friction/friction_contact.hpp"
 
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/04_friction/mass_splitting_friction.hpp"
 #include "chapters/04_friction/surface_turn.hpp"
 #include "common/simulation/contact_geometry.hpp"

@@ -1,6 +1,5 @@
 #include "chapters/04_friction/surface_turn.hpp"
 
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <optional>
@@ -38,7 +37,7 @@ Mat3 surface_turn(const World& world, const Contact& contact)
 {
     if (contact.kind == ContactKind::vertex_plane)
         return Mat3::Identity();
-    const auto [t0, t1] = pair_step(world, contact);
+    const auto [t0, t1, plane_normal] = pair_step(world, contact);
     const double start = contact.start;
     const auto from = surface_axes((1 - start) * t0.side_1 + start * t1.side_1, (1 - start) * t0.side_2 + start * t1.side_2);
     const auto to = surface_axes(t1.side_1, t1.side_2);

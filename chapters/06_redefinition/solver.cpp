@@ -1,8 +1,9 @@
 #include "chapters/06_redefinition/solver.hpp"
 
+#include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/01_particle_plane/solver.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/penalty_law.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/06_redefinition/redefinition_passes.hpp"
 
@@ -25,9 +26,9 @@ Solver chapter06_solver(const ContactParameters& parameters)
     solver.detect.push_back({"new pairs", [detection](World& world, Contacts& contacts, double) {
         detect_new_pairs(world, *detection, contacts);
     }});
-    solver.respond.push_back({"impulses", [parameters](World& world, Contacts& contacts, double dt) {
-        push_pairs_apart(world, contacts, parameters.method, parameters.stiffness, dt);
-    }});
+    solver.respond = {{"impulses", [law = normal_law(parameters), k = parameters.stiffness](World& world, Contacts& contacts, double dt) {
+        push_apart(world, contacts, law, k, dt);
+    }}};
     add_friction(solver, parameters.friction);
     solver.finish.push_back({"resolve pairs", [detection](World& world, Contacts& contacts, double) {
         resolve_pairs_that_left(world, *detection, contacts);

@@ -49,7 +49,8 @@ std::size_t word_distance(std::string_view a, std::string_view b)
     return row.back();
 }
 
-std::string joined(std::initializer_list<std::string_view> words)
+template <class Words>
+std::string joined(const Words& words)
 {
     std::string text;
     for (const std::string_view word : words)
@@ -194,7 +195,7 @@ std::string JsonValue::text() const
     return value_->get<std::string>();
 }
 
-std::size_t JsonValue::choice(std::initializer_list<std::string_view> words) const
+std::size_t JsonValue::choice(std::span<const std::string_view> words) const
 {
     if (value_->is_string()) {
         const auto found = std::find(words.begin(), words.end(), value_->get_ref<const std::string&>());

@@ -7,6 +7,7 @@
 
 #include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,7 +50,8 @@ public:
     bool flag() const;
     std::string text() const;
     /// Index of the word that stands here among those allowed.
-    std::size_t choice(std::initializer_list<std::string_view> words) const;
+    std::size_t choice(std::span<const std::string_view> words) const;
+    std::size_t choice(std::initializer_list<std::string_view> words) const { return choice(std::span(words.begin(), words.size())); }
     Vec3 vector(const NumberRange& each) const;
     Vec3 direction() const;  ///< three numbers, not all zero; returned with unit length
 

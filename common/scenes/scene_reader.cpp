@@ -24,7 +24,7 @@ ContactParameters read_contact(const JsonValue& value)
     Mistakes mistakes;
     mistakes.gather([&] {
         if (const std::optional<JsonValue> method = value.find("method"))
-            contact.method = method->choice({"dpf", "cpf"}) == 0 ? PenaltyMethod::discrete : PenaltyMethod::continuous;
+            contact.method = static_cast<PenaltyMethod>(method->choice(penalty_words));
     });
     mistakes.gather([&] { contact.stiffness = value.number_or("stiffness", stiffness_range, contact.stiffness); });
     mistakes.gather([&] {

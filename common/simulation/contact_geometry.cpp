@@ -23,6 +23,18 @@ Vec3 normal_direction(const Contact& contact, const std::array<Vec3, 4>& x)
     return contact.orientation * (x[1] - x[0]).cross(x[3] - x[2]);
 }
 
+/// A vertex against a plane; any two sides will do that span it and whose product is its normal.
+PairStep plane_step(const Body& body, std::size_t vertex, const Plane& plane)
+{
+    const Vec3 side_1 = plane.normal.unitOrthogonal(), side_2 = plane.normal.cross(side_1);
+    return {{side_1, side_2, body.positions_t0()[vertex] - plane.point}, {side_1, side_2, body.positions_t1()[vertex] - plane.point}, plane.normal};
+}
+
+PairInstant instant(const Contact& contact, const PairVertices& x)
+{
+    return contact.kind == ContactKind::vertex_face ? vertex_face_instant(x) : edge_edge_instant(x, contact.orientation);
+}
+
 }  // namespace
 
 Vec3 contact_vertex(const World& world, const Contact& contact, int i, double tau)
@@ -50,6 +62,21 @@ ContactGeometry contact_geometry(const World& world, const Contact& contact, dou
     geometry.normal = unit_or_zero(normal_direction(contact, x));
     geometry.depth = geometry.normal.dot(geometry.p - geometry.q);
     return geometry;
+}
+
+PairStep pair_step(const World& world, const Contact& contact)
+{
+    if (contact.kind == ContactKind::vertex_plane)
+        return plane_step(body_of_vertex(world, contact, 0), static_cast<std::size_t>(contact.vertices[0]),
+                          world.planes[static_cast<std::size_t>(contact.body_b)]);
+    PairVertices t0, t1;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Body& body = body_of_vertex(world, contact, static_cast<int>(i));
+        const auto vertex = static_cast<std::size_t>(contact.vertices[i]);
+        t0[i] = body.positions_t0()[vertex];
+        t1[i] = body.positions_t1()[vertex];
+    }
+    return {instant(contact, t0), instant(contact, t1)};
 }
 
 double pair_stiffness(const World& world, const Contact& contact, double of_all_pairs)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/simulation/contact.hpp"
+#include "common/simulation/normal_law.hpp"
 #include "common/simulation/step.hpp"
 
 namespace enduring {
@@ -18,6 +19,9 @@ struct ContactGeometry {
 /// After a step has been committed both ends are the new state, so any tau reads that state. The solvers integrate
 /// over tau by closed forms of their own; this is for probes, pictures and checks.
 ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau);
+
+/// A contact over the step as a normal law sees it, from its bodies' positions.
+PairStep pair_step(const World& world, const Contact& contact);
 
 /// Stiffness of a pair [N/m]: its plane's own where it has one, else that of all pairs.
 double pair_stiffness(const World& world, const Contact& contact, double of_all_pairs);

@@ -1,8 +1,16 @@
 #pragma once
 
+#include "common/simulation/normal_law.hpp"
+
+#include <array>
+#include <string_view>
+
 namespace enduring {
 
-enum class PenaltyMethod { discrete, continuous };  ///< "dpf" or "cpf" in the file
+enum class PenaltyMethod { discrete, continuous };
+
+/// Their words in the file, in this order.
+inline constexpr std::array<std::string_view, 2> penalty_words{"dpf", "cpf"};
 
 enum class FrictionModel { none, yamane_nakamura, mass_splitting };  ///< "none", "yamane_nakamura" or "mass_splitting" in the file
 
@@ -26,6 +34,7 @@ struct ContactParameters {
     PenaltyMethod method = PenaltyMethod::continuous;
     double stiffness = 1000;  ///< k of one pair [N/m], positive
     FrictionParameters friction{};
+    NormalLaw law{};          ///< a normal law of one's own, in place of the method's
 };
 
 }  // namespace enduring

@@ -1,3 +1,4 @@
+#include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
 #include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/01_particle_plane/solver.hpp"
@@ -172,11 +173,11 @@ TEST_CASE("plane contact: a contact begins where the vertex goes under and ends 
     detect_plane_contacts(world, contacts);
     CHECK(contacts.size() == 4);  // known already
 
-    push_out_of_planes(world, contacts, PenaltyMethod::continuous, k, dt);
+    push_apart(world, contacts, continuous_on_plane, k, dt);
     apply_impulses(world, contacts);
     const Vec3 once = contacts[0].impulse;
     const double speed = cube.velocity(0).y();
-    push_out_of_planes(world, contacts, PenaltyMethod::continuous, k, dt);
+    push_apart(world, contacts, continuous_on_plane, k, dt);
     apply_impulses(world, contacts);
     CHECK(contacts[0].impulse == once);  // handled: pushed once
     CHECK(cube.velocity(0).y() == speed);
@@ -222,7 +223,7 @@ TEST_CASE("plane contact: a vertex in a corner is pushed by the wall along the w
     world.bodies[0]->predict(world.gravity, dt);
     detect_plane_contacts(world, contacts);
     REQUIRE(contacts.size() == 2);
-    push_out_of_planes(world, contacts, PenaltyMethod::continuous, k, dt);
+    push_apart(world, contacts, continuous_on_plane, k, dt);
     CHECK((contacts[0].impulse - Vec3(0, k * dt * 0.2, 0)).norm() <= 1e-12);
     CHECK((contacts[1].impulse - Vec3(k * dt * 0.1 / 4, 0, 0)).norm() <= 1e-12);
 
@@ -230,6 +231,6 @@ TEST_CASE("plane contact: a vertex in a corner is pushed by the wall along the w
     apply_impulses(world, contacts);
     world.bodies[0]->apply_impulse(0, {0, -7, 0});
     world.bodies[0]->update_prediction(dt);
-    push_out_of_planes(world, contacts, PenaltyMethod::continuous, k, dt);
+    push_apart(world, contacts, continuous_on_plane, k, dt);
     CHECK((contacts[0].impulse - Vec3(0, k * dt * 0.2, 0)).norm() <= 1e-12);
 }

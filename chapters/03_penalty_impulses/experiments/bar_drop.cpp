@@ -2,7 +2,6 @@
 
 #include "chapters/03_penalty_impulses/experiments/jitter.hpp"
 #include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/simulation/contact_geometry.hpp"
 

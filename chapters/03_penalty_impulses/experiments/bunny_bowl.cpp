@@ -1,7 +1,6 @@
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/experiments/pair_film.hpp"
 #include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/experiments/run/elements_of.hpp"
 #include "common/experiments/run/run.hpp"

@@ -1,6 +1,5 @@
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"
 #include "common/experiments/run/run.hpp"

@@ -1,7 +1,6 @@
 #include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
 #include "chapters/03_penalty_impulses/experiments/jitter.hpp"
 #include "chapters/03_penalty_impulses/experiments/scene_change.hpp"
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/experiments/render/reference.hpp"
 #include "common/experiments/render/renderer.hpp"

@@ -1,5 +1,7 @@
+#include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "chapters/03_penalty_impulses/penalty_law.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/point_masses.hpp"
@@ -95,7 +97,7 @@ TEST_CASE("penalty contact: impulses of every pair of bodies keep the momentum, 
                         contact.handled = true;
                     }
                 const Vec3 linear = linear_momentum(w), angular = angular_momentum(w);
-                push_pairs_apart(w, fresh, method, 200, dt);
+                push_apart(w, fresh, normal_law({method}), 200, dt);
                 apply_impulses(w, fresh);
                 pushed += static_cast<int>(fresh.size());
                 CHECK((linear_momentum(w) - linear).norm() < 1e-13 * (1 + linear.norm()));
@@ -201,7 +203,7 @@ TEST_CASE("penalty contact: an edge that falls on an edge is pushed up, whicheve
             REQUIRE(contacts.size() == 1);
             const Vec3 impulse = contacts[0].impulse;
             CHECK((impulse - Vec3(0, k * dt * 0.1 * share, 0)).norm() < 1e-9);
-            push_pairs_apart(world, contacts, method, k, dt);  // from elsewhere by now, but answered once a step
+            push_apart(world, contacts, normal_law({method}), k, dt);  // from elsewhere by now, but answered once a step
             CHECK(contacts[0].impulse == impulse);
         }
 }
@@ -269,7 +271,7 @@ TEST_CASE("penalty contact: the worked step gets the numbers of the stand-ins fr
     Solver solver = worked_step_solver(ours.stiffness);
     solver.refresh[0].run = [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); };
     solver.respond[0].run = [k = ours.stiffness](World& world, Contacts& contacts, double dt) {
-        push_pairs_apart(world, contacts, PenaltyMethod::continuous, k, dt);
+        push_apart(world, contacts, continuous_penalty, k, dt);
     };
     const auto expected = record_step(by_hand.world, by_hand.contacts, worked_step_solver(by_hand.stiffness), by_hand.dt);
     const auto found = record_step(ours.world, ours.contacts, solver, ours.dt);
@@ -334,7 +336,7 @@ TEST_CASE("penalty contact: a new pair pushes from its time of impact, not for a
     REQUIRE(pair != contacts.end());
     CHECK(pair->start > 0.5);
     const PairStep step = pair_step(world, *pair);
-    push_pairs_apart(world, contacts, PenaltyMethod::continuous, k, dt);
+    push_apart(world, contacts, continuous_penalty, k, dt);
     apply_impulses(world, contacts);
     const double second_visit = continuous_impulse(step, 0.5, k, dt).norm(), both_visits = continuous_impulse(step, 0, k, dt).norm();
     CHECK(pair->impulse.norm() == doctest::Approx(second_visit).epsilon(1e-6));

@@ -1,4 +1,3 @@
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/worked_step/tests/worked_step_numbers.hpp"
 

@@ -1,4 +1,3 @@
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "chapters/04_friction/experiments/launch.hpp"
 #include "chapters/04_friction/experiments/spring_energy.hpp"

@@ -1,5 +1,6 @@
 #include "chapters/06_redefinition/baseline/discrete_solver.hpp"
 
+#include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/01_particle_plane/solver.hpp"
 #include "chapters/06_redefinition/baseline/discrete_detection.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -12,8 +13,12 @@ namespace enduring {
 void push_to_closest_points(const World& world, Contacts& contacts, double stiffness, double dt)
 {
     for (Contact& contact : contacts) {
-        if (contact.kind != ContactKind::vertex_face || !contact.waiting())
+        if (!contact.waiting())
             continue;
+        if (contact.kind == ContactKind::vertex_plane) {
+            contact.impulse = discrete_on_plane(pair_step(world, contact), 0, pair_stiffness(world, contact, stiffness), dt);
+            continue;
+        }
         Vec3 out = Vec3::Zero();  // q - p
         for (int i = 0; i < 4; ++i)
             out -= contact.weights[static_cast<std::size_t>(i)] * contact_vertex(world, contact, i, 1);
@@ -24,17 +29,15 @@ void push_to_closest_points(const World& world, Contacts& contacts, double stiff
 
 Solver discrete_solver(const ContactParameters& parameters)
 {
-    ContactParameters discrete = parameters;
-    discrete.method = PenaltyMethod::discrete;
     const auto detection = std::make_shared<DiscreteDetection>();
-    Solver solver = chapter01_solver(discrete);
+    Solver solver = chapter01_solver(parameters);
     solver.name = "discrete";
     solver.detect.push_back({"closest points", [detection](World& world, Contacts& contacts, double) {
         detection->update_inside_vertices(world, contacts);
     }});
-    solver.respond.push_back({"impulses", [stiffness = parameters.stiffness](World& world, Contacts& contacts, double dt) {
+    solver.respond = {{"impulses", [stiffness = parameters.stiffness](World& world, Contacts& contacts, double dt) {
         push_to_closest_points(world, contacts, stiffness, dt);
-    }});
+    }}};
     return solver;
 }
 

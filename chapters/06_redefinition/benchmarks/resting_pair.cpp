@@ -4,7 +4,8 @@
 // Mass-splitting friction solves all pairs together. With half of them taken away the cube no longer rests, and it takes more
 // rounds: "both" is the number to read there.
 
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/01_particle_plane/normal_response.hpp"
+#include "chapters/03_penalty_impulses/penalty_law.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/05_categorisation/category.hpp"
 #include "chapters/06_redefinition/edge_edge_dismissal.hpp"
@@ -75,9 +76,9 @@ void follow(Resting& at)
         dismiss_enduring_edges(at.scene.world, at.pairs);
 }
 
-void push(Resting& at, PenaltyMethod method) { push_pairs_apart(at.scene.world, at.pairs, method, at.scene.contact.stiffness, at.scene.dt); }
-void push_continuous(Resting& at) { push(at, PenaltyMethod::continuous); }
-void push_discrete(Resting& at) { push(at, PenaltyMethod::discrete); }
+void push(Resting& at, const NormalLaw& law) { push_apart(at.scene.world, at.pairs, law, at.scene.contact.stiffness, at.scene.dt); }
+void push_continuous(Resting& at) { push(at, continuous_penalty); }
+void push_discrete(Resting& at) { push(at, discrete_penalty); }
 
 void friction(Resting& at) { compute_friction_impulses(at.scene.world, at.pairs, at.scene.contact.friction, at.scene.dt); }
 

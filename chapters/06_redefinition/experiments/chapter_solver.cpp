@@ -2,7 +2,6 @@
 
 #include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/01_particle_plane/solver.hpp"
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/04_friction/solver.hpp"

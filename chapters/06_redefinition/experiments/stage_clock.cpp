@@ -1,6 +1,7 @@
 #include "chapters/06_redefinition/experiments/stage_clock.hpp"
 
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/01_particle_plane/normal_response.hpp"
+#include "chapters/03_penalty_impulses/penalty_law.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/05_categorisation/category.hpp"
 #include "chapters/06_redefinition/edge_edge_dismissal.hpp"
@@ -70,12 +71,12 @@ public:
         Contacts pairs = only(contacts, kind_);
         pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [](const Contact& contact) { return !contact.waiting(); }), pairs.end());
         answered_ += static_cast<long>(pairs.size());
-        const auto push = [&](PenaltyMethod method) {
-            return quickest(pairs, [&](Contacts& list) { push_pairs_apart(world, list, method, parameters.stiffness, dt); });
+        const auto push = [&](const NormalLaw& law) {
+            return quickest(pairs, [&](Contacts& list) { push_apart(world, list, law, parameters.stiffness, dt); });
         };
-        times_.dpf += push(PenaltyMethod::discrete);
-        times_.cpf += push(PenaltyMethod::continuous);
-        push_pairs_apart(world, pairs, PenaltyMethod::continuous, parameters.stiffness, dt);
+        times_.dpf += push(discrete_penalty);
+        times_.cpf += push(continuous_penalty);
+        push_apart(world, pairs, continuous_penalty, parameters.stiffness, dt);
         times_.friction += quickest(pairs, [&](Contacts& list) { compute_friction_impulses(world, list, parameters.friction, dt); });
     }
 

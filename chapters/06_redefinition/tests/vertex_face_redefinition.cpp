@@ -1,4 +1,3 @@
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "chapters/06_redefinition/face_choice.hpp"
 #include "chapters/06_redefinition/new_pairs.hpp"
