@@ -17,7 +17,14 @@ Vec3 relative_velocity(const World& world, const Contact& contact)
     return velocity;
 }
 
-void friction_pair_by_pair(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+void friction_impulses(const World&, Contacts&, const NoFriction&, double) {}
+
+void friction_impulses(const World& world, Contacts& contacts, const MassSplitting& friction, double dt)
+{
+    mass_splitting_friction(world, contacts, friction, dt);
+}
+
+void friction_impulses(const World& world, Contacts& contacts, const YamaneNakamura& friction, double dt)
 {
     for (Contact& contact : contacts) {
         if (!pushes_now(contact))
@@ -34,9 +41,10 @@ void friction_pair_by_pair(const World& world, Contacts& contacts, const Frictio
 /// Where p lies against its anchor when the pair has let go: on it (p_ref := p, below 5.22), or near it.
 Vec3 after_slip(const Contact& contact, const Vec3& stretch, const FrictionParameters& friction, double dt)
 {
-    if (friction.model == FrictionModel::yamane_nakamura)
+    const auto* lagging = std::get_if<MassSplitting>(&friction);
+    if (!lagging)
         return Vec3::Zero();
-    const double longest = stretch_after_slip(contact.slip, contact.friction.norm(), friction, dt), length = stretch.norm();
+    const double longest = stretch_after_slip(contact.slip, contact.friction.norm(), *lagging, dt), length = stretch.norm();
     return length > longest ? Vec3(stretch * (longest / length)) : stretch;
 }
 
@@ -48,10 +56,7 @@ void compute_friction_impulses(const World& world, Contacts& contacts, const Fri
     for (Contact& contact : contacts)
         if (contact.waiting())
             contact.slip = 0;
-    if (friction.model == FrictionModel::mass_splitting)
-        mass_splitting_friction(world, contacts, friction, dt);
-    else
-        friction_pair_by_pair(world, contacts, friction, dt);
+    std::visit([&](const auto& model) { friction_impulses(world, contacts, model, dt); }, friction);
 }
 //! [compute_friction_impulses]
 
@@ -78,7 +83,7 @@ void move_friction_anchors(const World& world, Contacts& contacts, const Frictio
 //! [add_friction]
 void add_friction(Solver& solver, const FrictionParameters& friction)
 {
-    if (friction.model == FrictionModel::none)
+    if (std::holds_alternative<NoFriction>(friction))
         return;
     solver.respond.push_back({"friction", [friction](World& world, Contacts& contacts, double dt) {
         compute_friction_impulses(world, contacts, friction, dt);

@@ -5,7 +5,7 @@
 namespace enduring {
 
 //! [yamane_nakamura]
-FrictionImpulse yamane_nakamura(const SlidingPair& pair, const FrictionParameters& friction, double dt)
+FrictionImpulse yamane_nakamura(const SlidingPair& pair, const YamaneNakamura& friction, double dt)
 {
     const Vec2 held = -dt * (friction.spring * pair.stretch + friction.damper * pair.velocity);  // (5.22)
     if (held.norm() <= friction.mu_s * pair.normal_impulse)
@@ -17,20 +17,20 @@ FrictionImpulse yamane_nakamura(const SlidingPair& pair, const FrictionParameter
 }
 //! [yamane_nakamura]
 
-Anchor anchor_of(const FrictionParameters& friction, double inverse_mass, const Vec2& stretch, double dt)
+Anchor anchor_of(const MassSplitting& friction, double inverse_mass, const Vec2& stretch, double dt)
 {
     const double spring = std::min(friction.spring, 1 / (dt * dt * inverse_mass));
     return {spring, 2 * friction.damping_ratio * std::sqrt(spring / inverse_mass), stretch, dt};
 }
 
-double stretch_after_slip(double slip, double impulse, const FrictionParameters& friction, double dt)
+double stretch_after_slip(double slip, double impulse, const MassSplitting& friction, double dt)
 {
     return (1 - slip_weight(friction.weighting, slip)) * impulse / (dt * friction.spring);
 }
 
 //! [better_impulse]
 FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass, double normal_impulse,
-                               const Anchor& anchor, const FrictionParameters& friction)
+                               const Anchor& anchor, const MassSplitting& friction)
 {
     const double response = inverse_mass + anchor.yielding();
     const Vec2 wanted = impulse - (velocity - anchor.held_velocity(impulse)) / response;

@@ -30,7 +30,7 @@ inline double slip_weight(double weighting, double speed) { return -std::expm1(-
 /// mu_s, dynamic friction where they would not.
 /// @param dt  [s]
 /// @return    |impulse| <= mu_s |I_n|
-FrictionImpulse yamane_nakamura(const SlidingPair& pair, const FrictionParameters& friction, double dt);
+FrictionImpulse yamane_nakamura(const SlidingPair& pair, const YamaneNakamura& friction, double dt);
 
 /// The spring and the damper between an anchor and its point, for one step of backward Euler: the pair's impulse and its
 /// slip at the end of the step obey  J = -dt (k (s + dt u) + d u).
@@ -47,7 +47,7 @@ struct Anchor {
 /// Spring as asked for, but no stiffer than brings a pair's share of its bodies back to the anchor in one step; damper by
 /// its ratio to the critical one of spring and share.
 /// @param inverse_mass  of the share [1/kg], positive
-Anchor anchor_of(const FrictionParameters& friction, double inverse_mass, const Vec2& stretch, double dt);
+Anchor anchor_of(const MassSplitting& friction, double inverse_mass, const Vec2& stretch, double dt);
 
 /// One better guess at a pair's friction: the change that would bring its slip to what the anchor allows if nobody else
 /// changed, cut to what the pair can hold.
@@ -61,12 +61,12 @@ Anchor anchor_of(const FrictionParameters& friction, double inverse_mass, const 
 /// @param normal_impulse  |I_n| of this step [N s]
 /// @return                |impulse| <= mu |I_n|
 FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass, double normal_impulse,
-                               const Anchor& anchor, const FrictionParameters& friction);
+                               const Anchor& anchor, const MassSplitting& friction);
 
 /// How far p may lie from its anchor when the pair has let go [m]: as far as the pull that is left can hold, and the less the
 /// faster it slips.
 /// @param slip     [m/s]
 /// @param impulse  length of the friction impulse [N s]
-double stretch_after_slip(double slip, double impulse, const FrictionParameters& friction, double dt);
+double stretch_after_slip(double slip, double impulse, const MassSplitting& friction, double dt);
 
 }  // namespace enduring

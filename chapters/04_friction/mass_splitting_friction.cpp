@@ -41,7 +41,7 @@ Vec2 slip_velocity(const World& world, const FrictionPair& pair)
     return pair.plane.of(velocity);
 }
 
-std::vector<FrictionPair> friction_pairs(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+std::vector<FrictionPair> friction_pairs(const World& world, Contacts& contacts, const MassSplitting& friction, double dt)
 {
     MassShares shares(world, contacts);
     std::vector<FrictionPair> pairs;
@@ -93,7 +93,7 @@ Vec2 toward(const FrictionImpulse& better, double mu_s, FrictionPair& pair)
 
 /// One round: every pair answers what all of them did before.
 /// @return  how much that changed, relative to what the pairs can hold, as root mean squares
-double improve(const World& world, std::vector<FrictionPair>& pairs, const FrictionParameters& friction)
+double improve(const World& world, std::vector<FrictionPair>& pairs, const MassSplitting& friction)
 {
     double change = 0, most = 0;
     for (FrictionPair& pair : pairs) {
@@ -122,7 +122,7 @@ bool worth_another(const std::vector<double>& changes)
 }  // namespace
 
 //! [mass_splitting_friction]
-void mass_splitting_friction(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+void mass_splitting_friction(const World& world, Contacts& contacts, const MassSplitting& friction, double dt)
 {
     std::vector<FrictionPair> pairs = friction_pairs(world, contacts, friction, dt);
     try_normal_impulses(world, pairs);

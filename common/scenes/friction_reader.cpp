@@ -8,30 +8,65 @@
 namespace enduring {
 namespace {
 
-FrictionModel read_model(const JsonValue& value)
+/// A scene may switch friction off and keep its numbers; a key that would do nothing beside others that do is a mistake.
+void refuse_foreign_keys(const JsonValue&, const NoFriction&) {}
+
+void refuse_foreign_keys(const JsonValue& value, const YamaneNakamura&)
 {
-    constexpr std::array models{FrictionModel::none, FrictionModel::yamane_nakamura, FrictionModel::mass_splitting};
-    return models[value.at("model").choice({"none", "yamane_nakamura", "mass_splitting"})];
+    if (const std::optional<JsonValue> key = value.find("damping_ratio"))
+        key->complain("the model \"yamane_nakamura\" knows no \"damping_ratio\"; it has a \"damper\"");
 }
 
-/// A scene may switch friction off and keep its numbers; a key that would do nothing beside others that do is a mistake.
-void require_known_keys(const JsonValue& value, FrictionModel model)
+void refuse_foreign_keys(const JsonValue& value, const MassSplitting&)
 {
-    value.require_keys({"model", "mu_s", "mu_d", "spring", "damper", "damping_ratio", "weighting"});
-    const std::string foreign = model == FrictionModel::mass_splitting ? "damper" : "damping_ratio";
-    if (const std::optional<JsonValue> key = value.find(foreign); key && model != FrictionModel::none)
-        key->complain(model == FrictionModel::mass_splitting ? "the model \"mass_splitting\" knows no \"damper\"; it has a \"damping_ratio\""
-                                                     : "the model \"yamane_nakamura\" knows no \"damping_ratio\"; it has a \"damper\"");
+    if (const std::optional<JsonValue> key = value.find("damper"))
+        key->complain("the model \"mass_splitting\" knows no \"damper\"; it has a \"damping_ratio\"");
 }
 
 /// With one coefficient given, the other follows where it must: mu_d is never above mu_s.
-void read_coefficients(const JsonValue& value, FrictionParameters& friction)
+template <class Friction>
+void read_coefficients(const JsonValue& value, Friction& friction)
 {
     const NumberRange range{0, 10};
     friction.mu_s = value.number_or("mu_s", range, friction.mu_s);
     friction.mu_d = value.number_or("mu_d", range, std::min(friction.mu_d, friction.mu_s));
     if (friction.mu_d > friction.mu_s)
         value.complain("\"mu_d\" is above \"mu_s\"; a body that slides is never held better than one at rest");
+}
+
+void read_damping(const JsonValue& value, YamaneNakamura& friction)
+{
+    friction.damper = value.number_or("damper", {0, 1e12, true, true, "N s/m"}, friction.damper);
+}
+
+void read_damping(const JsonValue& value, MassSplitting& friction)
+{
+    friction.damping_ratio = value.number_or("damping_ratio", {0, 1e6}, friction.damping_ratio);
+}
+
+template <class Friction>
+void read_constants(const JsonValue& value, Friction& friction, Mistakes& mistakes)
+{
+    mistakes.gather([&] { read_coefficients(value, friction); });
+    mistakes.gather([&] { friction.spring = value.number_or("spring", {0, 1e12, false, true, "N/m"}, friction.spring); });
+    mistakes.gather([&] { read_damping(value, friction); });
+    mistakes.gather([&] { friction.weighting = value.number_or("weighting", {0, 1e9, false, true, "s/m"}, friction.weighting); });
+}
+
+/// What is switched off is still read, for its mistakes.
+void read_constants(const JsonValue& value, NoFriction&, Mistakes& mistakes)
+{
+    YamaneNakamura one;
+    MassSplitting other;
+    read_constants(value, one, mistakes);
+    read_constants(value, other, mistakes);
+}
+
+/// With what a scene leaves out.
+FrictionParameters read_model(const JsonValue& value, double stiffness)
+{
+    const std::array<FrictionParameters, friction_words.size()> models{NoFriction{}, YamaneNakamura{}, MassSplitting{.spring = stiffness}};
+    return models[value.at("model").choice(friction_words)];
 }
 
 }  // namespace
@@ -41,14 +76,11 @@ FrictionParameters read_friction(const JsonValue& value, double stiffness)
     FrictionParameters friction;
     Mistakes mistakes;
     mistakes.gather([&] {
-        friction = friction_defaults(read_model(value), stiffness);
-        require_known_keys(value, friction.model);
+        friction = read_model(value, stiffness);
+        value.require_keys({"model", "mu_s", "mu_d", "spring", "damper", "damping_ratio", "weighting"});
+        std::visit([&](const auto& model) { refuse_foreign_keys(value, model); }, friction);
     });
-    mistakes.gather([&] { read_coefficients(value, friction); });
-    mistakes.gather([&] { friction.spring = value.number_or("spring", {0, 1e12, false, true, "N/m"}, friction.spring); });
-    mistakes.gather([&] { friction.damper = value.number_or("damper", {0, 1e12, true, true, "N s/m"}, friction.damper); });
-    mistakes.gather([&] { friction.damping_ratio = value.number_or("damping_ratio", {0, 1e6}, friction.damping_ratio); });
-    mistakes.gather([&] { friction.weighting = value.number_or("weighting", {0, 1e9, false, true, "s/m"}, friction.weighting); });
+    std::visit([&](auto& model) { read_constants(value, model, mistakes); }, friction);
     mistakes.complain();
     return friction;
 }

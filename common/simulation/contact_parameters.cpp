@@ -2,14 +2,15 @@
 
 namespace enduring {
 
-FrictionParameters friction_defaults(FrictionModel model, double stiffness)
+FrictionParameters with_coefficients(FrictionParameters friction, double mu_s, double mu_d)
 {
-    FrictionParameters friction;
-    friction.model = model;
-    if (model == FrictionModel::mass_splitting) {
-        friction.spring = stiffness;
-        friction.weighting = 20;
-    }
+    const auto set = [&](auto& model) {
+        if constexpr (requires { model.mu_s; }) {
+            model.mu_s = mu_s;
+            model.mu_d = mu_d;
+        }
+    };
+    std::visit(set, friction);
     return friction;
 }
 

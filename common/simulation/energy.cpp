@@ -16,9 +16,16 @@ Energy total_energy(const World& world)
 
 double friction_spring_energy(const Contacts& contacts, const FrictionParameters& friction)
 {
+    const auto spring_of = [](const auto& model) {
+        if constexpr (requires { model.spring; })
+            return model.spring;
+        else
+            return 0.0;
+    };
+    const double spring = std::visit(spring_of, friction);
     double sum = 0;
     for (const Contact& contact : contacts)
-        sum += 0.5 * friction.spring * contact.stretch.squaredNorm();
+        sum += 0.5 * spring * contact.stretch.squaredNorm();
     return sum;
 }
 

@@ -7,29 +7,9 @@ namespace enduring {
 namespace {
 
 /// mu_s 0.5, mu_d 0.2; spring 100 N/m, damper 25 N s/m; slip counts from 5 cm/s on.
-FrictionParameters thesis()
-{
-    FrictionParameters friction;
-    friction.model = FrictionModel::yamane_nakamura;
-    friction.mu_s = 0.5;
-    friction.mu_d = 0.2;
-    friction.spring = 100;
-    friction.damper = 25;
-    friction.weighting = 1e4;
-    return friction;
-}
+YamaneNakamura thesis() { return {.mu_s = 0.5, .mu_d = 0.2, .spring = 100, .damper = 25, .weighting = 1e4}; }
 
-FrictionParameters mass_splitting()
-{
-    FrictionParameters friction = thesis();
-    friction.model = FrictionModel::mass_splitting;
-    friction.mu_s = 0.5;
-    friction.mu_d = 0.3;
-    friction.spring = 2000;
-    friction.damping_ratio = 20;
-    friction.weighting = 20;
-    return friction;
-}
+MassSplitting mass_splitting() { return {.mu_s = 0.5, .mu_d = 0.3, .spring = 2000, .damping_ratio = 20, .weighting = 20}; }
 
 constexpr double dt = 0.1;
 const SlidingPair holding{{0.03, 0}, {0, 0.2}, 1.2};
@@ -58,7 +38,7 @@ TEST_CASE("thesis: beyond mu_s dynamic friction acts against the slip, and the s
 
 TEST_CASE("thesis: a slip of almost nothing is braked in proportion, and none gives none")
 {
-    FrictionParameters friction = thesis();
+    YamaneNakamura friction = thesis();
     friction.weighting = 20;
     SlidingPair pair{{1, 0}, {0, 1e-6}, 1};
     {

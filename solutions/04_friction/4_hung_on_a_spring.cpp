@@ -14,7 +14,7 @@ double predicted_ratio()
 bool holds_the_block(double ratio, double damping)
 {
     const double slope = 0.2, gravity = 9.81, dt = 1e-4;  // rad, m/s^2, s
-    FrictionParameters friction;
+    YamaneNakamura friction;
     friction.mu_s = friction.mu_d = ratio * std::tan(slope);
     friction.spring = 1000;
     friction.damper = 2 * damping * std::sqrt(friction.spring);

@@ -30,11 +30,9 @@ double patience(const Launch& launch)
 
 }  // namespace
 
-FrictionParameters with_mu_s(FrictionParameters friction, double mu_s)
+FrictionParameters with_mu_s(const FrictionParameters& friction, double mu_s)
 {
-    friction.mu_s = mu_s;
-    friction.mu_d = std::min(0.1, mu_s / 2);
-    return friction;
+    return with_coefficients(friction, mu_s, std::min(0.1, mu_s / 2));
 }
 
 Vec3 uphill(double angle_deg) { return {std::cos(radians(angle_deg)), std::sin(radians(angle_deg)), 0}; }

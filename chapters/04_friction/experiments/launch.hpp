@@ -17,7 +17,7 @@ struct Launch {
 };
 
 /// mu_d of all launches: 0.1, or half of mu_s where that is less.
-FrictionParameters with_mu_s(FrictionParameters friction, double mu_s);
+FrictionParameters with_mu_s(const FrictionParameters& friction, double mu_s);
 
 /// The scene, the box as deep in its slope as it would rest.
 Scene scene_of(const Launch& launch);

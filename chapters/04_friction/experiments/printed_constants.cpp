@@ -27,12 +27,9 @@ const std::vector<Reading> readings{
 };
 //! [readings]
 
-FrictionParameters friction_of(const Reading& reading)
+YamaneNakamura friction_of(const Reading& reading, double mu_s)
 {
-    FrictionParameters friction = friction_defaults(FrictionModel::yamane_nakamura, 20000);
-    friction.spring = reading.spring;
-    friction.damper = reading.damper;
-    return friction;
+    return {.mu_s = mu_s, .mu_d = 0.1, .spring = reading.spring, .damper = reading.damper};
 }
 
 /// Slid away or not: what swings about a place that it does not leave counts as held.
@@ -40,9 +37,7 @@ bool stays(const Reading& reading, double mu_s)
 {
     Launch launch;
     launch.angle_deg = angle_deg;
-    launch.friction = friction_of(reading);
-    launch.friction.mu_s = mu_s;
-    launch.friction.mu_d = 0.1;
+    launch.friction = friction_of(reading, mu_s);
     double last = 0;
     follow(launch, 30, [&](const Progress1d& now) {
         last = now.way;
@@ -54,9 +49,7 @@ bool stays(const Reading& reading, double mu_s)
 double highest_way(const Reading& reading, double mu_s)
 {
     Launch launch;
-    launch.friction = friction_of(reading);
-    launch.friction.mu_s = mu_s;
-    launch.friction.mu_d = 0.1;
+    launch.friction = friction_of(reading, mu_s);
     double highest = -1e9;
     follow(launch, 2, [&](const Progress1d& now) {
         highest = std::max(highest, now.way);

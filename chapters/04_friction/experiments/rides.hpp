@@ -127,9 +127,7 @@ template <class MakeSolver>
 RideRecord take(const Ride& ride, const MakeSolver& make_solver)
 {
     const double stiffness = ride.ground == Ground::soft_slab ? 4000 : 40000;  // [N/m]; the slab has many pairs
-    ContactParameters parameters{PenaltyMethod::continuous, stiffness, friction_defaults(FrictionModel::mass_splitting, stiffness)};
-    parameters.friction.mu_s = ride.mu_s;
-    parameters.friction.mu_d = 0.5 * ride.mu_s;
+    const ContactParameters parameters{PenaltyMethod::continuous, stiffness, MassSplitting{.mu_s = ride.mu_s, .mu_d = 0.5 * ride.mu_s, .spring = stiffness}};
     const Solver solver = make_solver(parameters);
     World world = world_of(ride);
     Contacts contacts;

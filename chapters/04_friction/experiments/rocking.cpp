@@ -38,7 +38,7 @@ private:
 /// A finding: the launched cube rocks, and needs more friction than its angle says.
 void rocking(const RunOptions& options, Report& report)
 {
-    const FrictionParameters mass_splitting = friction_defaults(FrictionModel::mass_splitting, 20000);
+    const MassSplitting mass_splitting{.spring = 20000};
     Table thresholds({"angle_deg", "dt_s", "block_ratio", "cube_ratio"});
     for (const double angle : options.quick ? std::vector{10.0} : std::vector{5.0, 10.0, 20.0, 30.0})
         for (const double dt : options.quick ? std::vector{0.01} : std::vector{0.01, 0.002}) {

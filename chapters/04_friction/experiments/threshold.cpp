@@ -16,10 +16,8 @@ double tangent(double angle_deg) { return std::tan(angle_deg * std::numbers::pi 
 /// The thesis' model with a spring that the steps below resolve, and the damper of a given ratio n k_FD / (2 sqrt(n k_FP m)).
 FrictionParameters printed_model(double damping_ratio)
 {
-    FrictionParameters friction = friction_defaults(FrictionModel::yamane_nakamura, stiffness);
-    friction.spring = 5000;
-    friction.damper = damping_ratio * 2 * std::sqrt(pairs * friction.spring * mass) / pairs;
-    return friction;
+    constexpr double spring = 5000;
+    return YamaneNakamura{.spring = spring, .damper = damping_ratio * 2 * std::sqrt(pairs * spring * mass) / pairs};
 }
 
 /// The largest force of a spring and damper that catch a weight, relative to that weight: they start unstretched, and
@@ -44,7 +42,7 @@ std::vector<Series> all_series(bool quick)
     std::vector<Series> all;
     for (const double ratio : quick ? std::vector{0.25, 1.0} : std::vector{0.05, 0.25, 0.5, 1.0, 2.0})
         all.push_back({"yamane_nakamura", ratio, printed_model(ratio)});
-    const FrictionParameters mass_splitting = friction_defaults(FrictionModel::mass_splitting, stiffness);
+    const MassSplitting mass_splitting{.spring = stiffness};
     all.push_back({"mass_splitting", mass_splitting.damping_ratio, mass_splitting});
     return all;
 }
@@ -58,9 +56,9 @@ void report_slides(const std::vector<double>& angles, Report& report)
             Launch launch;
             launch.angle_deg = angle;
             launch.dt = dt;
-            launch.friction = with_mu_s(friction_defaults(FrictionModel::mass_splitting, stiffness), 0.8 * tangent(angle));
+            launch.friction = with_mu_s(MassSplitting{.spring = stiffness}, 0.8 * tangent(angle));
             const Vec3 up = uphill(angle);
-            const double mu_d = launch.friction.mu_d;
+            const double mu_d = std::get<MassSplitting>(launch.friction).mu_d;
             const double up_error = mean_acceleration(launch, 2.5, 0.5) / (-9.81 * (up.y() + mu_d * up.x())) - 1;
             const double down_error = mean_acceleration(launch, -0.5, -2.5) / (-9.81 * (up.y() - mu_d * up.x())) - 1;
             table.add({angle, dt, 100 * up_error, 100 * down_error});

@@ -7,10 +7,7 @@ using namespace enduring;
 
 TEST_CASE("errata: friction along f_n, as (5.21) prints it, brakes nothing; (5.23) acts against the slip")
 {
-    FrictionParameters friction;
-    friction.model = FrictionModel::yamane_nakamura;
-    friction.mu_s = 0.4;
-    friction.mu_d = 0.1;
+    const YamaneNakamura friction{.mu_s = 0.4, .mu_d = 0.1};
     const double normal_impulse = 2, dt = 0.01;
     for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(0.6, 0.8, 0), Vec3(-2, 1, 2).normalized().eval()}) {
         const TangentPlane plane(normal);

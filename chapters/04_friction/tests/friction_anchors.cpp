@@ -9,6 +9,8 @@ using namespace enduring;
 
 namespace {
 
+const std::array<FrictionParameters, 2> both_models{YamaneNakamura{}, MassSplitting{.spring = 50}};
+
 /// One point of 1 kg on a plane with the normal y, already pushed by it, and predicted to move by `way` in a step of 0.1 s.
 struct OnPlane {
     World world;
@@ -16,7 +18,7 @@ struct OnPlane {
     FrictionParameters friction;
     static constexpr double dt = 0.1;
 
-    OnPlane(FrictionModel model, const Vec3& way) : friction(friction_defaults(model, 50))
+    OnPlane(const FrictionParameters& model, const Vec3& way) : friction(model)
     {
         world.gravity.setZero();
         world.planes.push_back({"floor"});
@@ -38,7 +40,7 @@ struct OnPlane {
 
 TEST_CASE("friction anchors: a point that is held drags its stretch along the surface, not off it")
 {
-    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mass_splitting}) {
+    for (const FrictionParameters& model : both_models) {
         OnPlane it(model, {0.01, -0.5, 0.02});
         it.contact().stretch = {0.001, 0, 0};
         it.finish();
@@ -51,7 +53,7 @@ TEST_CASE("friction anchors: a point that is held drags its stretch along the su
 
 TEST_CASE("friction anchors: a pair that does not push has none, and one that is held keeps its own")
 {
-    OnPlane it(FrictionModel::mass_splitting, {0.01, 0, 0});
+    OnPlane it(MassSplitting{.spring = 50}, {0.01, 0, 0});
     it.contact().stretch = {0.001, 0, 0};
     it.contact().held = true;
     it.contact().impulse.setZero();
@@ -64,12 +66,12 @@ TEST_CASE("friction anchors: a pair that does not push has none, and one that is
 
 TEST_CASE("friction anchors: when a pair lets go, the thesis' anchor comes to the point, the mass-splitting one within its pull")
 {
-    OnPlane printed(FrictionModel::yamane_nakamura, {0.3, 0, 0});
+    OnPlane printed(YamaneNakamura{}, {0.3, 0, 0});
     printed.contact().slip = 3;
     printed.finish();
     CHECK(printed.contact().stretch == Vec3::Zero());
 
-    OnPlane mass_splitting(FrictionModel::mass_splitting, {0.3, 0, 0});
+    OnPlane mass_splitting(MassSplitting{.spring = 50}, {0.3, 0, 0});
     mass_splitting.contact().slip = 0.01;
     mass_splitting.contact().friction = {-0.6, 0, 0};  // 6 N, that is 0.12 m of a spring of 50 N/m
     mass_splitting.finish();
@@ -81,7 +83,7 @@ TEST_CASE("friction anchors: when a pair lets go, the thesis' anchor comes to th
 
 TEST_CASE("friction: the pass computes and applies nothing, and only for pairs that wait and push")
 {
-    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mass_splitting}) {
+    for (const FrictionParameters& model : both_models) {
         OnPlane it(model, {0.1, 0, 0});
         it.contacts.resize(4, it.contact());
         it.contacts[1].handled = true;
@@ -100,7 +102,7 @@ TEST_CASE("friction: a scene without friction runs as in chapter 3, to the last 
 {
     CHECK(chapter04_solver({}).respond.size() + 1 == [] {
         ContactParameters rough;
-        rough.friction.model = FrictionModel::mass_splitting;
+        rough.friction = MassSplitting{};
         return chapter04_solver(rough).respond.size();
     }());
     CHECK(chapter04_solver({}).finish.empty());
@@ -108,7 +110,7 @@ TEST_CASE("friction: a scene without friction runs as in chapter 3, to the last 
 
 TEST_CASE("friction anchors: a pair that waits and does not push slips no more")
 {
-    for (const FrictionModel model : {FrictionModel::yamane_nakamura, FrictionModel::mass_splitting}) {
+    for (const FrictionParameters& model : both_models) {
         OnPlane it(model, {0.01, 0, 0});
         it.contact().impulse.setZero();
         it.contact().slip = 3;  // of the step before
@@ -120,7 +122,7 @@ TEST_CASE("friction anchors: a pair that waits and does not push slips no more")
 TEST_CASE("friction anchors: a stretch from before the surface tilted is laid along it, held or slipping")
 {
     for (const double slip : {0.0, 0.01}) {
-        OnPlane it(FrictionModel::mass_splitting, Vec3::Zero());
+        OnPlane it(MassSplitting{.spring = 50}, Vec3::Zero());
         it.contact().stretch = {0.01, 0.02, 0};
         it.contact().slip = slip;
         it.contact().friction = {-0.6, 0, 0};  // enough for 0.12 m

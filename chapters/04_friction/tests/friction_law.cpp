@@ -18,9 +18,11 @@ private:
     std::mt19937 engine_{4};
 };
 
-FrictionParameters random_friction(Random& random, FrictionModel model)
+template <class Friction>
+Friction random_friction(Random& random)
 {
-    FrictionParameters friction = friction_defaults(model, random.magnitude(10, 1e6));
+    Friction friction;
+    friction.spring = random.magnitude(10, 1e6);
     friction.mu_s = random.between(0, 1);
     friction.mu_d = random.between(0, friction.mu_s);
     friction.weighting = random.magnitude(1, 1e5);
@@ -41,9 +43,7 @@ TEST_CASE("friction law: the weight of slip is 0 at rest, 1 in motion, and k_w x
 
 TEST_CASE("friction law: 5.22 holds up to mu_s, and 5.23 takes over beyond")
 {
-    FrictionParameters friction = friction_defaults(FrictionModel::yamane_nakamura, 1);
-    friction.mu_s = 0.5;
-    friction.mu_d = 0.2;
+    const YamaneNakamura friction{.mu_s = 0.5, .mu_d = 0.2};
     const double dt = 0.1;
     // k_FP = 100, k_FD = 25: the spring pulls with 3 N back along x, the damper with 5 N along y.
     const SlidingPair pair{{0.03, 0}, {0, 0.2}, 1.2};
@@ -67,10 +67,10 @@ TEST_CASE("friction law: no friction is longer than mu_s times the normal impuls
     for (int i = 0; i < 20000; ++i) {
         const double dt = random.magnitude(1e-4, 0.1), normal = random.magnitude(1e-6, 1e3), w = random.magnitude(1e-3, 1e3);
         const Vec2 stretch = random.vector(random.magnitude(1e-8, 1)), velocity = random.vector(random.magnitude(1e-8, 10));
-        const FrictionParameters printed = random_friction(random, FrictionModel::yamane_nakamura);
+        const auto printed = random_friction<YamaneNakamura>(random);
         CHECK(yamane_nakamura({stretch, velocity, normal}, printed, dt).impulse.norm() <= printed.mu_s * normal * (1 + 1e-14));
 
-        const FrictionParameters mass_splitting = random_friction(random, FrictionModel::mass_splitting);
+        const auto mass_splitting = random_friction<MassSplitting>(random);
         const Vec2 guess = random.vector(mass_splitting.mu_s * normal / 2);
         const FrictionImpulse better = better_impulse(guess, velocity, w, normal, anchor_of(mass_splitting, w, stretch, dt), mass_splitting);
         CHECK(better.impulse.norm() <= mass_splitting.mu_s * normal * (1 + 1e-14));
@@ -87,8 +87,7 @@ TEST_CASE("friction law: one pair alone is one step of backward Euler of a dampe
 {
     Random random;
     for (int i = 0; i < 1000; ++i) {
-        FrictionParameters friction = friction_defaults(FrictionModel::mass_splitting, random.magnitude(10, 1e4));
-        friction.mu_s = 1e9;  // holds anything
+        const MassSplitting friction{.mu_s = 1e9, .spring = random.magnitude(10, 1e4)};  // holds anything
         const double dt = 0.01, mass = random.magnitude(0.5, 100);
         CAPTURE(mass);
         CAPTURE(friction.spring);
@@ -105,9 +104,7 @@ TEST_CASE("friction law: one pair alone is one step of backward Euler of a dampe
 
 TEST_CASE("friction law: fast slip feels mu_d, slow slip mu_s, and friction opposes it")
 {
-    FrictionParameters friction = friction_defaults(FrictionModel::mass_splitting, 1000);
-    friction.mu_s = 0.4;
-    friction.mu_d = 0.1;
+    const MassSplitting friction{.mu_s = 0.4, .mu_d = 0.1, .spring = 1000};
     const double mass = 2, normal = 0.3, dt = 0.01;
     const Anchor anchor = anchor_of(friction, 1 / mass, Vec2::Zero(), dt);
     const Vec2 direction(0.6, 0.8);

@@ -19,11 +19,11 @@ using namespace enduring;
 
 namespace {
 
-const std::array<FrictionModel, 2> both_models{FrictionModel::yamane_nakamura, FrictionModel::mass_splitting};
+const std::array<FrictionParameters, 2> both_models{YamaneNakamura{}, MassSplitting{}};
 
 /// A rigid box thrown on a soft bar that lies on a static floor of triangles, with a rigid ball beside them on a plane:
 /// every kind of pair and every pair of kinds of bodies.
-Scene heap(FrictionModel model, const std::string& response)
+Scene heap(const FrictionParameters& model, const std::string& response)
 {
     Scene scene = read_scene(R"({"name": "heap", "dt": 0.005, "duration": 1, "contact": {"stiffness": 3000},
         "planes": [{"name": "ground", "point": [0, -0.02, 0]}],
@@ -37,7 +37,9 @@ Scene heap(FrictionModel model, const std::string& response)
           {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.2, "subdivisions": 1}}, "mass": 2, "position": [2, 0.17, 0],
            "velocity": [0.4, -1, 0.2], "angular_velocity": [2, 0, 1]}
         ]})", "", "heap.json", {});
-    scene.contact.friction = friction_defaults(model, scene.contact.stiffness);
+    scene.contact.friction = model;
+    if (auto* splitting = std::get_if<MassSplitting>(&scene.contact.friction))
+        splitting->spring = scene.contact.stiffness;
     return scene;
 }
 
@@ -48,7 +50,7 @@ struct Seen {
     double sum_defect = 0;                           ///< of the weights of pairs of features
 };
 
-Seen run_heap(FrictionModel model, const std::string& response)
+Seen run_heap(const FrictionParameters& model, const std::string& response)
 {
     Scene scene = heap(model, response);
     const Solver solver = chapter04_solver(scene.contact);
@@ -66,7 +68,7 @@ Seen run_heap(FrictionModel model, const std::string& response)
             seen.slipping += contact.slip > 0;
             seen.holding += contact.slip == 0;
             seen.worst_normal_part = std::max(seen.worst_normal_part, std::abs(contact.friction.dot(contact.impulse)) / (friction * normal));
-            seen.worst_length = std::max(seen.worst_length, friction / (scene.contact.friction.mu_s * normal));
+            seen.worst_length = std::max(seen.worst_length, friction / (MassSplitting{}.mu_s * normal));
         }
     }
     return seen;
@@ -76,7 +78,7 @@ Seen run_heap(FrictionModel model, const std::string& response)
 
 TEST_CASE("friction: tangential to 1e-12 and within mu |f_n| at every pair and step, for all kinds and bodies")
 {
-    for (const FrictionModel model : both_models)
+    for (const FrictionParameters& model : both_models)
         for (const std::string response : {"lumped", "implicit"}) {
             CAPTURE(response);
             const Seen seen = run_heap(model, response);
@@ -179,11 +181,11 @@ Vec3 momentum(const World& world) { return world.bodies[0]->linear_momentum() + 
 
 TEST_CASE("friction: keeps linear momentum to rounding, between all kinds of pairs")
 {
-    for (const FrictionModel model : both_models)
+    for (const FrictionParameters& model : both_models)
         for (unsigned seed = 0; seed < 50; ++seed) {
             RandomMeeting it(seed);
             const Vec3 before = momentum(it.world);
-            compute_friction_impulses(it.world, it.contacts, friction_defaults(model, 1000), it.dt);
+            compute_friction_impulses(it.world, it.contacts, model, it.dt);
             apply_impulses(it.world, it.contacts);
             CHECK((momentum(it.world) - before).norm() < 1e-13 * (1 + before.norm()));
         }
@@ -194,7 +196,7 @@ TEST_CASE("friction: mass-splitting friction takes energy in every step, springs
     for (unsigned seed = 0; seed < 2000; ++seed) {
         RandomMeeting it(seed);
         CAPTURE(seed);
-        FrictionParameters friction = friction_defaults(FrictionModel::mass_splitting, std::exp(it.random(2, 7)));
+        MassSplitting friction{.spring = std::exp(it.random(2, 7))};
         friction.mu_s = it.random(0, 1.5);
         friction.mu_d = it.random(0, friction.mu_s);
         for (Contact& contact : it.contacts) {  // a stretch that friction could have left

@@ -22,15 +22,9 @@ namespace {
 
 double tangent(double degrees) { return std::tan(degrees * std::numbers::pi / 180); }
 
-FrictionParameters mass_splitting() { return friction_defaults(FrictionModel::mass_splitting, 20000); }
+const MassSplitting mass_splitting{.spring = 20000};
 
-FrictionParameters printed(double spring, double damper)
-{
-    FrictionParameters friction = friction_defaults(FrictionModel::yamane_nakamura, 20000);
-    friction.spring = spring;
-    friction.damper = damper;
-    return friction;
-}
+YamaneNakamura printed(double spring, double damper) { return {.spring = spring, .damper = damper}; }
 
 Launch launch(double angle_deg, double dt, const FrictionParameters& friction)
 {
@@ -66,8 +60,8 @@ TEST_CASE("threshold: mass-splitting friction holds within 5 % of the angle's ta
         for (const double dt : {0.01, 0.002}) {
             CAPTURE(angle);
             CAPTURE(dt);
-            CHECK(holds(launch(angle, dt, with_mu_s(mass_splitting(), 1.05 * tangent(angle)))));
-            CHECK_FALSE(holds(launch(angle, dt, with_mu_s(mass_splitting(), 0.99 * tangent(angle)))));
+            CHECK(holds(launch(angle, dt, with_mu_s(mass_splitting, 1.05 * tangent(angle)))));
+            CHECK_FALSE(holds(launch(angle, dt, with_mu_s(mass_splitting, 0.99 * tangent(angle)))));
         }
 }
 
@@ -87,10 +81,11 @@ TEST_CASE("slope: mass-splitting friction slides with g (sin -+ mu_d cos) within
 {
     for (const double angle : {5.0, 30.0})
         for (const double dt : {0.01, 0.002}) {
-            const Launch it = launch(angle, dt, with_mu_s(mass_splitting(), 0.8 * tangent(angle)));
+            const Launch it = launch(angle, dt, with_mu_s(mass_splitting, 0.8 * tangent(angle)));
             const Vec3 up = uphill(angle);
-            CHECK(mean_acceleration(it, 2.5, 0.5) == doctest::Approx(-9.81 * (up.y() + it.friction.mu_d * up.x())).epsilon(0.01));
-            CHECK(mean_acceleration(it, -0.5, -2.5) == doctest::Approx(-9.81 * (up.y() - it.friction.mu_d * up.x())).epsilon(0.01));
+            const double mu_d = std::get<MassSplitting>(it.friction).mu_d;
+            CHECK(mean_acceleration(it, 2.5, 0.5) == doctest::Approx(-9.81 * (up.y() + mu_d * up.x())).epsilon(0.01));
+            CHECK(mean_acceleration(it, -0.5, -2.5) == doctest::Approx(-9.81 * (up.y() - mu_d * up.x())).epsilon(0.01));
         }
 }
 
@@ -102,7 +97,7 @@ TEST_CASE("slope: with mass-splitting friction the energy of bodies and springs 
                 CAPTURE(height);
                 CAPTURE(angle);
                 CAPTURE(dt);
-                Launch it = launch(angle, dt, with_mu_s(mass_splitting(), 1.2 * tangent(angle)));
+                Launch it = launch(angle, dt, with_mu_s(mass_splitting, 1.2 * tangent(angle)));
                 it.height = height;
                 Scene scene = scene_of(it);
                 SpringEnergyProbe energy("", scene.contact);
@@ -114,7 +109,7 @@ TEST_CASE("slope: with mass-splitting friction the energy of bodies and springs 
 TEST_CASE("tilting: a block and a cube slide at the angle of friction within 5 %")
 {
     for (const double height : {0.1, 1.0}) {
-        const double angle = sliding_angle(height, 0.01, with_mu_s(mass_splitting(), tangent(20)));
+        const double angle = sliding_angle(height, 0.01, with_mu_s(mass_splitting, tangent(20)));
         CHECK(tangent(20) / tangent(angle) == doctest::Approx(1).epsilon(0.05));
     }
 }
@@ -155,14 +150,14 @@ TEST_CASE("tilting: a soft bar on a tilted plane is held above the angle of fric
             Scene scene = load_scene(scene_file("block_on_slope"), R"({"gravity": [-2, -9.6, 0], "contact": {"stiffness": 5000}, "planes": [{"name": "floor"}], "bodies": [
                 {"name": "bar", "type": "deformable", "basis": "linear", "shape": {"bar": {"size": [1, 0.2, 0.5], "cells": [4, 1, 2]}}, "mass": 100,
                  "young": 1e6, "poisson": 0.3, "rayleigh": {"stiffness": 0.01}, "position": [0, 0.087, 0], "impulse_response": ")" + response + R"("}]})");
-            scene.contact.friction = with_mu_s(friction_defaults(FrictionModel::mass_splitting, 5000), (held ? 1.2 : 0.6) * 2 / 9.6);
+            scene.contact.friction = with_mu_s(MassSplitting{.spring = 5000}, (held ? 1.2 : 0.6) * 2 / 9.6);
             // A lumped push that moves one node strains its elements by more than the work it did.
             run(scene, chapter04_solver(scene.contact), {}, {.may_gain_energy = response == "lumped"});
             const double speed = scene.world.bodies[0]->linear_momentum().x() / 100;
             if (held)
                 CHECK(std::abs(speed) < 1e-3);
             else
-                CHECK(speed == doctest::Approx(-4 * (2 - 9.6 * scene.contact.friction.mu_d)).epsilon(0.05));
+                CHECK(speed == doctest::Approx(-4 * (2 - 9.6 * std::get<MassSplitting>(scene.contact.friction).mu_d)).epsilon(0.05));
         }
 }
 
@@ -185,8 +180,7 @@ TEST_CASE("mesh: on a slope of triangles the block hooks within a cell, where on
 TEST_CASE("errata: with the printed constants of 7.3 the cube sticks at almost 3 m/s, and mu_s = 0.3 holds it in the end")
 {
     Launch it = launch(10, 0.01, printed(100, 25));
-    it.friction.mu_s = 0.3;
-    it.friction.mu_d = 0.1;
+    it.friction = with_coefficients(it.friction, 0.3, 0.1);
     double stuck_at = 0, way = 0;
     Scene scene = scene_of(it);
     const Solver solver = chapter04_solver(scene.contact);
@@ -202,9 +196,7 @@ TEST_CASE("errata: with the printed constants of 7.3 the cube sticks at almost 3
     CHECK(way > -10);
     // Read as an impulse whose velocity is the way of one step, they do what figure 7.15 shows.
     for (const auto& [mu_s, stays] : {std::pair(0.3, false), std::pair(0.4, true)}) {
-        it.friction = printed(100 / it.dt, 25);
-        it.friction.mu_s = mu_s;
-        it.friction.mu_d = 0.1;
+        it.friction = with_coefficients(printed(100 / it.dt, 25), mu_s, 0.1);
         double last = 0;
         follow(it, 4, [&](const Progress1d& now) {
             last = now.way;

@@ -53,7 +53,7 @@ struct MovingPair {
     Vec3 vector() { return Vec3(number_(engine_), number_(engine_), number_(engine_)); }
     const Vec3& moved_stretch()
     {
-        move_friction_anchors(world, contacts, friction_defaults(FrictionModel::mass_splitting, 100), 1);
+        move_friction_anchors(world, contacts, MassSplitting{.spring = 100}, 1);
         return contacts[0].stretch;
     }
 

@@ -34,7 +34,7 @@ Scene scene_of(const Coefficients& mu, const std::string& basis)
 RestOnBar rest_on_bar(Scene& scene, int settled, int steps, Table* moments, Probe* other)
 {
     RestOnBar result;
-    const double mu = scene.contact.friction.mu_s;
+    const double mu = std::get<MassSplitting>(scene.contact.friction).mu_s;
     Vec3 begin = Vec3::Zero(), anchor = Vec3::Zero();
     WatchProbe watch([&](const World& world, const Contacts&, double) {
         const Vec3 now = middle(world);

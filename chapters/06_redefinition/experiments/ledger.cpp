@@ -55,7 +55,7 @@ Table page_of(const std::vector<LedgerCell>& cells)
 Table all_passes()
 {
     ContactParameters parameters;
-    parameters.friction.model = FrictionModel::mass_splitting;
+    parameters.friction = MassSplitting{};
     Table table({"chapter", "stage", "pass"});
     for (int chapter = 1; chapter <= chapters; ++chapter) {
         const Solver solver = solver_of(chapter, parameters);

@@ -88,9 +88,9 @@ RollOutcome roll(const Roll& roll)
 {
     World world = world_of(roll);
     const auto& body = dynamic_cast<const RigidBody&>(*world.bodies.back());
-    ContactParameters parameters{roll.method, roll.stiffness, friction_defaults(roll.mu_s > 0 ? FrictionModel::mass_splitting : FrictionModel::none, roll.stiffness)};
-    parameters.friction.mu_s = roll.mu_s;
-    parameters.friction.mu_d = 0.8 * roll.mu_s;
+    ContactParameters parameters{roll.method, roll.stiffness, NoFriction{}};
+    if (roll.mu_s > 0)
+        parameters.friction = MassSplitting{.mu_s = roll.mu_s, .mu_d = 0.8 * roll.mu_s, .spring = roll.stiffness};
     const Solver solver = chapter06_solver(parameters);
     Contacts contacts;
 

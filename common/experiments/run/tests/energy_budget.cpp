@@ -157,8 +157,7 @@ TEST_CASE("energy budget: the stretch of friction's springs counts, and a held p
 {
     Scene scene = points_above_ground(-0.1, 1000, 0.01);
     scene.world.gravity.setZero();
-    scene.contact.friction.model = FrictionModel::mass_splitting;
-    scene.contact.friction.spring = 500;
+    scene.contact.friction = MassSplitting{.spring = 500};
     EnergyBudget budget(scene);
     Contact pressed{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}, held = pressed;
     pressed.stretch = {0.2, 0, 0};
