@@ -27,7 +27,7 @@ std::unique_ptr<Sliding> sliding;
 /// What the page marks a pair with.
 double mark_of(const Contact& contact)
 {
-    if (contact.held)
+    if (contact.held())
         return 3;
     return contact.category == ContactCategory::hooked ? 2 : contact.category == ContactCategory::regular ? 1 : 0;
 }

@@ -66,7 +66,7 @@ void move_friction_anchors(const World& world, Contacts& contacts, const Frictio
     for (Contact& contact : contacts) {
         const Mat3 turn = surface_turn(world, contact);
         contact.stretch = turn * contact.stretch;
-        if (contact.held)
+        if (contact.held())
             continue;
         const double normal_impulse = contact.impulse.norm();
         if (normal_impulse <= least_impulse) {

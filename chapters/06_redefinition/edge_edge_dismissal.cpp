@@ -12,12 +12,12 @@ void dismiss_or_hold(const World& world, Contact& contact)
     const PairVertices x = edge_vertices(surfaces, contact.feature_a, contact.feature_b);
     const std::optional<EdgeFeet> feet = feet_of_edges(x, contact.orientation, smallest_edge_sine);
     if (!feet)
-        return void(contact.held = true);
+        return contact.hold(true);
 
     put_at(contact, *feet);
     const bool hooked = is_hooked_edge_pair(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b, feet->normal);
     contact.category = hooked ? ContactCategory::hooked : ContactCategory::regular;
-    contact.held = hooked || !feet->overlap(0);
+    contact.hold(hooked || !feet->overlap(0));
     contact.resolved = feet->depth > 0 || !feet->overlap(edge_tolerance);
 }
 //! [dismiss]

@@ -50,7 +50,7 @@ void append_if_touching(const World& world, Contact pair, const Vec3& reference,
     const auto [b0, b1] = surfaces.b.step.edge(pair.feature_b);
     pair.vertices = {a0, a1, b0, b1};
     pair.category = ContactCategory::regular;
-    pair.held = !feet->overlap(0);
+    pair.hold(!feet->overlap(0));
     put_at(pair, *feet);
     contacts.push_back(pair);
 }

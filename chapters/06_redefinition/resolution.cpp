@@ -101,13 +101,13 @@ void resolve_vertices_that_left(const World& world, const CrossingDetection& det
             ++next;
         if (contacts[i].kind != ContactKind::vertex_face || contacts[i].resolved)
             continue;
-        const bool endures = contacts[i].start == 0;
+        const bool endures = contacts[i].endures();
         const std::span<const Passage> of_this_pair(passages.data() + (first - passages.begin()), static_cast<std::size_t>(next - first));
         const PassageResult end = follow_passages(of_this_pair, endures);
         contacts[i].resolved = !end.inside || end.came_back;
         if (end.came_back)
             contacts.push_back(pair_at(world, contacts[i], *end.last));
-        else if (endures && !end.inside && end.last->face != contacts[i].feature_b && !contacts[i].held) {
+        else if (endures && !end.inside && end.last->face != contacts[i].feature_b && !contacts[i].held()) {
             const Contact& c = contacts[i];
             const Vec3 normal = surface_at(body(world, c.body_b), 1).face_normal(c.feature_b);
             redefinitions.push_back({c.body_a, c.feature_a, c.body_b, c.feature_b, end.last->face, normal});

@@ -16,7 +16,7 @@ void hand_on(const World& world, Contact& contact, double tau, const FaceTrial& 
     contact.stretch = shortest_turn(b.face_normal(contact.feature_b), b.face_normal(choice.face)) * contact.stretch;
     put_on_face(contact, b.step.topology, choice.face, choice.foot.weights);
     contact.category = ContactCategory::regular;
-    contact.held = false;
+    contact.hold(false);
 }
 
 /// Whether a foot beyond the face lies beyond an edge that has no other face.
@@ -36,7 +36,7 @@ void redefine(const World& world, Contact& contact, Redefinitions& redefinitions
     const PairSurfaces surfaces(world, contact, 0);
     const std::optional<FaceFoot> foot = foot_on_face(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b);
     if (!foot)  // no area, no direction: wait until it has one
-        return void(contact.held = true);
+        return contact.hold(true);
 
     const auto& w = foot->weights;
     const double beyond = overshoot(w);
@@ -50,7 +50,7 @@ void redefine(const World& world, Contact& contact, Redefinitions& redefinitions
 
     put_on_face(contact, surfaces.b.step.topology, contact.feature_b, w);
     contact.category = hooked ? ContactCategory::hooked : ContactCategory::regular;
-    contact.held = hooked;
+    contact.hold(hooked);
     contact.resolved = foot->depth > 0 || past_border(surfaces.b.step.topology, contact.feature_b, w);
 }
 //! [redefine_enduring]
@@ -70,7 +70,7 @@ void redefine_hooked_entry(const World& world, Contact& contact, Redefinitions& 
     if (const std::optional<FaceTrial> choice = find_face(world, contact, 1, all_corners, limits_of_hooked(world, contact, 1)))
         hand_on(world, contact, 1, *choice, redefinitions);
     else
-        contact.held = true;
+        contact.hold(true);
 }
 //! [redefine_hooked_entry]
 

@@ -10,7 +10,10 @@ namespace enduring {
 
 enum class ContactKind : std::uint8_t { vertex_plane, vertex_face, edge_edge };
 
-/// Whether a pair pushes its bodies apart or along each other (chapter 5).
+/// Whether a pair waits for its impulse of this step, has received it, or takes none while it stays in the list.
+enum class ContactState : std::uint8_t { waiting, answered, held };
+
+/// Whether a pair pushes its bodies apart or along each other.
 enum class ContactCategory : std::uint8_t { unknown, regular, hooked };
 
 /// One pair of features in contact: a point p of body A and a point q of body B, each a fixed combination of vertices.
@@ -28,18 +31,22 @@ struct Contact {
     std::array<double, 4> weights{};
     double orientation = 1;   ///< edge_edge: the sign that made the normal point from B to A at first contact
     double start = 0;         ///< part of the step from which the pair pushes: its time of impact, 0 when it endures
-    bool handled = false;     ///< has received its impulse in this step
     Vec3 impulse = Vec3::Zero();  ///< along the normal, on A in this step [N s]; kept for probes and pictures
 
-    Vec3 friction = Vec3::Zero();  ///< friction impulse on A in this step [N s], chapter 4
-    Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m], chapter 4
-    double slip = 0;               ///< speed at which friction lets go in this step [m/s], 0 while it holds, chapter 4
-    ContactCategory category = ContactCategory::unknown;  ///< chapter 5
-    bool held = false;             ///< stays in the list but takes no impulse, chapter 6
-    bool resolved = false;         ///< separated in this step: seen by the probes, gone with the next, chapter 6
+    Vec3 friction = Vec3::Zero();  ///< friction impulse on A in this step [N s]
+    Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m]
+    double slip = 0;               ///< speed at which friction lets go in this step [m/s], 0 while it holds
+    ContactCategory category = ContactCategory::unknown;
+    ContactState state = ContactState::waiting;
+    bool resolved = false;  ///< separated in this step, whatever its state: seen by the probes, gone with the next
 
-    /// Still waits for its impulse in this step.
-    bool waiting() const { return !handled && !held && !resolved; }
+    bool waiting() const { return state == ContactState::waiting && !resolved; }
+    bool answered() const { return state == ContactState::answered; }
+    bool held() const { return state == ContactState::held; }
+    /// Held, or else (again) waiting for its impulse.
+    void hold(bool yes) { state = yes ? ContactState::held : ContactState::waiting; }
+    /// Inside since an earlier step; so is one that enters at the very start of this one.
+    bool endures() const { return start == 0; }
 
     /// How many of `vertices` belong to A (the others belong to B).
     int vertices_of_a() const { return kind == ContactKind::edge_edge ? 2 : 1; }

@@ -24,7 +24,7 @@ void begin_step(Contacts& contacts)
 {
     for (Contact& contact : contacts) {
         contact.start = 0;
-        contact.handled = false;
+        contact.hold(contact.held());
         contact.impulse.setZero();
         contact.friction.setZero();
     }
@@ -83,7 +83,7 @@ void apply_impulses(World& world, Contacts& contacts)
             const auto vertex = static_cast<std::size_t>(i);
             body_of_vertex(world, contact, i).apply_impulse(contact.vertices[vertex], contact.weights[vertex] * impulse);
         }
-        contact.handled = true;
+        contact.state = ContactState::answered;
     }
 }
 //! [apply_impulses]

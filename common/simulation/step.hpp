@@ -38,7 +38,7 @@ struct Pass {
 struct Solver {
     std::string name;
     std::vector<Pass> refresh{};   ///< once a step, before any detection: resolve, dismiss or redefine the pairs that endure
-    std::vector<Pass> detect{};    ///< append new crossings as unhandled contacts
+    std::vector<Pass> detect{};    ///< append new crossings as waiting contacts
     std::vector<Pass> respond{};   ///< give every waiting contact its impulses; the step applies them, all together
     std::vector<Pass> finish{};    ///< once a step, from the last prediction, before it becomes the state: friction anchors move
 };
@@ -47,13 +47,13 @@ struct Solver {
 using PassObserver = std::function<void(const std::string& pass)>;
 inline void nobody_observes(const std::string&) {}
 
-/// Applies the impulses of every waiting contact, normal and friction together, and marks it handled: vertex i receives
+/// Applies the impulses of every waiting contact, normal and friction together, which is answered then: vertex i receives
 /// its weight times their sum (thesis 5.10, 5.16). On a plane only the vertex does.
 void apply_impulses(World& world, Contacts& contacts);
 
 /// One step of the thesis' scheme (its section 3.3, made precise in the book's page on the step):
 ///   predict; refresh passes; at most 5 x (detect, respond, apply impulses, update the prediction) until nothing new
-///   appears; finish; commit velocities, then positions. Pairs found by the last detection stay, unhandled, for the next step.
+///   appears; finish; commit velocities, then positions. Pairs found by the last detection stay, waiting, for the next step.
 ///
 /// @param world     bodies, changed in place
 /// @param contacts  pairs that live on from the last step; on return those alive after this one

@@ -14,7 +14,7 @@ static Contact on_face_0(int vertex, const std::array<double, 4>& weights,
 {
     const std::array<int, 4> vertices{vertex, 0, 1, 2};
     Contact contact{ContactKind::vertex_face, 0, 1, vertex, 0, vertices, weights};
-    contact.handled = true;  // in the step before
+    contact.state = ContactState::answered;  // in the step before
     contact.impulse = {0, last_impulse, 0};
     return contact;
 }

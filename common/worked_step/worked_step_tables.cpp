@@ -88,7 +88,7 @@ std::string list(const std::array<int, 4>& numbers)
 
 bool same(const Contact& a, const Contact& b)
 {
-    return a.vertices == b.vertices && a.weights == b.weights && a.start == b.start && a.handled == b.handled && a.impulse == b.impulse;
+    return a.vertices == b.vertices && a.weights == b.weights && a.start == b.start && a.answered() == b.answered() && a.impulse == b.impulse;
 }
 
 /// The one list of contacts; an entry stands again after each stage that changed it.
@@ -104,7 +104,7 @@ Table contacts_table(const Records& records)
             if (i < before.size() && same(contact, before[i]))
                 continue;
             table.add({names[stage], static_cast<long>(i), list(contact.vertices), list(contact.weights), contact.start,
-                       contact.handled ? "yes" : "no", contact.impulse.y()});
+                       contact.answered() ? "yes" : "no", contact.impulse.y()});
         }
         before = record.contacts;
     }

@@ -168,7 +168,7 @@ TEST_CASE("plane contact: a contact begins where the vertex goes under and ends 
     REQUIRE(contacts.size() == 4);
     for (const Contact& contact : contacts) {
         CHECK(contact.start == doctest::Approx(0.625));
-        CHECK_FALSE(contact.handled);
+        CHECK_FALSE(contact.answered());
     }
     detect_plane_contacts(world, contacts);
     CHECK(contacts.size() == 4);  // known already
@@ -179,7 +179,7 @@ TEST_CASE("plane contact: a contact begins where the vertex goes under and ends 
     const double speed = cube.velocity(0).y();
     push_apart(world, contacts, continuous_on_plane, k, dt);
     apply_impulses(world, contacts);
-    CHECK(contacts[0].impulse == once);  // handled: pushed once
+    CHECK(contacts[0].impulse == once);  // answered: pushed once
     CHECK(cube.velocity(0).y() == speed);
 
     resolve_plane_contacts(world, contacts);

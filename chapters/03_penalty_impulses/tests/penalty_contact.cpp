@@ -92,9 +92,9 @@ TEST_CASE("penalty contact: impulses of every pair of bodies keep the momentum, 
             solver.respond.back().run = [&](World& w, Contacts& c, double dt) {
                 Contacts fresh;
                 for (Contact& contact : c)
-                    if (!contact.handled) {
+                    if (!contact.answered()) {
                         fresh.push_back(contact);
-                        contact.handled = true;
+                        contact.state = ContactState::answered;
                     }
                 const Vec3 linear = linear_momentum(w), angular = angular_momentum(w);
                 push_apart(w, fresh, normal_law({method}), 200, dt);

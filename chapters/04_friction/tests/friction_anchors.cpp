@@ -55,11 +55,11 @@ TEST_CASE("friction anchors: a pair that does not push has none, and one that is
 {
     OnPlane it(MassSplitting{.spring = 50}, {0.01, 0, 0});
     it.contact().stretch = {0.001, 0, 0};
-    it.contact().held = true;
+    it.contact().hold(true);
     it.contact().impulse.setZero();
     it.finish();
     CHECK(it.contact().stretch == Vec3(0.001, 0, 0));
-    it.contact().held = false;
+    it.contact().hold(false);
     it.finish();
     CHECK(it.contact().stretch == Vec3::Zero());
 }
@@ -86,15 +86,15 @@ TEST_CASE("friction: the pass computes and applies nothing, and only for pairs t
     for (const FrictionParameters& model : both_models) {
         OnPlane it(model, {0.1, 0, 0});
         it.contacts.resize(4, it.contact());
-        it.contacts[1].handled = true;
-        it.contacts[2].held = true;
+        it.contacts[1].state = ContactState::answered;
+        it.contacts[2].hold(true);
         it.contacts[3].impulse.setZero();
         compute_friction_impulses(it.world, it.contacts, it.friction, it.dt);
         CHECK(it.contacts[0].friction.x() < -0.01);
         for (std::size_t other = 1; other < 4; ++other)
             CHECK(it.contacts[other].friction == Vec3::Zero());
         CHECK(it.world.bodies[0]->velocity(0) == Vec3(1, 0, 0));
-        CHECK_FALSE(it.contact().handled);
+        CHECK_FALSE(it.contact().answered());
     }
 }
 

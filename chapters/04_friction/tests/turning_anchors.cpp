@@ -81,7 +81,7 @@ TEST_CASE("friction anchors: what turns and moves as one rigid whole takes its s
                 CAPTURE(seed);
                 const Mat3 turn = any_turn(seed);
                 MovingPair it(kind, seed, [&](std::size_t, const Vec3& x) { return Vec3(turn * x + Vec3(0.3, -0.2, 0.1)); });
-                it.contacts[0].held = held;
+                it.contacts[0].hold(held);
                 const Vec3 before = it.contacts[0].stretch;
                 CHECK((it.moved_stretch() - turn * before).norm() < 1e-11);
             }

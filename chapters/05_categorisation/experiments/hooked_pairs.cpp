@@ -13,7 +13,8 @@ void treat(Contacts& contacts, HookedPairs treatment)
     const auto hooked = [](const Contact& contact) { return contact.category == ContactCategory::hooked; };
     if (treatment == HookedPairs::held)
         for (Contact& contact : contacts)
-            contact.held = hooked(contact);
+            if (!contact.answered())
+                contact.hold(hooked(contact));
     if (treatment == HookedPairs::dropped)
         contacts.erase(std::remove_if(contacts.begin(), contacts.end(), hooked), contacts.end());
 }

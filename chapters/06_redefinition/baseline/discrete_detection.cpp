@@ -82,7 +82,7 @@ void DiscreteDetection::look_at(const World& world, Side& side, Contacts& contac
     const std::span<const Vec3> vertices = world.bodies[at(side.a)]->positions_t1(), of_surface = world.bodies[at(side.b)]->positions_t1();
     for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
         const int pair = side.pair[at(v)];
-        if (side.clearance[at(v)] > 0 || (pair >= 0 && contacts[at(pair)].handled))
+        if (side.clearance[at(v)] > 0 || (pair >= 0 && contacts[at(pair)].answered()))
             continue;
         const Vec3& p = vertices[at(v)];
         const ClosestPoint closest = closest_point(trees_[at(side.b)], surface, of_surface, p, std::numeric_limits<double>::infinity());

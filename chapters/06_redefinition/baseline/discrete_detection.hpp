@@ -16,7 +16,7 @@ namespace enduring {
 /// surface move. So each vertex keeps how far it may still go, and is looked at only when that is used up.
 class DiscreteDetection {
 public:
-    /// Brings the pairs of vertices and faces up to date with positions_t1: those not yet handled in this step get the face and
+    /// Brings the pairs of vertices and faces up to date with positions_t1: those not yet answered in this step get the face and
     /// weights of their closest point now, or end; vertices that have come in are appended. A pair keeps everything else.
     void update_inside_vertices(const World& world, Contacts& contacts);
 

@@ -34,9 +34,10 @@ struct Resting {
         limits.steps = 300;
         all = run(scene, chapter06_solver(scene.contact), {}, limits).contacts;
         for (Contact& contact : all) {
-            contact.handled = false;
+            if (contact.answered())
+                contact.state = ContactState::waiting;
             contact.start = 0;
-            if (contact.kind == kind.value_or(contact.kind) && !contact.held)
+            if (contact.kind == kind.value_or(contact.kind) && !contact.held())
                 pairs.push_back(contact);
         }
         for (const auto& body : scene.world.bodies)

@@ -21,7 +21,7 @@ void mark_pushing(Stage& stage, const World& world, const Contacts& contacts, Co
 {
     const auto push = [&](bool hooked) {
         return those(contacts, [&](const Contact& c) {
-            return c.kind == kind && c.handled && (c.category == ContactCategory::hooked) == hooked;
+            return c.kind == kind && c.answered() && (c.category == ContactCategory::hooked) == hooked;
         });
     };
     mark_contacts(stage, world, push(false));
@@ -75,8 +75,8 @@ void BarSlideProbe::observe(const World& world, const Contacts& contacts, double
         top_ = top_face(cube);
     weight_ = -cube.mass() * world.gravity.y();
     moments_.push_back({world.time, middle.x(), speed, force, std::acos(std::clamp(face_normal(cube, top_).y(), -1.0, 1.0))});
-    const long pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.handled; }),
-               held = std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.held; });
+    const long pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.answered(); }),
+               held = std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.held(); });
     table_.add({solver_, world.time, middle.x(), speed, force, pairs, held});
 }
 
@@ -115,7 +115,7 @@ void mark_vertex_pairs(Stage& stage, const World& world, const Contacts& contact
 void mark_edge_pairs(Stage& stage, const World& world, const Contacts& contacts)
 {
     open_up(stage);
-    for (const Contact& contact : those(contacts, [](const Contact& c) { return c.kind == ContactKind::edge_edge && c.held; }))
+    for (const Contact& contact : those(contacts, [](const Contact& c) { return c.kind == ContactKind::edge_edge && c.held(); }))
         for (const int first : {0, 2})
             stage.segments.push_back({contact_vertex(world, contact, first, 0), contact_vertex(world, contact, first + 1, 0),
                                       palette::colliding_vertex, 2});

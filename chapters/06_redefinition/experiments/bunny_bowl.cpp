@@ -46,7 +46,7 @@ public:
             first_energy_ = energy.total();
         highest_energy_ = std::max(highest_energy_, energy.total() / first_energy_);
         table_.add({world.time, energy.kinetic, last_share_, energy.total(), static_cast<long>(contacts.size()),
-                    static_cast<long>(std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.held; })),
+                    static_cast<long>(std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.held(); })),
                     static_cast<long>(inverted), deepest_, in_ground_});
     }
 
@@ -72,7 +72,7 @@ void mark_feature_pairs(Stage& stage, const World& world, const Contacts& contac
 {
     Contacts pairs;
     std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pairs),
-                 [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane && !contact.held; });
+                 [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane && !contact.held(); });
     mark_contacts(stage, world, pairs);
 }
 

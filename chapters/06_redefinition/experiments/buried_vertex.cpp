@@ -13,7 +13,7 @@ namespace {
 bool is_pushed(const Contacts& contacts, int body_a, int vertex, int body_b)
 {
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-        return contact.kind == ContactKind::vertex_face && !contact.held && contact.body_a == body_a &&
+        return contact.kind == ContactKind::vertex_face && !contact.held() && contact.body_a == body_a &&
                contact.feature_a == vertex && contact.body_b == body_b;
     });
 }

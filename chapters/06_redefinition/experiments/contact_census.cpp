@@ -24,7 +24,7 @@ void ContactCensus::observe(const World& world, const Contacts& contacts, double
         case ContactKind::vertex_face: ++vertex_face[place]; break;
         case ContactKind::edge_edge: ++edge_edge[place]; break;
         }
-        held += contact.held;
+        held += contact.held();
         normal += contact.impulse.norm() / dt;
         friction += contact.friction.norm() / dt;
     }

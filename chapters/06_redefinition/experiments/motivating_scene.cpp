@@ -25,7 +25,7 @@ Solver detection_without_response(const ContactParameters& parameters)
         detection->find_candidates(world);
         detection->append_entries(world, contacts);
         for (std::size_t i = first_new; i < contacts.size(); ++i)
-            contacts[i].held = true;
+            contacts[i].hold(true);
     }});
     return solver;
 }
@@ -96,7 +96,7 @@ void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
     for (Drawable& drawable : stage.bodies)
         drawable.wireframe = drawable.faces.size() < 800;  // finer ones would be all lines
     Contacts pushing;
-    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pushing), [](const Contact& contact) { return !contact.held; });
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pushing), [](const Contact& contact) { return !contact.held(); });
     mark_contacts(stage, world, pushing);
 }
 

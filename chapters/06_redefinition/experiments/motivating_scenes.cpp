@@ -68,7 +68,7 @@ Gauge::Reading right_labels()
 {
     return [right = 0L, all = 0L](Value& value, const World& world, const Contacts& contacts, double) mutable {
         for (const Contact& contact : contacts) {
-            if (contact.kind == ContactKind::vertex_plane || !contact.handled)
+            if (contact.kind == ContactKind::vertex_plane || !contact.answered())
                 continue;
             const bool sideways = std::abs(contact_geometry(world, contact, 0).normal.y()) < std::sqrt(0.5);
             right += contact.category == (sideways ? ContactCategory::hooked : ContactCategory::regular);

@@ -41,7 +41,7 @@ public:
             outcome_.lowest = std::min(outcome_.lowest, lowest);
             outcome_.highest = std::max(outcome_.highest, lowest);
         }
-        pushes_ += std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.handled; });
+        pushes_ += std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.answered(); });
         mass_times_gravity_ = -cube.mass() * world.gravity.y();
         ++looks_;
     }

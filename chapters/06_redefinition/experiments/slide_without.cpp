@@ -34,8 +34,8 @@ void redefine_alone(World& world, Contacts& contacts, double)
 void push_hooked(World&, Contacts& contacts, double)
 {
     for (Contact& contact : contacts)
-        if (contact.kind == ContactKind::vertex_face && contact.category == ContactCategory::hooked)
-            contact.held = false;
+        if (contact.kind == ContactKind::vertex_face && contact.category == ContactCategory::hooked && contact.held())
+            contact.hold(false);
 }
 
 Pass& pass_named(std::vector<Pass>& passes, const std::string& name)

@@ -39,7 +39,7 @@ Contacts only(const Contacts& contacts, ContactKind kind)
 {
     Contacts some;
     std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(some),
-                 [&](const Contact& contact) { return contact.kind == kind && !contact.held; });
+                 [&](const Contact& contact) { return contact.kind == kind && !contact.held(); });
     return some;
 }
 

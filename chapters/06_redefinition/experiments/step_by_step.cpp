@@ -70,7 +70,7 @@ Caught catch_redefinition(const World& world, const Scene& scene, const Contact&
 std::optional<Caught> barycentric_case(const World& world, const Scene& scene, const Contacts& contacts)
 {
     for (const Contact& contact : contacts) {
-        if (contact.kind != ContactKind::vertex_face || contact.held)
+        if (contact.kind != ContactKind::vertex_face || contact.held())
             continue;
         const PairSurfaces surfaces(world, contact, 0);
         const auto foot = foot_on_face(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b);

@@ -66,7 +66,7 @@ TEST_CASE("edges: a pair pushes while both feet are on their edges, is held a li
         CAPTURE(c.z);
         const Contact contact = dismissed({c.x, -0.01, c.z});
         CHECK(contact.resolved == c.gone);
-        CHECK(contact.held == c.held);
+        CHECK(contact.held() == c.held());
         CHECK(contact.weights[1] == doctest::Approx(0.5 - c.x));
         CHECK(contact.weights[3] == doctest::Approx(-(0.5 + c.z)));
     }
@@ -86,7 +86,7 @@ TEST_CASE("edges: two edges that have become parallel are held, for nothing says
     world.bodies[1] = still("below", {{{0.2, 0, 0.05}, {0.8, 0, 0}, {0.5, 0, 1}}, {{0, 2, 1}}});
     Contacts contacts{contact};
     dismiss_enduring_edges(world, contacts);
-    CHECK(contacts[0].held);
+    CHECK(contacts[0].held());
     CHECK_FALSE(contacts[0].resolved);
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("edges: a hooked pair is held, and one that is hooked at its entry doe
     const World world = hooked_edges();
     Contacts contacts{pair_in(world)};
     dismiss_enduring_edges(world, contacts);
-    CHECK(contacts[0].held);
+    CHECK(contacts[0].held());
     CHECK_FALSE(contacts[0].resolved);
     CHECK(contacts[0].category == ContactCategory::hooked);
 
@@ -178,7 +178,7 @@ bool cross_in_plan(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s)
 bool pushed(const Contacts& contacts, int edge_a, int edge_b)
 {
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
-        return c.kind == ContactKind::edge_edge && c.handled && c.feature_a == edge_a && c.feature_b == edge_b;
+        return c.kind == ContactKind::edge_edge && c.answered() && c.feature_a == edge_a && c.feature_b == edge_b;
     });
 }
 
@@ -253,7 +253,7 @@ TEST_CASE("edges: no pair stands twice in the list, and all are oriented out of 
                 continue;
             const int face_or_edge = c.kind == ContactKind::edge_edge ? c.feature_b : -1;  // one face a vertex and body
             CHECK(keys.insert({static_cast<int>(c.kind), c.body_a, c.body_b, c.feature_a, face_or_edge}).second);
-            if (c.kind == ContactKind::edge_edge && c.handled)
+            if (c.kind == ContactKind::edge_edge && c.answered())
                 CHECK(contact_geometry(world, c, 0).normal.y() == doctest::Approx(-1));  // out of the box, body 1, down into the floor
         }
     }

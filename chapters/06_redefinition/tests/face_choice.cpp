@@ -71,7 +71,7 @@ TEST_CASE("face choice: a hooked pair waits rather than push the vertex out behi
     redefine_enduring_vertices(world, contacts, redefinitions);
     CHECK(redefinitions.empty());
     CHECK(contacts[0].feature_b == 0);
-    CHECK(contacts[0].held);
+    CHECK(contacts[0].held());
 }
 
 TEST_CASE("face choice: a foot that has left its face asks only the corners on whose side it lies")

@@ -49,7 +49,7 @@ TEST_CASE("worked step: with vertex 2 come the two edges that lie over the diago
         const ContactGeometry geometry = contact_geometry(step.world, edges[i], 0);
         CHECK(geometry.depth == doctest::Approx(expected[i]));
         CHECK(geometry.normal.y() > 0.9);
-        CHECK_FALSE(edges[i].held);
+        CHECK_FALSE(edges[i].held());
     }
 }
 

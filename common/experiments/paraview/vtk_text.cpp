@@ -139,7 +139,7 @@ std::string pairs_vtp(const World& world, const Contacts& contacts, double dt)
         depths.push_back(geometry.depth);
         kinds.push_back(static_cast<long>(contact.kind));
         categories.push_back(static_cast<long>(contact.category));
-        held.push_back(contact.held ? 1 : 0);
+        held.push_back(contact.held() ? 1 : 0);
         a.push_back(contact.body_a);
         b.push_back(contact.kind == ContactKind::vertex_plane ? -1 - contact.body_b : contact.body_b);
     }

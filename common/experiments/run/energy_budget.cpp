@@ -35,7 +35,7 @@ double energy_of(const std::vector<PressedBodies>& pressed)
 Contacts there_from_the_start(const Contacts& contacts)
 {
     Contacts there;
-    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(there), [](const Contact& contact) { return contact.start == 0; });
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(there), [](const Contact& contact) { return contact.endures(); });
     return there;
 }
 

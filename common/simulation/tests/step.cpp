@@ -37,7 +37,7 @@ void append_contact(World&, Contacts& contacts)
 void handle_all(World&, Contacts& contacts)
 {
     for (Contact& contact : contacts)
-        contact.handled = true;
+        contact.state = ContactState::answered;
 }
 
 }  // namespace
@@ -87,21 +87,21 @@ TEST_CASE("step: five responses are the most, and what the last detection finds 
     advance(world, contacts, {"", {}, {logged("d", log, append_contact)}, {logged("r", log, handle_all)}}, 0.1);
     CHECK(log == "d r d r d r d r d r d ");
     REQUIRE(contacts.size() == 6);
-    CHECK(contacts[4].handled);
-    CHECK_FALSE(contacts[5].handled);
+    CHECK(contacts[4].answered());
+    CHECK_FALSE(contacts[5].answered());
 }
 
-TEST_CASE("step: a contact that lives on starts the new step unhandled, without impulse, and from tau = 0")
+TEST_CASE("step: a contact that lives on starts the new step waiting, without impulse, and from tau = 0")
 {
     World world = one_triangle();
     Contacts contacts(1);
     contacts[0].start = 0.7;
-    contacts[0].handled = true;
+    contacts[0].state = ContactState::answered;
     contacts[0].impulse = {1, 2, 3};
     contacts[0].friction = {3, 2, 1};
     bool seen = false;
     const Pass enduring{"enduring", [&](World&, Contacts& living, double) {
-                            seen = living.size() == 1 && living[0].start == 0 && !living[0].handled && living[0].impulse.isZero() &&
+                            seen = living.size() == 1 && living[0].start == 0 && !living[0].answered() && living[0].impulse.isZero() &&
                                    living[0].friction.isZero();
                         }};
     std::string log;
@@ -118,7 +118,7 @@ TEST_CASE("step: a pair's vertices receive its impulse and its friction by their
     contact.impulse = {0, 4, 0};
     contact.friction = {1, 0, 0};
     Contacts contacts(3, contact);
-    contacts[1].held = true;
+    contacts[1].hold(true);
     contacts[2].resolved = true;
     for (int round = 0; round < 2; ++round) {
         apply_impulses(world, contacts);
@@ -127,8 +127,8 @@ TEST_CASE("step: a pair's vertices receive its impulse and its friction by their
         CHECK((world.bodies[1]->velocity(1) - Vec3(-0.3, -1.2, 0)).norm() < 1e-15);
         CHECK((world.bodies[1]->velocity(2) - Vec3(-0.2, -0.8, 0)).norm() < 1e-15);
         CHECK(world.bodies[0]->velocity(0).isZero());
-        CHECK(contacts[0].handled);
-        CHECK_FALSE(contacts[1].handled);
+        CHECK(contacts[0].answered());
+        CHECK_FALSE(contacts[1].answered());
     }
 }
 

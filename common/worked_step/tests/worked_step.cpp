@@ -50,7 +50,7 @@ void check_contact(const Contact& found, std::array<int, 4> vertices, std::array
     for (std::size_t i = 0; i < 4; ++i)
         CHECK(found.weights[i] == doctest::Approx(weights[i]).epsilon(1e-14));
     CHECK(found.start == doctest::Approx(start));
-    CHECK(found.handled == handled);
+    CHECK(found.answered() == handled);
     CHECK((found.impulse - Vec3(0, impulse, 0)).norm() < 1e-15);
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("worked step: in the next step all three pairs endure and push from it
     REQUIRE(records[1].stage == "predict");
     for (const Contact& contact : records[1].contacts) {
         CHECK(contact.start == 0);
-        CHECK_FALSE(contact.handled);
+        CHECK_FALSE(contact.answered());
         CHECK(contact.impulse.isZero());
     }
     CHECK(records.back().contacts.size() == 3);

@@ -37,7 +37,7 @@ struct TwoSheets {
         contacts.push_back(pair);
         Contact edges{ContactKind::edge_edge, 0, 1, 0, 1, {0, 1, 0, 2}, {0.75, 0.25, -0.5, -0.5}};
         edges.impulse = {0, 8, 0};
-        edges.held = true;
+        edges.hold(true);
         contacts.push_back(edges);
         Contact foot{ContactKind::vertex_plane, 1, 0, 2, -1, {2, -1, -1, -1}, {1, 0, 0, 0}};
         foot.impulse = {0, 0.5, 0};

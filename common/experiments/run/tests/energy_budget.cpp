@@ -161,7 +161,7 @@ TEST_CASE("energy budget: the stretch of friction's springs counts, and a held p
     EnergyBudget budget(scene);
     Contact pressed{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}, held = pressed;
     pressed.stretch = {0.2, 0, 0};
-    held.held = true;
+    held.hold(true);
     for (scene.world.step = 2; scene.world.step < 12; ++scene.world.step)
         budget.exceeded(scene.world, {pressed, held});
     CHECK(budget.held() == doctest::Approx(0.5 * 1000 * 0.01 + 0.5 * 500 * 0.04));

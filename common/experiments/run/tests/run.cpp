@@ -123,7 +123,7 @@ TEST_CASE("probes: penetration sums the depths inside, and bounds the step by th
     CHECK(number(probe.table(), 2, 5) == doctest::Approx(5000));
     CHECK(number(probe.table(), 2, 6) == doctest::Approx(std::sqrt(2 * 3.0 / 5000)));
 
-    contacts[2].held = true;  // takes no impulse: neither deep nor stiff
+    contacts[2].hold(true);  // takes no impulse: neither deep nor stiff
     probe.observe(scene.world, contacts, 0.5);
     CHECK(number(probe.table(), 3, 1) == 3);
     CHECK(number(probe.table(), 3, 2) == 2);
