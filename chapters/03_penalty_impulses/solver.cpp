@@ -16,18 +16,18 @@ Solver chapter03_solver(const ContactParameters& parameters)
     const auto detection = std::make_shared<CrossingDetection>();
     Solver solver = chapter01_solver(parameters);
     solver.name = "chapter 3";
-    solver.refresh.push_back({"resolve pairs", [](World& world, Contacts& contacts, double) {
+    solver.append(StepStage::refresh, {"resolve pairs", [](World& world, Contacts& contacts, double) {
         resolve_separated_pairs(world, contacts);
     }});
-    solver.detect.push_back({"broad phase", [detection](World& world, Contacts&, double) {
+    solver.append(StepStage::detect, {"broad phase", [detection](World& world, Contacts&, double) {
         detection->find_candidates(world);
     }});
-    solver.detect.push_back({"queries", [detection](World& world, Contacts& contacts, double) {
+    solver.append(StepStage::detect, {"queries", [detection](World& world, Contacts& contacts, double) {
         detection->append_entries(world, contacts);
     }});
-    solver.respond = {{"impulses", [law = normal_law(parameters), k = parameters.stiffness](World& world, Contacts& contacts, double dt) {
+    solver.replace("push out of planes", {"impulses", [law = normal_law(parameters), k = parameters.stiffness](World& world, Contacts& contacts, double dt) {
         push_apart(world, contacts, law, k, dt);
-    }}};
+    }});
     return solver;
 }
 //! [solver]

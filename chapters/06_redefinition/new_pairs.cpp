@@ -1,6 +1,5 @@
 #include "chapters/06_redefinition/new_pairs.hpp"
 
-#include "chapters/05_categorisation/category.hpp"
 #include "chapters/06_redefinition/contact_index.hpp"
 
 namespace enduring {
@@ -31,9 +30,6 @@ void admit_new_pairs(const World& world, Contacts& contacts, std::size_t first_n
     const auto first = contacts.begin() + static_cast<std::ptrdiff_t>(first_new);
     if (first == contacts.end())
         return;
-    for (auto pair = first; pair != contacts.end(); ++pair)
-        pair->category = categorise(world, *pair, pair->start);
-
     VertexContacts in_contact;
     in_contact.fill(std::span<const Contact>(contacts).first(first_new));
     const auto superfluous = [&](const Contact& c) {

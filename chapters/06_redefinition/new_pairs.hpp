@@ -4,7 +4,7 @@
 
 namespace enduring {
 
-/// Looks through the pairs that a detection has just found, before their first impulse:
+/// Looks through the pairs that a detection has just found and chapter 5 has labelled, before their first impulse:
 ///   a vertex in the body already, or with two entries, through a diagonal    one pair is enough, the earliest
 ///   hooked, two edges                                                        dropped: thesis 6.2.4 leaves them to the redefinitions
 ///   hooked, vertex and face                                                  handed on to a regular face, or held

@@ -1,38 +1,93 @@
 #include "chapters/06_redefinition/solver.hpp"
 
-#include "chapters/01_particle_plane/normal_response.hpp"
-#include "chapters/01_particle_plane/solver.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
-#include "chapters/03_penalty_impulses/penalty_law.hpp"
-#include "chapters/04_friction/friction_contact.hpp"
-#include "chapters/06_redefinition/redefinition_passes.hpp"
+#include "chapters/05_categorisation/solver.hpp"
+#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/edge_pairs_of_redefinition.hpp"
+#include "chapters/06_redefinition/new_pairs.hpp"
+#include "chapters/06_redefinition/resolution.hpp"
 
 #include <memory>
 
 namespace enduring {
+namespace {
+
+/// What a pass hands to those behind it.
+struct HandedOn {
+    CrossingDetection detection;    ///< resolution looks at its candidates too
+    std::size_t first_new = 0;      ///< index of the first pair that the last queries found
+    Redefinitions redefinitions{};  ///< of the pass before; edge pairs follow them
+};
+
+void drop(World&, Contacts& contacts, double) { drop_resolved(contacts); }
+
+/// @param tau  moment of the step at which the edges are looked at
+Pass bring_edge_pairs(const std::string& name, const std::shared_ptr<HandedOn>& step, double tau)
+{
+    return {name, [step, tau](World& world, Contacts& contacts, double) {
+        append_edge_pairs(world, step->redefinitions, tau, contacts);
+    }};
+}
+
+//! [follow_enduring]
+void follow_enduring_pairs(Solver& solver, const std::shared_ptr<HandedOn>& step)
+{
+    solver.replace("resolve pairs", {"drop resolved pairs", drop});
+    solver.replace("categorise", {"redefine vertices", [step](World& world, Contacts& contacts, double) {
+        step->redefinitions.clear();
+        redefine_enduring_vertices(world, contacts, step->redefinitions);
+    }});
+    solver.append(StepStage::refresh, {"dismiss edges", [](World& world, Contacts& contacts, double) {
+        dismiss_enduring_edges(world, contacts);
+    }});
+    solver.append(StepStage::refresh, bring_edge_pairs("edge pairs of redefinitions", step, 0));
+    solver.append(StepStage::refresh, {"drop dismissed pairs", drop});
+}
+//! [follow_enduring]
+
+//! [detect_new]
+void detect_new_pairs(Solver& solver, const std::shared_ptr<HandedOn>& step)
+{
+    solver.replace("broad phase", {"broad phase", [step](World& world, Contacts&, double) {
+        step->detection.find_candidates(world);
+    }});
+    solver.replace("queries", {"queries", [step](World& world, Contacts& contacts, double) {
+        step->first_new = contacts.size();
+        step->detection.append_entries(world, contacts);
+    }});
+    solver.append(StepStage::detect, {"admit new pairs", [step](World& world, Contacts& contacts, double) {
+        step->redefinitions.clear();
+        admit_new_pairs(world, contacts, step->first_new, step->redefinitions);
+    }});
+    solver.append(StepStage::detect, bring_edge_pairs("edge pairs of entries", step, 1));
+}
+//! [detect_new]
+
+//! [resolve]
+void resolve_pairs_that_left(Solver& solver, const std::shared_ptr<HandedOn>& step)
+{
+    solver.append(StepStage::finish, {"resolve vertices", [step](World& world, Contacts& contacts, double) {
+        step->redefinitions.clear();
+        resolve_vertices_that_left(world, step->detection, contacts, step->redefinitions);
+    }});
+    solver.append(StepStage::finish, bring_edge_pairs("edge pairs of exits", step, 1));
+    solver.append(StepStage::finish, {"resolve edges", [step](World& world, Contacts& contacts, double) {
+        resolve_edges_that_left(world, step->detection, contacts);
+    }});
+}
+//! [resolve]
+
+}  // namespace
 
 //! [solver]
 Solver chapter06_solver(const ContactParameters& parameters)
 {
-    const auto detection = std::make_shared<CrossingDetection>();
-    Solver solver = chapter01_solver(parameters);
+    const auto step = std::make_shared<HandedOn>();
+    Solver solver = chapter05_solver(parameters);
     solver.name = "chapter 6";
-    solver.refresh.push_back({"follow pairs", [](World& world, Contacts& contacts, double) {
-        follow_enduring_pairs(world, contacts);
-    }});
-    solver.detect.push_back({"broad phase", [detection](World& world, Contacts&, double) {
-        detection->find_candidates(world);
-    }});
-    solver.detect.push_back({"new pairs", [detection](World& world, Contacts& contacts, double) {
-        detect_new_pairs(world, *detection, contacts);
-    }});
-    solver.respond = {{"impulses", [law = normal_law(parameters), k = parameters.stiffness](World& world, Contacts& contacts, double dt) {
-        push_apart(world, contacts, law, k, dt);
-    }}};
-    add_friction(solver, parameters.friction);
-    solver.finish.push_back({"resolve pairs", [detection](World& world, Contacts& contacts, double) {
-        resolve_pairs_that_left(world, *detection, contacts);
-    }});
+    follow_enduring_pairs(solver, step);
+    detect_new_pairs(solver, step);
+    resolve_pairs_that_left(solver, step);
     return solver;
 }
 //! [solver]

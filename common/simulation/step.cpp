@@ -72,6 +72,75 @@ void commit(World& world, double dt)
 
 }  // namespace
 
+Solver::Solver(std::string of_solver, const std::vector<Pass>& refresh, const std::vector<Pass>& detect,
+               const std::vector<Pass>& respond, const std::vector<Pass>& finish)
+    : name(std::move(of_solver))
+{
+    const std::array lists{&refresh, &detect, &respond, &finish};
+    for (std::size_t stage = 0; stage < lists.size(); ++stage)
+        for (const Pass& pass : *lists[stage])
+            append(static_cast<StepStage>(stage), pass);
+}
+
+const Pass& Solver::pass(const std::string& called) const
+{
+    const auto [list, index] = place_of(called);
+    return lists_[list][index];
+}
+
+void Solver::append(StepStage stage, Pass pass)
+{
+    require_free(pass.name);
+    lists_[static_cast<std::size_t>(stage)].push_back(std::move(pass));
+}
+
+void Solver::insert_before(const std::string& called, Pass pass)
+{
+    require_free(pass.name);
+    const auto [list, index] = place_of(called);
+    lists_[list].insert(lists_[list].begin() + static_cast<std::ptrdiff_t>(index), std::move(pass));
+}
+
+void Solver::replace(const std::string& called, Pass pass)
+{
+    const auto [list, index] = place_of(called);
+    if (pass.name != called)
+        require_free(pass.name);
+    lists_[list][index] = std::move(pass);
+}
+
+void Solver::remove(const std::string& called)
+{
+    const auto [list, index] = place_of(called);
+    lists_[list].erase(lists_[list].begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+Solver::Place Solver::place_of(const std::string& called) const
+{
+    for (std::size_t list = 0; list < lists_.size(); ++list)
+        for (std::size_t index = 0; index < lists_[list].size(); ++index)
+            if (lists_[list][index].name == called)
+                return {list, index};
+    throw std::invalid_argument("solver \"" + name + "\" has no pass \"" + called + "\"; it has " + all_names());
+}
+
+void Solver::require_free(const std::string& called) const
+{
+    for (const std::vector<Pass>& list : lists_)
+        for (const Pass& pass : list)
+            if (pass.name == called)
+                throw std::invalid_argument("solver \"" + name + "\" has a pass \"" + called + "\" already; it has " + all_names());
+}
+
+std::string Solver::all_names() const
+{
+    std::string names;
+    for (const std::vector<Pass>& list : lists_)
+        for (const Pass& pass : list)
+            names += (names.empty() ? "\"" : ", \"") + pass.name + '"';
+    return names.empty() ? "none" : names;
+}
+
 //! [apply_impulses]
 void apply_impulses(World& world, Contacts& contacts)
 {
@@ -94,19 +163,19 @@ void advance(World& world, Contacts& contacts, const Solver& solver, double dt, 
     predict(world, dt);
     begin_step(contacts);
     done("predict");
-    run_passes(solver.refresh, world, contacts, dt, done);
+    run_passes(solver.passes(StepStage::refresh), world, contacts, dt, done);
 
-    run_passes(solver.detect, world, contacts, dt, done);
+    run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
     for (int n = 0; n < max_responses && any_waiting(contacts); ++n) {
-        run_passes(solver.respond, world, contacts, dt, done);
+        run_passes(solver.passes(StepStage::respond), world, contacts, dt, done);
         apply_impulses(world, contacts);
         done("apply impulses");
         update_predictions(world, dt);
         done("update prediction");
-        run_passes(solver.detect, world, contacts, dt, done);
+        run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
     }
 
-    run_passes(solver.finish, world, contacts, dt, done);
+    run_passes(solver.passes(StepStage::finish), world, contacts, dt, done);
     commit(world, dt);
     done("commit");
 }

@@ -3,10 +3,12 @@
 #include "common/simulation/body.hpp"
 #include "common/simulation/contact.hpp"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace enduring {
@@ -34,13 +36,44 @@ struct Pass {
     std::function<void(World&, Contacts&, double dt)> run;
 };
 
-/// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line.
-struct Solver {
+/// When in a step a pass runs.
+enum class StepStage {
+    refresh,  ///< once, before any detection: resolve, dismiss or redefine the pairs that endure
+    detect,   ///< append new crossings as waiting contacts
+    respond,  ///< give every waiting contact its impulses; the step applies them, all together
+    finish    ///< once, from the last prediction, before it becomes the state: friction anchors move
+};
+
+/// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line: a chapter takes the
+/// solver of the one before and adds, replaces or removes passes by name. No two passes share a name, in all stages together.
+///
+/// Whatever names a pass throws std::invalid_argument, with the passes there are, if that name is not there; and so does
+/// whatever brings one, if its name is taken.
+class Solver {
+public:
     std::string name;
-    std::vector<Pass> refresh{};   ///< once a step, before any detection: resolve, dismiss or redefine the pairs that endure
-    std::vector<Pass> detect{};    ///< append new crossings as waiting contacts
-    std::vector<Pass> respond{};   ///< give every waiting contact its impulses; the step applies them, all together
-    std::vector<Pass> finish{};    ///< once a step, from the last prediction, before it becomes the state: friction anchors move
+
+    Solver() = default;
+    Solver(std::string of_solver, const std::vector<Pass>& refresh, const std::vector<Pass>& detect,
+           const std::vector<Pass>& respond, const std::vector<Pass>& finish = {});
+
+    /// In the order in which they run.
+    const std::vector<Pass>& passes(StepStage stage) const { return lists_[static_cast<std::size_t>(stage)]; }
+    const Pass& pass(const std::string& called) const;
+
+    void append(StepStage stage, Pass pass);                      ///< behind all others of its stage
+    void insert_before(const std::string& called, Pass pass);
+    void replace(const std::string& called, Pass pass);           ///< it may have the same name
+    void remove(const std::string& called);
+
+private:
+    using Place = std::pair<std::size_t, std::size_t>;  ///< list, and index into it
+
+    Place place_of(const std::string& called) const;
+    void require_free(const std::string& called) const;
+    std::string all_names() const;
+
+    std::array<std::vector<Pass>, 4> lists_;  ///< by stage
 };
 
 /// Told the name of each pass when it is done, to measure it or to look at what it changed.

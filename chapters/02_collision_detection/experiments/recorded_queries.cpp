@@ -53,7 +53,7 @@ RecordedQueries record_queries(const std::string& scene_name, int detections)
     Scene scene = load_scene(scene_file(scene_name));
     Recorder recorder(scene.world);
     Solver solver = chapter01_solver(scene.contact);
-    solver.detect.push_back({"record", [&](World& world, Contacts&, double) { recorder.record(world); }});
+    solver.append(StepStage::detect, {"record", [&](World& world, Contacts&, double) { recorder.record(world); }});
     run(scene, solver, {}, {std::nullopt, [&](const World&, const Contacts&) { return recorder.queries.detections >= detections; }});
     return std::move(recorder.queries);
 }

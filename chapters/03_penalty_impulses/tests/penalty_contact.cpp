@@ -89,7 +89,7 @@ TEST_CASE("penalty contact: impulses of every pair of bodies keep the momentum, 
             Solver solver = chapter03_solver({method, 200});
             // Stands in for the solver's last pass and looks at momenta on both sides of it.
             int pushed = 0;
-            solver.respond.back().run = [&](World& w, Contacts& c, double dt) {
+            solver.replace("impulses", {"impulses", [&](World& w, Contacts& c, double dt) {
                 Contacts fresh;
                 for (Contact& contact : c)
                     if (!contact.answered()) {
@@ -102,7 +102,7 @@ TEST_CASE("penalty contact: impulses of every pair of bodies keep the momentum, 
                 pushed += static_cast<int>(fresh.size());
                 CHECK((linear_momentum(w) - linear).norm() < 1e-13 * (1 + linear.norm()));
                 CHECK((angular_momentum(w) - angular - angular_defect(w, fresh)).norm() < 1e-12);
-            };
+            }});
             for (int step = 0; step < 25; ++step)
                 advance(world, contacts, solver, 0.01);
             CHECK(pushed > 20);
@@ -228,7 +228,8 @@ TEST_CASE("errata: a pair at depth 0 collides still, as 5.2.1 has it; by 6.1.1 i
             resolve_separated_pairs(world, contacts);
         for (const auto& body : world.bodies)
             body->predict(world.gravity, 0.01);
-        for (const Pass& pass : chapter03_solver({PenaltyMethod::continuous, 100}).detect)
+        const Solver detecting = chapter03_solver({PenaltyMethod::continuous, 100});
+        for (const Pass& pass : detecting.passes(StepStage::detect))
             pass.run(world, contacts, 0.01);
         const auto pair = std::find_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.vertices[0] == 0; });
         const bool remembers = pair != contacts.end() && pair->stretch == touching.stretch;
@@ -269,10 +270,10 @@ TEST_CASE("penalty contact: the worked step gets the numbers of the stand-ins fr
 {
     WorkedStep by_hand = worked_step(), ours = worked_step();
     Solver solver = worked_step_solver(ours.stiffness);
-    solver.refresh[0].run = [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); };
-    solver.respond[0].run = [k = ours.stiffness](World& world, Contacts& contacts, double dt) {
+    solver.replace("resolve", {"resolve", [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); }});
+    solver.replace("respond", {"respond", [k = ours.stiffness](World& world, Contacts& contacts, double dt) {
         push_apart(world, contacts, continuous_penalty, k, dt);
-    };
+    }});
     const auto expected = record_step(by_hand.world, by_hand.contacts, worked_step_solver(by_hand.stiffness), by_hand.dt);
     const auto found = record_step(ours.world, ours.contacts, solver, ours.dt);
     REQUIRE(found.size() == expected.size());
@@ -330,7 +331,7 @@ TEST_CASE("penalty contact: a new pair pushes from its time of impact, not for a
     const Solver solver = chapter03_solver({PenaltyMethod::continuous, k});
     for (const auto& body : world.bodies)
         body->predict(world.gravity, dt);
-    for (const Pass& pass : solver.detect)
+    for (const Pass& pass : solver.passes(StepStage::detect))
         pass.run(world, contacts, dt);
     const auto pair = std::find_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.kind == ContactKind::vertex_face; });
     REQUIRE(pair != contacts.end());

@@ -11,7 +11,7 @@ Solver real_solver(double stiffness)
     ContactParameters parameters;
     parameters.stiffness = stiffness;
     Solver solver = chapter03_solver(parameters);
-    solver.refresh.push_back(stand_in_redefine());
+    solver.append(StepStage::refresh, stand_in_redefine());
     return solver;
 }
 

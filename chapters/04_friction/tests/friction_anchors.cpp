@@ -100,12 +100,12 @@ TEST_CASE("friction: the pass computes and applies nothing, and only for pairs t
 
 TEST_CASE("friction: a scene without friction runs as in chapter 3, to the last bit")
 {
-    CHECK(chapter04_solver({}).respond.size() + 1 == [] {
+    CHECK(chapter04_solver({}).passes(StepStage::respond).size() + 1 == [] {
         ContactParameters rough;
         rough.friction = MassSplitting{};
-        return chapter04_solver(rough).respond.size();
+        return chapter04_solver(rough).passes(StepStage::respond).size();
     }());
-    CHECK(chapter04_solver({}).finish.empty());
+    CHECK(chapter04_solver({}).passes(StepStage::finish).empty());
 }
 
 TEST_CASE("friction anchors: a pair that waits and does not push slips no more")

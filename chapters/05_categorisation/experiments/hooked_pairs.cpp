@@ -1,7 +1,6 @@
 #include "chapters/05_categorisation/experiments/hooked_pairs.hpp"
 
-#include "chapters/04_friction/friction_contact.hpp"
-#include "chapters/04_friction/solver.hpp"
+#include "chapters/05_categorisation/solver.hpp"
 
 #include <algorithm>
 
@@ -23,13 +22,13 @@ void treat(Contacts& contacts, HookedPairs treatment)
 
 Solver solver_that(HookedPairs treatment, EdgeRule rule, const ContactParameters& parameters)
 {
-    Solver solver = chapter04_solver(parameters);
+    Solver solver = chapter05_solver(parameters);
     solver.name = "chapter 5, hooked pairs treated";
-    solver.refresh.push_back({"categorise", [rule, treatment](World& world, Contacts& contacts, double) {
+    solver.replace("categorise", {"categorise", [rule, treatment](World& world, Contacts& contacts, double) {
         label_contacts(world, contacts, rule);
         treat(contacts, treatment);
     }});
-    solver.detect.push_back({"categorise new", [rule, treatment](World& world, Contacts& contacts, double) {
+    solver.replace("categorise new", {"categorise new", [rule, treatment](World& world, Contacts& contacts, double) {
         label_new_contacts(world, contacts, rule);
         treat(contacts, treatment);
     }});

@@ -9,7 +9,6 @@
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/05_categorisation/category.hpp"
 #include "chapters/06_redefinition/edge_edge_dismissal.hpp"
-#include "chapters/06_redefinition/redefinition_passes.hpp"
 #include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/06_redefinition/vertex_face_redefinition.hpp"

@@ -96,8 +96,9 @@ void add_size(Table& sizes, int elements, const Scene& scene, const RunResult& r
         if (const auto* deformable = dynamic_cast<const DeformableBody*>(body.get()))
             unknowns += 3 * deformable->elastic().node_count();
     sizes.add({static_cast<long>(elements), static_cast<long>(unknowns), std::get<long>(probe.table().rows().back()[4]),
-               per_step({"predict"}), per_step({"update prediction"}), per_step({"broad phase", "new pairs"}),
-               per_step({"follow pairs", "resolve pairs"}), per_step({"impulses", "friction", "apply impulses", "move friction anchors"}),
+               per_step({"predict"}), per_step({"update prediction"}), per_step({"broad phase", "queries", "categorise new", "admit new pairs", "edge pairs of entries"}),
+               per_step({"drop resolved pairs", "redefine vertices", "dismiss edges", "edge pairs of redefinitions", "drop dismissed pairs",
+                         "resolve vertices", "edge pairs of exits", "resolve edges"}), per_step({"impulses", "friction", "apply impulses", "move friction anchors"}),
                1000 * timings.total() / result.steps, result.steps * scene.dt / timings.total(), 100 * probe.share(),
                static_cast<long>(probe.most_inverted())});
 }

@@ -93,7 +93,8 @@ WholeStep time_steps(const std::filesystem::path& file, const std::string& chang
     const Timings& t = result.timings;
     const double per_step = 1000.0 / result.steps;
     WholeStep whole;
-    whole.detect = per_step * (t.of("broad phase") + t.of("queries") + t.of("new pairs") + t.of("closest points") + t.of("detect planes"));
+    whole.detect = per_step * (t.of("broad phase") + t.of("queries") + t.of("categorise new") + t.of("admit new pairs") +
+                               t.of("edge pairs of entries") + t.of("closest points") + t.of("detect planes"));
     whole.step = per_step * t.total();
     whole.handle = whole.step - whole.detect - per_step * (t.of("predict") + t.of("update prediction") + t.of("commit"));
     whole.pairs = pairs / (steps + 1);

@@ -63,10 +63,10 @@ Table all_passes()
             for (const Pass& pass : passes)
                 table.add({static_cast<long>(chapter), stage, pass.name});
         };
-        add("refresh", solver.refresh);
-        add("detect", solver.detect);
-        add("respond", solver.respond);
-        add("finish", solver.finish);
+        add("refresh", solver.passes(StepStage::refresh));
+        add("detect", solver.passes(StepStage::detect));
+        add("respond", solver.passes(StepStage::respond));
+        add("finish", solver.passes(StepStage::finish));
     }
     return table;
 }

@@ -20,7 +20,7 @@ Solver detection_without_response(const ContactParameters& parameters)
     const auto detection = std::make_shared<CrossingDetection>();
     Solver solver = chapter01_solver(parameters);
     solver.name = "chapter 2";
-    solver.detect.push_back({"crossings", [detection](World& world, Contacts& contacts, double) {
+    solver.append(StepStage::detect, {"crossings", [detection](World& world, Contacts& contacts, double) {
         const std::size_t first_new = contacts.size();
         detection->find_candidates(world);
         detection->append_entries(world, contacts);

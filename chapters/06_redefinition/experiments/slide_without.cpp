@@ -1,34 +1,13 @@
 #include "chapters/06_redefinition/experiments/slide_without.hpp"
 
-#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
-#include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/06_redefinition/solver.hpp"
-
-#include <algorithm>
 
 namespace enduring::chapter06 {
 namespace {
 
-bool is_edge_pair(const Contact& contact) { return contact.kind == ContactKind::edge_edge; }
-
-/// The pass, and after it no edge pairs but those there were before.
-std::function<void(World&, Contacts&, double)> without_new_edges(std::function<void(World&, Contacts&, double)> pass)
+void drop_edge_pairs(World&, Contacts& contacts, double)
 {
-    return [pass](World& world, Contacts& contacts, double dt) {
-        const std::size_t before = contacts.size();
-        pass(world, contacts, dt);
-        const auto first_new = contacts.begin() + static_cast<std::ptrdiff_t>(std::min(before, contacts.size()));
-        contacts.erase(std::remove_if(first_new, contacts.end(), is_edge_pair), contacts.end());
-    };
-}
-
-void redefine_alone(World& world, Contacts& contacts, double)
-{
-    Redefinitions redefinitions;
-    drop_resolved(contacts);
-    redefine_enduring_vertices(world, contacts, redefinitions);
-    dismiss_enduring_edges(world, contacts);
-    drop_resolved(contacts);
+    std::erase_if(contacts, [](const Contact& contact) { return contact.kind == ContactKind::edge_edge; });
 }
 
 void push_hooked(World&, Contacts& contacts, double)
@@ -36,11 +15,6 @@ void push_hooked(World&, Contacts& contacts, double)
     for (Contact& contact : contacts)
         if (contact.kind == ContactKind::vertex_face && contact.category == ContactCategory::hooked && contact.held())
             contact.hold(false);
-}
-
-Pass& pass_named(std::vector<Pass>& passes, const std::string& name)
-{
-    return *std::find_if(passes.begin(), passes.end(), [&](const Pass& pass) { return pass.name == name; });
 }
 
 }  // namespace
@@ -65,17 +39,21 @@ std::string name_of(Omission omission)
 Solver solver_without(Omission omission, const ContactParameters& parameters)
 {
     Solver solver = chapter06_solver(parameters);
-    Pass &follow = pass_named(solver.refresh, "follow pairs"), &detect = pass_named(solver.detect, "new pairs"),
-         &resolve = pass_named(solver.finish, "resolve pairs");
-    if (omission == Omission::edges_behind_exits || omission == Omission::edge_handover || omission == Omission::all_edge_pairs)
-        resolve.run = without_new_edges(resolve.run);
-    if (omission == Omission::edge_handover || omission == Omission::all_edge_pairs)
-        follow.run = redefine_alone;
-    if (omission == Omission::all_edge_pairs)
-        detect.run = without_new_edges(detect.run);
-    if (omission == Omission::hooked_are_held) {
-        solver.refresh.push_back({"push hooked", push_hooked});
-        solver.detect.push_back({"push hooked", push_hooked});
+    switch (omission) {
+    case Omission::none:
+        break;
+    case Omission::all_edge_pairs:
+        solver.append(StepStage::detect, {"drop edge pairs", drop_edge_pairs});
+        [[fallthrough]];
+    case Omission::edge_handover:
+        solver.remove("edge pairs of redefinitions");
+        [[fallthrough]];
+    case Omission::edges_behind_exits:
+        solver.remove("edge pairs of exits");
+        break;
+    case Omission::hooked_are_held:
+        solver.append(StepStage::refresh, {"push hooked", push_hooked});
+        solver.append(StepStage::detect, {"push new hooked", push_hooked});
     }
     return solver;
 }

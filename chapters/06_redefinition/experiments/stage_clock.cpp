@@ -1,14 +1,8 @@
 #include "chapters/06_redefinition/experiments/stage_clock.hpp"
 
-#include "chapters/01_particle_plane/normal_response.hpp"
-#include "chapters/03_penalty_impulses/penalty_law.hpp"
-#include "chapters/04_friction/friction_contact.hpp"
+#include "chapters/03_penalty_impulses/solver.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
-#include "chapters/06_redefinition/redefinition_passes.hpp"
-#include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/06_redefinition/solver.hpp"
-#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 
 #include <algorithm>
@@ -19,9 +13,9 @@ namespace {
 
 constexpr int rounds = 3;  ///< of each pass; the quickest counts, for others on the machine can only slow it down
 
-/// The quickest of several rounds of one pass over a list, each from a fresh copy [s].
-template <class Pass>
-double quickest(const Contacts& contacts, const Pass& pass)
+/// The quickest of several rounds of some work over a list, each from a fresh copy [s].
+template <class Work>
+double quickest(const Contacts& contacts, const Work& work)
 {
     if (contacts.empty())
         return 0;  // nothing but the clock would be measured
@@ -29,7 +23,7 @@ double quickest(const Contacts& contacts, const Pass& pass)
     for (int round = 0; round < rounds; ++round) {
         Contacts copy = contacts;
         const double begin = processor_seconds();
-        pass(copy);
+        work(copy);
         best = std::min(best, processor_seconds() - begin);
     }
     return best;
@@ -43,54 +37,54 @@ Contacts only(const Contacts& contacts, ContactKind kind)
     return some;
 }
 
+/// The passes of a step, one by one.
+struct StagePasses {
+    Solver layer, discrete, continuous;
+
+    explicit StagePasses(const ContactParameters& parameters)
+        : layer(chapter06_solver(parameters)),
+          discrete(chapter03_solver({PenaltyMethod::discrete, parameters.stiffness})),
+          continuous(chapter03_solver({PenaltyMethod::continuous, parameters.stiffness}))
+    {
+    }
+};
+
 /// Seconds, summed over the steps, until the end makes nanoseconds a pair of them.
 class StageClock {
 public:
-    explicit StageClock(ContactKind kind) : kind_(kind) {}
+    StageClock(ContactKind kind, const StagePasses& passes) : kind_(kind), passes_(passes) {}
 
     /// Pairs that endure, from the step's first prediction.
-    void at_the_start(const World& world, const Contacts& contacts)
+    void at_the_start(World& world, const Contacts& contacts, double dt)
     {
         const Contacts pairs = only(contacts, kind_);
         enduring_ += static_cast<long>(pairs.size());
-        Redefinitions unused;
         const double labels = quickest(pairs, [&](Contacts& list) { label_contacts(world, list); });
-        const double follows = quickest(pairs, [&](Contacts& list) {
-            if (kind_ == ContactKind::vertex_face)
-                redefine_enduring_vertices(world, list, unused);
-            else
-                dismiss_enduring_edges(world, list);
-        });
+        const Pass& follow = passes_.layer.pass(kind_ == ContactKind::vertex_face ? "redefine vertices" : "dismiss edges");
+        const double follows = quickest(pairs, [&](Contacts& list) { follow.run(world, list, dt); });
         times_.categorise += labels;
         times_.redefine += std::max(0.0, follows - labels);
     }
 
     /// Pairs that wait for their impulses.
-    void before_the_response(const World& world, const Contacts& contacts, const ContactParameters& parameters, double dt)
+    void before_the_response(World& world, const Contacts& contacts, double dt)
     {
         Contacts pairs = only(contacts, kind_);
-        pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [](const Contact& contact) { return !contact.waiting(); }), pairs.end());
+        std::erase_if(pairs, [](const Contact& contact) { return !contact.waiting(); });
         answered_ += static_cast<long>(pairs.size());
-        const auto push = [&](const NormalLaw& law) {
-            return quickest(pairs, [&](Contacts& list) { push_apart(world, list, law, parameters.stiffness, dt); });
-        };
-        times_.dpf += push(discrete_penalty);
-        times_.cpf += push(continuous_penalty);
-        push_apart(world, pairs, continuous_penalty, parameters.stiffness, dt);
-        times_.friction += quickest(pairs, [&](Contacts& list) { compute_friction_impulses(world, list, parameters.friction, dt); });
+        const Pass &dpf = passes_.discrete.pass("impulses"), &cpf = passes_.continuous.pass("impulses"), &friction = passes_.layer.pass("friction");
+        times_.dpf += quickest(pairs, [&](Contacts& list) { dpf.run(world, list, dt); });
+        times_.cpf += quickest(pairs, [&](Contacts& list) { cpf.run(world, list, dt); });
+        cpf.run(world, pairs, dt);
+        times_.friction += quickest(pairs, [&](Contacts& list) { friction.run(world, list, dt); });
     }
 
     /// All pairs, before the step is committed: vertex pairs decide about edge pairs.
-    void at_the_end(const World& world, const CrossingDetection& detection, const Contacts& contacts)
+    void at_the_end(World& world, const Contacts& contacts, double dt)
     {
         resolved_ += std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) { return contact.kind == kind_; });
-        Redefinitions unused;
-        times_.resolve += quickest(contacts, [&](Contacts& list) {
-            if (kind_ == ContactKind::vertex_face)
-                resolve_vertices_that_left(world, detection, list, unused);
-            else
-                resolve_edges_that_left(world, detection, list);
-        });
+        const Pass& resolve = passes_.layer.pass(kind_ == ContactKind::vertex_face ? "resolve vertices" : "resolve edges");
+        times_.resolve += quickest(contacts, [&](Contacts& list) { resolve.run(world, list, dt); });
     }
 
     StageTimes per_pair() const
@@ -105,6 +99,7 @@ public:
 
 private:
     ContactKind kind_;
+    const StagePasses& passes_;
     StageTimes times_;
     long enduring_ = 0, answered_ = 0, resolved_ = 0;
 };
@@ -113,24 +108,23 @@ private:
 
 PairTimes time_stages(Scene& scene, int steps, int from)
 {
-    StageClock vertex_face(ContactKind::vertex_face), edge_edge(ContactKind::edge_edge);
-    const auto both = [&](const auto& work) {
-        if (scene.world.step < from)
+    const StagePasses passes(scene.contact);
+    StageClock vertex_face(ContactKind::vertex_face, passes), edge_edge(ContactKind::edge_edge, passes);
+    const auto both = [&](World& world, const auto& work) {
+        if (world.step < from)
             return;
         work(vertex_face);
         work(edge_edge);
     };
-    CrossingDetection detection;
-    Solver solver = chapter06_solver(scene.contact);
-    solver.refresh.insert(solver.refresh.begin(), {"clock", [&](World& world, Contacts& contacts, double) {
-        both([&](StageClock& clock) { clock.at_the_start(world, contacts); });
+    Solver solver = passes.layer;
+    solver.insert_before("resolve planes", {"clock what endures", [&](World& world, Contacts& contacts, double dt) {
+        both(world, [&](StageClock& clock) { clock.at_the_start(world, contacts, dt); });
     }});
-    solver.respond.insert(solver.respond.begin(), {"clock", [&](World& world, Contacts& contacts, double dt) {
-        both([&](StageClock& clock) { clock.before_the_response(world, contacts, scene.contact, dt); });
+    solver.insert_before("impulses", {"clock the response", [&](World& world, Contacts& contacts, double dt) {
+        both(world, [&](StageClock& clock) { clock.before_the_response(world, contacts, dt); });
     }});
-    solver.finish.insert(solver.finish.begin(), {"clock", [&](World& world, Contacts& contacts, double) {
-        detection.find_candidates(world);
-        both([&](StageClock& clock) { clock.at_the_end(world, detection, contacts); });
+    solver.insert_before("resolve vertices", {"clock the resolution", [&](World& world, Contacts& contacts, double dt) {
+        both(world, [&](StageClock& clock) { clock.at_the_end(world, contacts, dt); });
     }});
     RunLimits limits;
     limits.steps = steps;

@@ -2,7 +2,6 @@
 #include "chapters/05_categorisation/category.hpp"
 #include "chapters/06_redefinition/experiments/experiments.hpp"
 #include "chapters/06_redefinition/face_choice.hpp"
-#include "chapters/06_redefinition/redefinition_passes.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"
 #include "common/experiments/run/run.hpp"
@@ -113,8 +112,7 @@ Caught run_until_caught(const std::string& name, bool hooked)
         if (!caught)
             caught = hooked ? hooked_case(world, scene, contacts, *detection) : barycentric_case(world, scene, contacts);
     }};
-    std::vector<Pass>& passes = hooked ? solver.detect : solver.refresh;
-    passes.insert(passes.begin(), spy);
+    solver.insert_before(hooked ? "detect planes" : "resolve planes", spy);
     run(scene, solver, {}, {std::nullopt, [&](const World&, const Contacts&) { return caught.has_value(); }});
     if (!caught)
         throw std::runtime_error("step_by_step: scene " + name + " has no such redefinition");

@@ -1,5 +1,4 @@
 #include "chapters/06_redefinition/edge_edge_dismissal.hpp"
-#include "chapters/06_redefinition/redefinition_passes.hpp"
 #include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/06_redefinition/tests/small_worlds.hpp"
@@ -18,11 +17,7 @@ namespace {
 Solver without_edge_pairs(double stiffness)
 {
     Solver solver = chapter06_solver({PenaltyMethod::continuous, stiffness});
-    solver.refresh.back().run = [](World& world, Contacts& contacts, double) {
-        Redefinitions redefinitions;
-        redefine_enduring_vertices(world, contacts, redefinitions);
-        drop_resolved(contacts);
-    };
+    solver.remove("edge pairs of redefinitions");
     return solver;
 }
 
@@ -36,7 +31,9 @@ TEST_CASE("worked step: redefinition, detection and impulses of this chapter giv
 TEST_CASE("worked step: with vertex 2 come the two edges that lie over the diagonal, at depths worked out by hand")
 {
     WorkedStep step = worked_step();
-    follow_enduring_pairs(step.world, step.contacts);
+    const Solver solver = chapter06_solver({});
+    for (const Pass& pass : solver.passes(StepStage::refresh))
+        pass.run(step.world, step.contacts, step.dt);
     Contacts edges;
     for (const Contact& contact : step.contacts)
         if (contact.kind == ContactKind::edge_edge)

@@ -1,4 +1,5 @@
 #include "chapters/03_penalty_impulses/solver.hpp"
+#include "chapters/05_categorisation/category.hpp"
 #include "chapters/06_redefinition/face_choice.hpp"
 #include "chapters/06_redefinition/new_pairs.hpp"
 #include "chapters/06_redefinition/tests/small_worlds.hpp"
@@ -167,6 +168,7 @@ TEST_CASE("new pairs: of two entries of a vertex the earliest is kept, and of tw
         Contacts contacts{on_face(world, 0), on_face(world, 1)};
         contacts[0].start = contacts[1].start = 0.6;
         contacts[static_cast<std::size_t>(early)].start = 0.2;
+        label_new_contacts(world, contacts);
         Redefinitions redefinitions;
         admit_new_pairs(world, contacts, 0, redefinitions);
         REQUIRE(contacts.size() == 1);
@@ -178,6 +180,7 @@ TEST_CASE("new pairs: of two entries of a vertex the earliest is kept, and of tw
     world = tip_and({{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {{0, 3, 1}, {0, 1, 2}}}, {0, 0, 0.1});
     Contacts contacts{on_face(world, 0), on_face(world, 1)};
     contacts[0].start = contacts[1].start = 0.5;
+    label_new_contacts(world, contacts);
     Redefinitions redefinitions;
     admit_new_pairs(world, contacts, 0, redefinitions);
     REQUIRE(contacts.size() == 1);
