@@ -1,4 +1,5 @@
-"""What changed since the last chapter: the passes and the verdicts, from the run, and the files, from the folders."""
+"""What changed since the last chapter: the passes, from the solvers' lists, the files, from the folders, and the verdicts, from
+the failure ledger, once that has run."""
 import csv
 import re
 
@@ -8,15 +9,15 @@ STAGES = {"refresh": "pairs that endure", "detect": "detection", "respond": "res
 def changes_block(root, results, folder):
     """The block of one chapter, for its page.
     @param results  the folder of results of this build
-    @throws FileNotFoundError  the ledger was not run"""
+    @throws FileNotFoundError  the solvers' passes were not listed (./course run solvers passes: a second)"""
     chapter = int(folder[:2])
-    parts = [passes_table(rows(results, "passes"), chapter), files_list(root, folder), verdicts(rows(results, "ledger"), chapter)]
+    ledger = rows(results, "ledger") if (results / "solvers/ledger.csv").is_file() else []
+    parts = [passes_table(rows(results, "passes"), chapter), files_list(root, folder), verdicts(ledger, chapter)]
     return "\n".join(["<div class=\"changes\">", "", *filter(None, parts), "", "</div>"])
 
 
 def rows(results, name):
-    path = next(iter(sorted(results.glob(f"06_*/{name}.csv"))), results / f"06/{name}.csv")
-    with path.open(newline="", encoding="utf-8") as file:
+    with (results / f"solvers/{name}.csv").open(newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
 

@@ -76,12 +76,26 @@ def made_by(program):
     return hashlib.sha256(program.read_bytes()).hexdigest()
 
 
+def result_folders(results):
+    """Those of the base and of the chapters, in their order; then what all solvers left together."""
+    return [path for pattern in ("[0-9][0-9]_*", "solvers") for path in sorted(results.glob(pattern)) if path.is_dir()]
+
+
+def word_of(folder):
+    """What a user calls it: 3 for 03_penalty_impulses, solvers for solvers."""
+    return str(int(folder[:2])) if folder[:2].isdigit() else folder
+
+
+def program_of(folder):
+    return "base" if folder == "00_base" else f"chapter{folder[:2]}" if folder[:2].isdigit() else folder
+
+
 def stale_results(results, programs):
     """Folders of results that another program than the present one has made."""
-    for folder in sorted(results.glob("[0-9][0-9]_*")):
-        program, stamp = programs / ("base" if folder.name == "00_base" else f"chapter{folder.name[:2]}"), folder / ".made_by"
+    for folder in result_folders(results):
+        program, stamp = programs / program_of(folder.name), folder / ".made_by"
         if program.is_file() and (not stamp.is_file() or stamp.read_text().strip() != made_by(program)):
-            yield f"{folder}: the numbers are stale, {program.name} is another program now (./course run {int(folder.name[:2])}, or ./course docs)"
+            yield f"{folder}: the numbers are stale, {program.name} is another program now (./course run {word_of(folder.name)}, or ./course docs)"
 
 
 # ------------------------------------------------------------------------------------------------------------ dead links

@@ -55,11 +55,11 @@ class Page:
 
 
 class Results:
-    """What the chapters' programs left: build/results/NN_name/."""
+    """What the programs left: build/results/NN_name/, and that of all solvers build/results/solvers/."""
 
     def __init__(self, root):
         self.root = root
-        self.folders = sorted(path for path in root.glob("[0-9][0-9]_*") if path.is_dir())
+        self.folders = checks.result_folders(root)
         self.facts = {folder.name: self._read_facts(folder) for folder in self.folders}
 
     @staticmethod
@@ -73,11 +73,10 @@ class Results:
 
     @staticmethod
     def _of_one_chapter(page, what, name, found_in):
-        """A chapter's number before the name decides (6/bunny_bowl.png); then a page's own chapter comes first, and
-        elsewhere a name must be the only one."""
-        number = re.match(r"(\d+)/", name)
-        if number:
-            found_in = [folder for folder in found_in if int(folder[:2]) == int(number[1])]
+        """A chapter's number before the name decides (6/bunny_bowl.png, solvers/ledger.png); then a page's own chapter comes
+        first, and elsewhere a name must be the only one."""
+        if "/" in name:
+            found_in = [folder for folder in found_in if checks.word_of(folder) == name.split("/")[0]]
         if page.folder in found_in:
             return page.folder
         if not found_in:
@@ -99,7 +98,7 @@ class Results:
 
 
 def without_chapter(name):
-    return re.sub(r"^\d+/", "", name)
+    return name.split("/")[-1]
 
 
 # ------------------------------------------------------------------------------------------------- reading the pages
@@ -140,9 +139,9 @@ def prose(page):
             yield number, line
 
 
-FIGURE = re.compile(r"^@figure\{\s*((?:\d+/)?[\w.-]+\.(?:png|svg|webp|mp4))\s*,\s*(.+)\}\s*$")
-LIVE = re.compile(r"^@live\{\s*(\w+)\s*,\s*((?:\d+/)?[\w.-]+\.(?:png|svg))\s*,\s*(.+)\}\s*$")
-TABLE = re.compile(r"^@table\{\s*((?:\d+/)?[\w-]+)\s*(?:,\s*(.+))?\}\s*$")
+FIGURE = re.compile(r"^@figure\{\s*((?:\w+/)?[\w.-]+\.(?:png|svg|webp|mp4))\s*,\s*(.+)\}\s*$")
+LIVE = re.compile(r"^@live\{\s*(\w+)\s*,\s*((?:\w+/)?[\w.-]+\.(?:png|svg))\s*,\s*(.+)\}\s*$")
+TABLE = re.compile(r"^@table\{\s*((?:\w+/)?[\w-]+)\s*(?:,\s*(.+))?\}\s*$")
 
 
 def number_figures(page, results):

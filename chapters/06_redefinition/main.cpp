@@ -1,7 +1,6 @@
 #include "chapters/06_redefinition/experiments/experiments.hpp"
-#include "chapters/06_redefinition/experiments/own_scene.hpp"
 
-#include <memory>
+#include <string>
 
 namespace {
 
@@ -15,8 +14,7 @@ std::function<void(const enduring::RunOptions&, enduring::Report&)> artefact(con
 int main(int argc, char** argv)
 {
     using namespace enduring;
-    const auto choice = std::make_shared<chapter06::OwnSceneOptions>();
-    ChapterProgram program{
+    const ChapterProgram program{
         "06_redefinition",
         "Chapter 6: redefinition",
         {
@@ -34,11 +32,7 @@ int main(int argc, char** argv)
             {"rolling", "a ball that rolls down a slope or turns on its spot: how much the lever of the start brakes it", chapter06::rolling},
             {"laid_block", "a limit: a block that is laid exactly on triangles", chapter06::laid_block},
             {"deep", "a limit: a contact too deep for its category to mean anything (thesis figure 6.9)", chapter06::deep},
-            {"ledger", "every chapter's solver in every scene that called for a new one", chapter06::ledger},
-            {"own_scene", "the example of a scene of your own; any other runs with --scene FILE", chapter06::own_scene_example},
         },
     };
-    program.add_options = [choice](CLI::App& app) { chapter06::add_own_scene_options(app, *choice); };
-    program.own_scene = [choice](const RunOptions& options, Report& report) { chapter06::own_scene(options, report, *choice); };
     return run_chapter(argc, argv, program);
 }

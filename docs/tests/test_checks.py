@@ -69,6 +69,16 @@ class InAFolder(unittest.TestCase):
         return path
 
 
+class Folders(InAFolder):
+    def test_what_all_solvers_left_comes_last_and_each_folder_has_its_word_and_program(self):
+        for folder in ("solvers", "06_last", "00_base", "other"):
+            self.write(f"results/{folder}/a.csv", "1")
+        folders = [path.name for path in checks.result_folders(self.root / "results")]
+        self.assertEqual(folders, ["00_base", "06_last", "solvers"])
+        self.assertEqual([checks.word_of(folder) for folder in folders], ["0", "6", "solvers"])
+        self.assertEqual([checks.program_of(folder) for folder in folders], ["base", "chapter06", "solvers"])
+
+
 class Links(InAFolder):
     def test_a_link_to_nothing_and_an_anchor_that_is_missing_are_named(self):
         self.write("a.html", '<a href="b.html#there">x</a><a href="b.html#gone">y</a><a href="c.html">z</a><img src="d.png"><a href="https://e.org/f">w</a>')
@@ -92,6 +102,19 @@ class StaleResults(InAFolder):
 
 
 class WhatChanged(InAFolder):
+    def test_the_block_needs_the_list_of_passes_and_no_chapters_results(self):
+        self.write("chapters/01_drop/depth.hpp", "/// Depth of a point.\ndouble depth();\n")
+        with self.assertRaisesRegex(FileNotFoundError, "solvers/passes.csv"):
+            changes.changes_block(self.root, self.root / "results", "01_drop")
+        self.write("results/solvers/passes.csv", "chapter,stage,pass\n1,detect,boxes\n")
+        told = changes.changes_block(self.root, self.root / "results", "01_drop")
+        self.assertIn("| detection | **boxes** |", told)
+        self.assertIn("`depth.hpp`: Depth of a point.", told)
+        self.assertNotIn("Behaviour", told)
+        head = "scene,chapter,quantity,unit,bound,value,passes\n"
+        self.write("results/solvers/ledger.csv", head + "slope,1,way,mm,at most 1 mm,2971,0\nslope,2,way,mm,at most 1 mm,0.2,1\n")
+        self.assertIn("Behaviour", changes.changes_block(self.root, self.root / "results", "02_more"))
+
     def test_new_passes_are_bold_and_lost_ones_struck_through(self):
         passes = [{"chapter": c, "stage": "detect", "pass": p} for c, p in (("1", "boxes"), ("1", "queries"), ("2", "boxes"), ("2", "labels"))]
         table = changes.passes_table(passes, 2)

@@ -120,6 +120,21 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("\n0.2 m\n", book.page("chapter_02"))
 
 
+    def test_a_page_tells_what_changed_before_a_later_chapter_or_the_ledger_has_run(self):
+        book = Book("# A\n@fact{drop.height}\n\n@changes\n", "# B\n@changes\n")
+        shutil.rmtree(book.root / "build/results/02_more")
+        self.assertIn("solvers/passes.csv is not there", book.weave().stderr)
+        book.write("build/results/solvers/passes.csv", "chapter,stage,pass\n1,detect,planes\n2,detect,planes\n2,detect,faces\n")
+        done = book.weave()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("| detection | **planes** |", book.page())
+        self.assertIn("| detection | planes, **faces** |", book.page("chapter_02"))
+        self.assertNotIn("Behaviour", book.page("chapter_02"))
+        book.write("build/results/solvers/ledger.csv", "scene,chapter,quantity,unit,bound,value,passes\n"
+                   "fall,1,way,m,at most 1 m,3,0\nfall,2,way,m,at most 1 m,0.5,1\n")
+        self.assertEqual(book.weave().returncode, 0)
+        self.assertIn("**0.5 m** with chapter 2, which holds", book.page("chapter_02"))
+
     def test_a_chapters_number_before_a_name_decides(self):
         book = Book("# A\n", "# B\n")
         book.write("build/results/02_more/drop.svg", "<svg>2</svg>")
@@ -128,6 +143,15 @@ class WhatArrives(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("\n0.2 m 0.1 m, about\n", book.page("page_page"))
         self.assertEqual((book.root / "out/figures/02_more/drop.svg").read_text(), "<svg>2</svg>")
+
+    def test_what_all_solvers_left_is_named_by_their_word(self):
+        book = Book("# A\n")
+        book.write("build/results/solvers/steps.md", "| all |\n|---:|\n| 9 |")
+        book.write("docs/page.md", "# Page\n@table{solvers/steps}\n@table{1/steps}\n")
+        done = book.weave()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("| 9 |", book.page("page_page"))
+        self.assertIn("| 0.14 |", book.page("page_page"))
 
 
 class WhatStopsTheBook(unittest.TestCase):

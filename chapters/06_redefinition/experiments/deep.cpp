@@ -1,6 +1,6 @@
-#include "chapters/06_redefinition/experiments/buried_vertex.hpp"
 #include "chapters/06_redefinition/experiments/experiments.hpp"
-#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "chapters/motivating_scenes/buried_vertex.hpp"
+#include "common/experiments/run/probes.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/input/number_text.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -21,11 +21,11 @@ double deepest_in(const Body& of, const Body& in)
 {
     double deepest = 0;
     for (const Vec3& x : of.positions_t0())
-        deepest = std::max(deepest, depth_inside(in, x));
+        deepest = std::max(deepest, motivating::depth_inside(in, x));
     return deepest;
 }
 
-Ram ram(int chapter, double speed)
+Ram ram(const Compared& compared, double speed)
 {
     Scene scene = load_scene(scene_file("deep"), R"({"/bodies/cube/velocity": [)" + shortest(speed) + ", 0, 0]}");
     Ram result;
@@ -42,7 +42,7 @@ Ram ram(int chapter, double speed)
                 result.deepest_pair = std::max(result.deepest_pair, -at.depth);
         }
     });
-    run(scene, solver_of(chapter, scene.contact), {&watch}, failure_on_purpose());
+    run(scene, compared.make(scene.contact), {&watch}, failure_on_purpose());
     return result;
 }
 
@@ -54,10 +54,10 @@ void deep(const RunOptions& options, Report& report)
     artefact("deep", options, report);
     Table table({"speed_m_per_s", "solver", "deepest_vertex_mm", "deepest_upward_pair_mm", "energy_ratio"});
     for (const double speed : {0.5, 1.0, 2.0, 3.0})
-        for (const int chapter : {5, 6}) {
-            const Ram result = ram(chapter, speed);
-            table.add({speed, "chapter " + std::to_string(chapter), 1000 * result.deepest_vertex, 1000 * result.deepest_pair, result.energy_ratio});
-            if (speed == 3 && chapter == 6) {
+        for (const Compared& compared : last_and_this) {
+            const Ram result = ram(compared, speed);
+            table.add({speed, "chapter " + std::to_string(compared.chapter), 1000 * result.deepest_vertex, 1000 * result.deepest_pair, result.energy_ratio});
+            if (speed == 3 && compared.chapter == 6) {
                 report.fact("deep", "vertex_mm", 1000 * result.deepest_vertex, 2);
                 report.fact("deep", "pair_mm", 1000 * result.deepest_pair, 2);
             }

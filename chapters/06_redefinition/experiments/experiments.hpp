@@ -1,8 +1,17 @@
 #pragma once
 
+#include "chapters/05_categorisation/solver.hpp"
+#include "chapters/06_redefinition/solver.hpp"
 #include "common/experiments/report/chapter_program.hpp"
 
 namespace enduring::chapter06 {
+
+/// The two solvers that are compared where the last layer is not enough.
+struct Compared {
+    int chapter;
+    Solver (*make)(const ContactParameters&);
+};
+inline constexpr Compared last_and_this[]{{5, chapter05_solver}, {6, chapter06_solver}};
 
 /// One artefact of thesis 6.1 in its smallest scene, under the solvers of chapters 5 and 6.
 /// @param name  of a motivating scene
@@ -17,6 +26,5 @@ void bunny_bowl(const RunOptions& options, Report& report);
 void turntable(const RunOptions& options, Report& report);
 void rolling(const RunOptions& options, Report& report);
 void laid_block(const RunOptions& options, Report& report);
-void ledger(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter06

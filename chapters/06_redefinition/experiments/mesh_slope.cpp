@@ -1,7 +1,6 @@
 #include "chapters/06_redefinition/experiments/mesh_slope.hpp"
 
 #include "chapters/06_redefinition/experiments/experiments.hpp"
-#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"
 #include "common/experiments/run/run.hpp"

@@ -1,26 +1,21 @@
-#include "chapters/06_redefinition/experiments/buried_vertex.hpp"
-#include "chapters/06_redefinition/experiments/ledger.hpp"
+#include "chapters/05_categorisation/solver.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "chapters/motivating_scenes/motivating_scene.hpp"
 #include "common/experiments/render/reference.hpp"
-#include "common/geometry/box_shapes.hpp"
-#include "common/input/input_error.hpp"
-#include "common/simulation/static_body.hpp"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cmath>
-
 using namespace enduring;
-using namespace enduring::chapter06;
+using namespace enduring::motivating;
 
 namespace {
 
-/// The number of a scene under a chapter's solver; fails where there is none.
+/// The number of a scene under the solver of chapter 5 or 6; fails where there is none.
 double measured(const std::string& scene, int chapter)
 {
     CAPTURE(scene);
     CAPTURE(chapter);
-    const Outcome outcome = try_scene(motivating_scene(scene), chapter);
+    const Outcome outcome = try_scene(motivating_scene(scene), chapter == 5 ? chapter05_solver : chapter06_solver, limits_of(motivating_scene(scene), chapter));
     REQUIRE_MESSAGE(outcome.value.has_value(), outcome.broken);
     return *outcome.value;
 }
@@ -51,7 +46,7 @@ TEST_CASE("shifted: chapter 5 pushes where the tip came in, chapter 6 where it i
 
 TEST_CASE("shifted: the spike and the face that pushes its tip are as in their reference picture")
 {
-    const Outcome outcome = try_scene(motivating_scene("shifted"), 6, true);
+    const Outcome outcome = try_scene(motivating_scene("shifted"), chapter06_solver, {}, true);
     REQUIRE(outcome.picture.has_value());
     const ReferenceCheck check = check_reference_picture(*outcome.picture, "06_redefinition/shifted.png");
     CHECK_MESSAGE(check.passed, check.message);
@@ -67,47 +62,4 @@ TEST_CASE("deep: the one scene that redefinition makes worse")
 {
     CHECK(measured("deep", 5) < 1.1);
     CHECK(measured("deep", 6) > 1.5);
-}
-
-TEST_CASE("failure ledger: the last solver that fails and the first that passes are where they are expected")
-{
-    for (const std::string& line : surprises(fill_ledger(motivating_scenes(), true, false)))
-        FAIL_CHECK(line);
-}
-
-TEST_CASE("failure ledger: a cell that passes against expectation is told, and one that fails")
-{
-    MotivatingScene scene = motivating_scene("fast_plate");  // chapter 1 sees nothing, chapter 2 does
-    scene.expected = "pfpppp";
-    const std::vector<LedgerCell> cells{{&scene, 1, try_scene(scene, 1)}, {&scene, 2, try_scene(scene, 2)}};
-    const std::vector<std::string> lines = surprises(cells);
-    REQUIRE(lines.size() == 2);
-    CHECK(lines[0].find("fast_plate under chapter 1 fails") == 0);
-    CHECK(lines[0].find("expected to pass") != std::string::npos);
-    CHECK(lines[1].find("fast_plate under chapter 2 passes") == 0);
-    CHECK(lines[1].find("expected to fail") != std::string::npos);
-}
-
-TEST_CASE("failure ledger: nothing to measure is a failure, whichever side the bound is on")
-{
-    MotivatingScene scene = motivating_scene("shifted");
-    for (const Bound bound : {Bound::at_least, Bound::at_most}) {
-        scene.bound = bound;
-        CHECK(!passes(scene, std::nullopt));
-        CHECK(passes(scene, scene.limit));
-    }
-    CHECK_THROWS_AS(motivating_scene("shiftd"), InputError);
-}
-
-TEST_CASE("depth inside: that of a point in a box is the distance to the nearest side, outside it is 0")
-{
-    const SurfaceMesh mesh = box({1, 2, 3}, {2, 1, 3});
-    const StaticBody body("box", SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
-    for (const Vec3& x : {Vec3(0.1, 0.2, 0.3), Vec3(-0.4, 0.95, 1.2), Vec3(0.2, -0.3, -1.45)}) {
-        CAPTURE(x.transpose());
-        const double expected = std::min({0.5 - std::abs(x.x()), 1 - std::abs(x.y()), 1.5 - std::abs(x.z())});
-        CHECK(depth_inside(body, x) == doctest::Approx(expected).epsilon(1e-12));
-    }
-    for (const Vec3& x : {Vec3(0.6, 0, 0), Vec3(0, 1.001, 0), Vec3(0.4, 0.9, -1.6)})
-        CHECK(depth_inside(body, x) == 0);
 }

@@ -1,13 +1,14 @@
-#include "chapters/06_redefinition/experiments/ledger.hpp"
+#include "chapters/solvers/ledger.hpp"
 
-#include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/solvers/chapter_solver.hpp"
+#include "chapters/solvers/experiments.hpp"
 #include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <map>
 #include <stdexcept>
 
-namespace enduring::chapter06 {
+namespace enduring::solvers {
 namespace {
 
 std::string number_text(const LedgerCell& cell)
@@ -51,26 +52,6 @@ Table page_of(const std::vector<LedgerCell>& cells)
     return table;
 }
 
-/// chapter, stage, pass: the lists of every chapter's solver, in their order.
-Table all_passes()
-{
-    ContactParameters parameters;
-    parameters.friction = MassSplitting{};
-    Table table({"chapter", "stage", "pass"});
-    for (int chapter = 1; chapter <= chapters; ++chapter) {
-        const Solver solver = solver_of(chapter, parameters);
-        const auto add = [&](const std::string& stage, const std::vector<Pass>& passes) {
-            for (const Pass& pass : passes)
-                table.add({static_cast<long>(chapter), stage, pass.name});
-        };
-        add("refresh", solver.passes(StepStage::refresh));
-        add("detect", solver.passes(StepStage::detect));
-        add("respond", solver.passes(StepStage::respond));
-        add("finish", solver.passes(StepStage::finish));
-    }
-    return table;
-}
-
 std::vector<StripPicture> pictures_of(const std::vector<LedgerCell>& cells)
 {
     std::vector<StripPicture> pictures;
@@ -102,6 +83,12 @@ std::vector<std::string> surprises(const std::vector<LedgerCell>& cells)
     return lines;
 }
 
+Outcome try_chapter(const MotivatingScene& scene, int chapter, bool with_picture)
+{
+    const auto solver = [chapter](const ContactParameters& parameters) { return chapter_solver(chapter, parameters); };
+    return try_scene(scene, solver, limits_of(scene, chapter), with_picture);
+}
+
 std::vector<LedgerCell> fill_ledger(const std::vector<MotivatingScene>& scenes, bool borders_only, bool with_pictures)
 {
     std::vector<LedgerCell> cells;
@@ -109,7 +96,7 @@ std::vector<LedgerCell> fill_ledger(const std::vector<MotivatingScene>& scenes, 
         for (int chapter = 1; chapter <= chapters; ++chapter) {
             const bool border = at_border(scene, chapter);
             if (border || !borders_only)
-                cells.push_back({&scene, chapter, try_scene(scene, chapter, with_pictures && border)});
+                cells.push_back({&scene, chapter, try_chapter(scene, chapter, with_pictures && border)});
         }
     return cells;
 }
@@ -120,7 +107,6 @@ void ledger(const RunOptions& options, Report& report)
     const std::vector<LedgerCell> cells = fill_ledger(motivating_scenes(), options.quick, true);
     report.table("ledger", all_cells(cells));
     report.page_table("ledger", page_of(cells));
-    report.table("passes", all_passes());
     write_png(strip(pictures_of(cells), 4), report.file("ledger.png"));
     report.fact("ledger", "scenes", static_cast<double>(motivating_scenes().size()));
     report.fact("ledger", "cells", static_cast<double>(cells.size()));
@@ -132,4 +118,4 @@ void ledger(const RunOptions& options, Report& report)
         throw std::runtime_error("the failure ledger is not as expected:" + message);
 }
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::solvers

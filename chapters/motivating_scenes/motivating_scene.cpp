@@ -1,37 +1,12 @@
-#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "chapters/motivating_scenes/motivating_scene.hpp"
 
-#include "chapters/01_particle_plane/plane_contact.hpp"
-#include "chapters/01_particle_plane/solver.hpp"
-#include "chapters/03_penalty_impulses/crossing_detection.hpp"
-#include "chapters/06_redefinition/experiments/chapter_solver.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <stdexcept>
 
-namespace enduring::chapter06 {
-namespace {
-
-//! [chapter_2]
-/// Chapter 1 for planes; crossings of features are found and listed. Held, as no layer answers them yet.
-Solver detection_without_response(const ContactParameters& parameters)
-{
-    const auto detection = std::make_shared<CrossingDetection>();
-    Solver solver = chapter01_solver(parameters);
-    solver.name = "chapter 2";
-    solver.append(StepStage::detect, {"crossings", [detection](World& world, Contacts& contacts, double) {
-        const std::size_t first_new = contacts.size();
-        detection->find_candidates(world);
-        detection->append_entries(world, contacts);
-        for (std::size_t i = first_new; i < contacts.size(); ++i)
-            contacts[i].hold(true);
-    }});
-    return solver;
-}
-//! [chapter_2]
-
-}  // namespace
+namespace enduring::motivating {
 
 const MotivatingScene& motivating_scene(const std::string& name)
 {
@@ -59,12 +34,7 @@ std::string bound_text(const MotivatingScene& scene)
     return (scene.bound == Bound::at_least ? "at least " : "at most ") + readable(scene.limit, 3) + " " + scene.unit;
 }
 
-Solver solver_of(int chapter, const ContactParameters& parameters)
-{
-    return chapter == 2 ? detection_without_response(parameters) : chapter_solver(chapter, parameters);
-}
-
-Outcome try_scene(const MotivatingScene& motivating, int chapter, bool with_picture)
+Outcome try_scene(const MotivatingScene& motivating, const MakeSolver& make, const RunLimits& limits, bool with_picture)
 {
     Scene scene = load_scene(scene_file(motivating.file), motivating.patch);
     Gauge gauge(motivating.reading);
@@ -83,7 +53,7 @@ Outcome try_scene(const MotivatingScene& motivating, int chapter, bool with_pict
         probes.push_back(&camera);
     }
     try {
-        run(scene, solver_of(chapter, scene.contact), probes, limits_of(motivating, chapter));
+        run(scene, make(scene.contact), probes, limits);
         outcome.value = gauge.value();
     } catch (const std::runtime_error& error) {
         outcome.broken = error.what();
@@ -100,4 +70,4 @@ void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
     mark_contacts(stage, world, pushing);
 }
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::motivating

@@ -1,8 +1,10 @@
 #pragma once
 
-#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "chapters/motivating_scenes/motivating_scene.hpp"
 
-namespace enduring::chapter06 {
+namespace enduring::solvers {
+
+using namespace motivating;
 
 /// One cell of the failure ledger: a scene under one chapter's solver.
 struct LedgerCell {
@@ -22,9 +24,12 @@ bool at_border(const MotivatingScene& scene, int chapter);
 /// 1.49 m/s), and was expected to fail". A cell that is expected to fail and passes is as wrong as the other way round.
 std::vector<std::string> surprises(const std::vector<LedgerCell>& cells);
 
+/// A scene under one chapter's solver.
+Outcome try_chapter(const MotivatingScene& scene, int chapter, bool with_picture = false);
+
 /// Runs scenes under all solvers.
 /// @param borders_only   only those at_border
 /// @param with_pictures  of those
 std::vector<LedgerCell> fill_ledger(const std::vector<MotivatingScene>& scenes, bool borders_only, bool with_pictures);
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::solvers

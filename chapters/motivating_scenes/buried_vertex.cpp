@@ -1,4 +1,4 @@
-#include "chapters/06_redefinition/experiments/buried_vertex.hpp"
+#include "chapters/motivating_scenes/buried_vertex.hpp"
 
 #include "common/geometry/triangle_distance.hpp"
 #include "common/geometry/winding_number.hpp"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace enduring::chapter06 {
+namespace enduring::motivating {
 namespace {
 
 bool is_pushed(const Contacts& contacts, int body_a, int vertex, int body_b)
@@ -53,4 +53,4 @@ std::optional<double> longest_lever(const World& world, const Contacts& contacts
     return longest;
 }
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::motivating

@@ -1,9 +1,9 @@
-#include "chapters/06_redefinition/experiments/own_scene.hpp"
+#include "chapters/solvers/own_scene.hpp"
 
-#include "chapters/06_redefinition/experiments/chapter_solver.hpp"
+#include "chapters/solvers/chapter_solver.hpp"
 #include "chapters/06_redefinition/experiments/contact_census.hpp"
-#include "chapters/06_redefinition/experiments/experiments.hpp"
-#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "chapters/solvers/experiments.hpp"
+#include "chapters/motivating_scenes/motivating_scene.hpp"
 #include "common/experiments/paraview/series.hpp"
 #include "common/experiments/render/film_probes.hpp"
 #include "common/experiments/run/run.hpp"
@@ -15,7 +15,7 @@
 #include <iostream>
 #include <memory>
 
-namespace enduring::chapter06 {
+namespace enduring::solvers {
 namespace {
 
 constexpr int pictures = 6, columns = 3;
@@ -57,7 +57,7 @@ private:
 class Observers {
 public:
     Observers(const Scene& scene, const RunOptions& options, const OwnSceneOptions& choice, Report& report)
-        : motion_(scene.world), penetration_(scene.contact.stiffness), strip_(scene, picture_times(scene.duration), mark_pairs, 560, 400)
+        : motion_(scene.world), penetration_(scene.contact.stiffness), strip_(scene, picture_times(scene.duration), motivating::mark_pairs, 560, 400)
     {
         if (!options.quick)
             clip_ = std::make_unique<ClipProbe>(scene, report.file("scene.webp"));
@@ -82,7 +82,7 @@ public:
         report.table("penetration", penetration_.table());
         report.table("contacts", census_.table());
         report.table("inverted", inversion_.table());
-        report.plot("chapters/06_redefinition/plots/own_scene.gp", "energy");
+        report.plot("chapters/solvers/plots/own_scene.gp", "energy");
         write_png(strip_.all(columns), report.file("scene.png"));
         if (clip_)
             clip_->finish();
@@ -119,7 +119,7 @@ private:
     EnergyProbe energy_;
     MotionOfAll motion_;
     PenetrationProbe penetration_;
-    ContactCensus census_;
+    chapter06::ContactCensus census_;
     InversionProbe inversion_;
     StripProbe strip_;
     std::unique_ptr<ClipProbe> clip_;
@@ -131,7 +131,7 @@ private:
 void add_own_scene_options(CLI::App& app, OwnSceneOptions& choice)
 {
     CLI::Option* const solver = app.add_option("--solver", choice.solver, "the chapter whose solver runs a scene of your own");
-    solver->check(CLI::IsMember({1, 3, 4, 5, 6}))->capture_default_str();
+    solver->check(CLI::Range(1, chapters))->capture_default_str();
     CLI::Option* const paraview = app.add_option("--paraview", choice.paraview, "folder for a time series of it that ParaView opens");
     paraview->type_name("DIR");
     CLI::Option* const every = app.add_option("--every", choice.every, "steps from one moment of that series to the next");
@@ -169,4 +169,4 @@ void own_scene(const RunOptions& options, Report& report, const OwnSceneOptions&
         std::rethrow_exception(failure);
 }
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::solvers

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-namespace enduring::chapter06 {
+namespace enduring::motivating {
 
 /// How deep a point lies in a body with a closed surface, at the committed state [m]: its distance to the nearest face, or 0
 /// where it is outside. From inside the faces are seen all around, under a solid angle of 4 pi.
@@ -20,4 +20,4 @@ double deepest_without_pair(const World& world, const Contacts& contacts, int bo
 /// turns the world, and how far from the vertex its body is dented. None if no pair pushes.
 std::optional<double> longest_lever(const World& world, const Contacts& contacts);
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::motivating

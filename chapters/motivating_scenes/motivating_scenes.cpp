@@ -1,12 +1,12 @@
-#include "chapters/06_redefinition/experiments/buried_vertex.hpp"
-#include "chapters/06_redefinition/experiments/motivating_scene.hpp"
+#include "chapters/motivating_scenes/buried_vertex.hpp"
+#include "chapters/motivating_scenes/motivating_scene.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace enduring::chapter06 {
+namespace enduring::motivating {
 namespace {
 
 using Value = std::optional<double>;
@@ -182,4 +182,4 @@ const std::vector<MotivatingScene>& motivating_scenes()
     return scenes;
 }
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::motivating

@@ -5,13 +5,13 @@
 #include "common/experiments/run/run.hpp"
 #include "common/scenes/scene.hpp"
 
-#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace enduring::chapter06 {
+namespace enduring::motivating {
 
 /// Watches a run and ends with one number. None where there is nothing to measure: a body that nothing holds has no speed
 /// along the floor to keep.
@@ -28,8 +28,6 @@ private:
 };
 
 enum class Bound { at_least, at_most };
-
-constexpr int chapters = 6;
 
 /// A scene that one chapter's solver fails and a later one passes: what is measured on it, and where the line is.
 struct MotivatingScene {
@@ -61,9 +59,6 @@ RunLimits limits_of(const MotivatingScene& scene, int chapter);
 /// "at most 10 mm"
 std::string bound_text(const MotivatingScene& scene);
 
-/// A chapter's solver, 1 to 6. That of chapter 2 is chapter 1's and a list of all crossings, to which nothing answers.
-Solver solver_of(int chapter, const ContactParameters& parameters);
-
 /// What came of a scene under one solver.
 struct Outcome {
     std::optional<double> value;   ///< none if there was nothing to measure, or the run broke
@@ -71,11 +66,14 @@ struct Outcome {
     std::string broken;            ///< what stopped the run, empty if nothing did
 };
 
-/// Runs a scene under a chapter's solver.
+using MakeSolver = std::function<Solver(const ContactParameters&)>;
+
+/// Runs a scene under a solver.
+/// @param limits        see limits_of
 /// @param with_picture  takes one at the last of the scene's moments, the pairs marked
-Outcome try_scene(const MotivatingScene& scene, int chapter, bool with_picture = false);
+Outcome try_scene(const MotivatingScene& scene, const MakeSolver& make, const RunLimits& limits = {}, bool with_picture = false);
 
 /// Surfaces with their triangles, and the pairs in the thesis' colours. Held pairs, which take no impulse, are left out.
 void mark_pairs(Stage& stage, const World& world, const Contacts& contacts);
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::motivating

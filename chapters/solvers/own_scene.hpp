@@ -4,20 +4,20 @@
 
 #include <string>
 
-namespace enduring::chapter06 {
+namespace enduring::solvers {
 
 /// What may be chosen for a scene of the reader's own, besides what its file says.
 struct OwnSceneOptions {
-    int solver = 6;        ///< chapter whose solver runs it: 1, 3, 4, 5 or 6 (chapter 2 finds collisions and answers none)
+    int solver = 6;        ///< chapter whose solver runs it: 1 to 6 (that of chapter 2 finds collisions and answers none)
     std::string paraview;  ///< folder of the time series, empty for none
     int every = 1;         ///< steps from one moment of that series to the next
 };
 
-/// Adds --solver, --paraview and --every to the chapter's command line.
+/// Adds --solver, --paraview and --every to the program's command line.
 void add_own_scene_options(CLI::App& app, OwnSceneOptions& choice);
 
 /// The example of the page on scenes, run as a scene of the reader's own: its results go to the folder tumble, and the picture
-/// and the plot to the chapter's as well.
+/// to the program's as well.
 void own_scene_example(const RunOptions& options, Report& report);
 
 /// Runs the scene of options.scene and leaves energy, motion, penetration and contacts as tables, the energy as a plot,
@@ -27,4 +27,4 @@ void own_scene_example(const RunOptions& options, Report& report);
 /// @throws std::runtime_error  a position or velocity became NaN or infinite, or energy came out of nothing (see run())
 void own_scene(const RunOptions& options, Report& report, const OwnSceneOptions& choice);
 
-}  // namespace enduring::chapter06
+}  // namespace enduring::solvers
