@@ -21,7 +21,8 @@ struct EdgeEdgeStep {
 };
 //! [steps]
 
-/// Where a point that goes straight from `start` to `end` is at time tau in [0, 1].
+/// Where a point that goes straight from `start` to `end` is at time tau in [0, 1]. With the difference, as the textbook's
+/// polynomials have it; lerp() rounds otherwise.
 inline Vec3 at_time(const Vec3& start, const Vec3& end, double tau) { return start + tau * (end - start); }
 
 }  // namespace enduring

@@ -14,7 +14,7 @@ struct SurfaceMoment {
 
     Vec3 position(int vertex) const  ///< [m]
     {
-        return tau == 0 ? step.start(vertex) : Vec3((1 - tau) * step.start(vertex) + tau * step.end(vertex));
+        return tau == 0 ? step.start(vertex) : lerp(step.start(vertex), step.end(vertex), tau);
     }
     Vec3 face_normal(int face) const  ///< outwards, as long as twice the face's area [m^2]
     {

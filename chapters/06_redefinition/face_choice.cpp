@@ -38,7 +38,7 @@ FaceLimits limits_of_hooked(const World& world, const Contact& contact, double t
 //! [algorithm_6_1]
 FaceTrial try_face(const PairSurfaces& surfaces, int vertex, int face, const FaceLimits& limits)
 {
-    const std::optional<FaceFoot> foot = foot_on_face(surfaces.a, vertex, surfaces.b, face);
+    const std::optional<TriangleFoot> foot = foot_on_face(surfaces.a, vertex, surfaces.b, face);
     if (!foot)
         return {face, {}, 0, FaceVerdict::above};
     const double beyond = overshoot(foot->weights);

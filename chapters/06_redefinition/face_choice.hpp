@@ -10,7 +10,7 @@ using Corners = std::array<bool, 3>;
 inline constexpr Corners all_corners{true, true, true};
 
 /// The corners on whose side a foot beyond the face lies: those of positive weight.
-inline Corners corners_towards(const FaceFoot& foot) { return {foot.weights[0] > 0, foot.weights[1] > 0, foot.weights[2] > 0}; }
+inline Corners corners_towards(const TriangleFoot& foot) { return {foot.weights[0] > 0, foot.weights[1] > 0, foot.weights[2] > 0}; }
 
 /// What algorithm 6.1 finds out about a candidate. It asks whether it is above, beside, deep, hooked, in this order.
 enum class FaceVerdict {
@@ -24,7 +24,7 @@ enum class FaceVerdict {
 /// A candidate and what came of it.
 struct FaceTrial {
     int face = -1;
-    FaceFoot foot{};
+    TriangleFoot foot{};
     double overshoot = 0;  ///< (6.4) of the foot
     FaceVerdict verdict = FaceVerdict::above;
 };

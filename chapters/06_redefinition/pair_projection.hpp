@@ -2,6 +2,7 @@
 
 #include "chapters/03_penalty_impulses/contact_normal.hpp"
 #include "chapters/05_categorisation/normal_span.hpp"
+#include "common/geometry/triangle_foot.hpp"
 #include "common/simulation/contact.hpp"
 #include "common/simulation/step.hpp"
 
@@ -27,24 +28,11 @@ struct PairSurfaces {
 };
 
 //! [face_foot]
-/// A vertex dropped at right angles onto the plane of a face.
-struct FaceFoot {
-    std::array<double, 3> weights;  ///< barycentric, with sum 1; a negative one says beyond which side the foot lies
-    double depth;                   ///< of the vertex along the face's unit normal [m], negative inside
-};
-
 /// None for a face without area.
-inline std::optional<FaceFoot> foot_on_face(const SurfaceMoment& a, int vertex, const SurfaceMoment& b, int face)
+inline std::optional<TriangleFoot> foot_on_face(const SurfaceMoment& a, int vertex, const SurfaceMoment& b, int face)
 {
     const auto [f0, f1, f2] = b.step.face(face);
-    const Vec3 corner = b.position(f0), side_1 = b.position(f1) - corner, side_2 = b.position(f2) - corner;
-    const Vec3 normal = side_1.cross(side_2), offset = a.position(vertex) - corner;
-    const double squared_length = normal.squaredNorm();
-    if (!(squared_length > 0))
-        return std::nullopt;
-    const double w1 = offset.cross(side_2).dot(normal) / squared_length;
-    const double w2 = side_1.cross(offset).dot(normal) / squared_length;
-    return FaceFoot{{1 - w1 - w2, w1, w2}, normal.dot(offset) / std::sqrt(squared_length)};
+    return foot_on_triangle(a.position(vertex), b.position(f0), b.position(f1), b.position(f2));
 }
 
 /// How far the weights leave [0, 1], thesis (6.4): 0 for a foot on the face. Their sum is 1, so the one that exceeds 1 does it

@@ -34,7 +34,7 @@ bool past_border(const SurfaceTopology& surface, int face, const std::array<doub
 void redefine(const World& world, Contact& contact, Redefinitions& redefinitions)
 {
     const PairSurfaces surfaces(world, contact, 0);
-    const std::optional<FaceFoot> foot = foot_on_face(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b);
+    const std::optional<TriangleFoot> foot = foot_on_face(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b);
     if (!foot)  // no area, no direction: wait until it has one
         return contact.hold(true);
 

@@ -13,21 +13,11 @@ using Value = std::optional<double>;
 
 constexpr double pi = std::numbers::pi;
 
-Vec3 middle_of(const Body& body)
-{
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& x : body.positions_t0())
-        sum += x;
-    return sum / static_cast<double>(body.positions_t0().size());
-}
-
 int index_of(const World& world, const std::string& name)
 {
     const auto found = std::find_if(world.bodies.begin(), world.bodies.end(), [&](const auto& body) { return body->name() == name; });
     return static_cast<int>(found - world.bodies.begin());
 }
-
-double speed_along_x(const Body& body) { return body.linear_momentum().x() / body.mass(); }
 
 /// How far the lowest vertex of all bodies is below the ground at the end [mm].
 void below_ground(Value& value, const World& world, const Contacts&, double)
@@ -48,14 +38,14 @@ void most_pairs(Value& value, const World&, const Contacts& contacts, double)
 /// Height of a body's middle at the end [m].
 Gauge::Reading height_of(std::string body)
 {
-    return [body](Value& value, const World& world, const Contacts&, double) { value = middle_of(body_named(world, body)).y(); };
+    return [body](Value& value, const World& world, const Contacts&, double) { value = body_named(world, body).centre().y(); };
 }
 
 /// The same for a body that has to be held up at first: none if it is below a height [m] before a time [s].
 Gauge::Reading height_after_being_held(std::string body, double above, double until)
 {
     return [body, above, until, fell = false](Value& value, const World& world, const Contacts&, double) mutable {
-        const double height = middle_of(body_named(world, body)).y();
+        const double height = body_named(world, body).centre().y();
         fell = fell || (world.time <= until && height < above);
         value = fell ? Value() : Value(height);
     };
@@ -101,8 +91,8 @@ Gauge::Reading speed_on_floor(std::string body)
 {
     return [body](Value& value, const World& world, const Contacts&, double) {
         value.reset();
-        if (middle_of(body_named(world, body)).y() > 0)
-            value = speed_along_x(body_named(world, body));
+        if (body_named(world, body).centre().y() > 0)
+            value = body_named(world, body).mean_velocity().x();
     };
 }
 
@@ -114,7 +104,7 @@ Gauge::Reading energy_after_bounce(std::string body)
         if (world.step == 0)
             before = mover.energy(world.gravity).kinetic;
         value.reset();
-        if (speed_along_x(mover) < 0)
+        if (mover.mean_velocity().x() < 0)
             value = mover.energy(world.gravity).kinetic / before;
     };
 }
@@ -123,7 +113,7 @@ Gauge::Reading energy_after_bounce(std::string body)
 Gauge::Reading drift_after(std::string body, double time)
 {
     return [body, time, place = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&, double) mutable {
-        const Vec3 middle = middle_of(body_named(world, body));
+        const Vec3 middle = body_named(world, body).centre();
         if (world.time <= time)
             place = middle;
         value = 1000 * (middle - place).norm();
@@ -136,10 +126,10 @@ Gauge::Reading error_of_way(std::string body, double exact)
     return [body, exact, start = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&, double) mutable {
         const Body& block = body_named(world, body);
         if (world.step == 0)
-            start = middle_of(block);
+            start = block.centre();
         value.reset();
         if (block.linear_momentum().norm() / block.mass() < 0.001)
-            value = 100 * std::abs((middle_of(block) - start).norm() / exact - 1);
+            value = 100 * std::abs((block.centre() - start).norm() / exact - 1);
     };
 }
 

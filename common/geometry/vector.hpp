@@ -10,4 +10,7 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quaternion = Eigen::Quaterniond;
 
+/// The point at tau in [0, 1] of a straight way; exactly `start` at 0 and `end` at 1.
+inline Vec3 lerp(const Vec3& start, const Vec3& end, double tau) { return (1 - tau) * start + tau * end; }
+
 }  // namespace enduring

@@ -3,6 +3,7 @@
 #include "common/geometry/surface_topology.hpp"
 #include "common/geometry/vector.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 #include <string>
@@ -46,6 +47,20 @@ public:
     /// committing would produce, so positions_t1 - positions_t0 is not exactly dt times a velocity.
     std::span<const Vec3> positions_t0() const { return positions_t0_; }
     std::span<const Vec3> positions_t1() const { return positions_t1_; }
+    /// Where a surface vertex is at tau in [0, 1] of the step [m].
+    Vec3 position(int vertex, double tau) const
+    {
+        const auto i = static_cast<std::size_t>(vertex);
+        return lerp(positions_t0_[i], positions_t1_[i], tau);
+    }
+    /// The mean of the surface vertices at the start of the step [m]; not the centre of mass.
+    Vec3 centre() const
+    {
+        Vec3 sum = Vec3::Zero();
+        for (const Vec3& x : positions_t0_)
+            sum += x;
+        return sum / static_cast<double>(std::max<std::size_t>(1, positions_t0_.size()));
+    }
 
     /// New velocities from gravity [m/s^2], inner forces and damping over dt [s]; then positions_t1.
     virtual void predict(const Vec3& gravity, double dt) = 0;
@@ -82,6 +97,8 @@ public:
     virtual double mass() const = 0;                                  ///< [kg]; 0 for a static body
     virtual Energy energy(const Vec3& gravity) const = 0;             ///< of the committed state
     virtual Vec3 linear_momentum() const = 0;                         ///< [kg m/s]
+    /// Of the centre of mass [m/s]; zero for a static body.
+    Vec3 mean_velocity() const { return mass() > 0 ? Vec3(linear_momentum() / mass()) : Vec3(Vec3::Zero()); }
     virtual Vec3 angular_momentum(const Vec3& about) const = 0;       ///< [kg m^2/s]
     virtual int inverted_elements() const { return 0; }
 

@@ -39,9 +39,7 @@ PairInstant instant(const Contact& contact, const PairVertices& x)
 
 Vec3 contact_vertex(const World& world, const Contact& contact, int i, double tau)
 {
-    const Body& body = body_of_vertex(world, contact, i);
-    const std::size_t vertex = static_cast<std::size_t>(contact.vertices[static_cast<std::size_t>(i)]);
-    return (1 - tau) * body.positions_t0()[vertex] + tau * body.positions_t1()[vertex];
+    return body_of_vertex(world, contact, i).position(contact.vertices[static_cast<std::size_t>(i)], tau);
 }
 
 ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau)

@@ -1,5 +1,6 @@
 #include "common/worked_step/worked_step.hpp"
 
+#include "common/geometry/triangle_foot.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/point_masses.hpp"
 
@@ -47,27 +48,12 @@ std::array<Vec3, 3> face_at(const Body& body, int face, double tau)
 {
     std::array<Vec3, 3> corners;
     const Face& vertices = body.surface().faces()[static_cast<std::size_t>(face)];
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t v = static_cast<std::size_t>(vertices[i]);
-        corners[i] = (1 - tau) * body.positions_t0()[v] + tau * body.positions_t1()[v];
-    }
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = body.position(vertices[i], tau);
     return corners;
 }
 
-Vec3 vertex_at(const Body& body, int vertex, double tau)
-{
-    const std::size_t v = static_cast<std::size_t>(vertex);
-    return (1 - tau) * body.positions_t0()[v] + tau * body.positions_t1()[v];
-}
-
-/// Barycentric weights of the point's foot on the face: ratios of signed areas.
-Weights foot_weights(const Vec3& point, const std::array<Vec3, 3>& f)
-{
-    const Vec3 normal = (f[1] - f[0]).cross(f[2] - f[0]);
-    const double w1 = (point - f[0]).cross(f[2] - f[0]).dot(normal) / normal.squaredNorm();
-    const double w2 = (f[1] - f[0]).cross(point - f[0]).dot(normal) / normal.squaredNorm();
-    return {1 - w1 - w2, w1, w2};
-}
+Weights foot_weights(const Vec3& point, const std::array<Vec3, 3>& f) { return foot_on_triangle(point, f[0], f[1], f[2])->weights; }
 
 double height(const Vec3& point, const std::array<Vec3, 3>& f)
 {
@@ -104,12 +90,12 @@ bool known(const Contacts& contacts, int vertex, int face)
 /// Appends the pair if the vertex goes through the face from outside.
 void detect_pair(const Body& above, const Body& below, int vertex, int face, Contacts& contacts)
 {
-    const double h0 = height(vertex_at(above, vertex, 0), face_at(below, face, 0));
-    const double h1 = height(vertex_at(above, vertex, 1), face_at(below, face, 1));
+    const double h0 = height(above.position(vertex, 0), face_at(below, face, 0));
+    const double h1 = height(above.position(vertex, 1), face_at(below, face, 1));
     if (h0 < 0 || h1 >= 0 || known(contacts, vertex, face))
         return;
     const double impact = h0 / (h0 - h1);
-    const Weights weights = foot_weights(vertex_at(above, vertex, impact), face_at(below, face, impact));
+    const Weights weights = foot_weights(above.position(vertex, impact), face_at(below, face, impact));
     if (*std::min_element(weights.begin(), weights.end()) < 0)
         return;
     Contact contact{ContactKind::vertex_face, 0, 1, vertex, face, {vertex, -1, -1, -1}, {1, 0, 0, 0}};
@@ -134,7 +120,7 @@ Pass stand_in_redefine()
     return {"redefine", [](World& world, Contacts& contacts, double) {
                 const Body &above = *world.bodies[0], &below = *world.bodies[1];
                 for (Contact& contact : contacts) {
-                    const Vec3 vertex = vertex_at(above, contact.feature_a, 0);
+                    const Vec3 vertex = above.position(contact.feature_a, 0);
                     const Weights weights = foot_weights(vertex, face_at(below, contact.feature_b, 0));
                     const int neighbour = face_across(below.surface(), contact.feature_b, weights);
                     if (neighbour >= 0)

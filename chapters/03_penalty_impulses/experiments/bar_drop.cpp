@@ -69,8 +69,8 @@ Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop)
     nlohmann::json bar{{"rotation", {{"axis", {0, 1, 0}}, {"angle_deg", drop.turn_deg}}}};
     if (!drop.basis.empty())
         bar["basis"] = drop.basis;
-    nlohmann::json patch = body_change(file, "bar", bar);
-    patch.update(contact_change(drop.method, drop.stiffness, drop.dt));
+    nlohmann::json patch = contact_change(drop.method, drop.stiffness, drop.dt);
+    patch["/bodies/bar"] = bar;
     return load_scene(file, patch.dump());
 }
 

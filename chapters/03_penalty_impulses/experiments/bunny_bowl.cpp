@@ -76,10 +76,7 @@ private:
     int most_inverted_ = 0, steps_with_inverted_ = 0;
 };
 
-nlohmann::json with_elements(const std::filesystem::path& file, int elements)
-{
-    return body_change(file, "bunny", {{"shape", {{"file", "bunny_" + std::to_string(elements) + ".msh"}}}});
-}
+nlohmann::json with_elements(int elements) { return {{"/bodies/bunny/shape/file", "bunny_" + std::to_string(elements) + ".msh"}}; }
 
 /// A body whose energy has grown tenfold will not calm down again, and its flying vertices cost queries.
 RunLimits until_it_explodes(const BunnyProbe& probe, double duration, double dt)
@@ -163,7 +160,7 @@ void compare_responses(const RunOptions& options, const std::filesystem::path& f
                  "deepest at 1.5 s [mm]"});
     const double of_linear = load_scene(file).contact.stiffness;
     for (const ResponseCase& c : cases) {
-        nlohmann::json change = body_change(file, "bunny", {{"impulse_response", c.response}, {"basis", c.basis}, {"solver_tolerance", 1e-5}});
+        nlohmann::json change{{"/bodies/bunny", {{"impulse_response", c.response}, {"basis", c.basis}, {"solver_tolerance", 1e-5}}}};
         const double stiffness = c.basis == "linear" ? of_linear : of_linear / 4;
         change.update(contact_change(PenaltyMethod::continuous, stiffness, c.dt));
         Scene scene = load_scene(file, change.dump());
@@ -189,7 +186,7 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
     Table costs({"elements", "predict [ms]", "answer [ms]", "boxes [ms]", "queries [ms]", "impulses [ms]", "all contact [ms]", "step [ms]",
                  "real-time factor", "most inverted"});
     for (const int size : sizes) {
-        Scene scene = load_scene(file, with_elements(file, size).dump());
+        Scene scene = load_scene(file, with_elements(size).dump());
         BunnyProbe probe(scene.contact.stiffness);
         std::vector<Probe*> probes{&probe};
         std::unique_ptr<PairFilm> film;

@@ -27,10 +27,8 @@ public:
     void observe(const World& world, const Contacts& contacts, double) override
     {
         const Body& cube = body_named(world, "cube");
-        Vec3 middle = Vec3::Zero();
-        for (const Vec3& x : cube.positions_t0())
-            middle += x / static_cast<double>(cube.positions_t0().size());
-        const double speed = cube.linear_momentum().x() / cube.mass();
+        const Vec3 middle = cube.centre();
+        const double speed = cube.mean_velocity().x();
         const auto sideways = std::count_if(contacts.begin(), contacts.end(),
                                             [&](const Contact& contact) { return pushes_sideways(world, contact); });
         if (stopped_at_ < 0 && world.step > 0 && speed <= 0)

@@ -24,13 +24,4 @@ nlohmann::json bodies_of(const std::filesystem::path& file)
     return scene.is_object() && scene.contains("bodies") ? scene["bodies"] : nlohmann::json::array();
 }
 
-nlohmann::json body_change(const std::filesystem::path& file, const std::string& body, const nlohmann::json& keys)
-{
-    nlohmann::json bodies = bodies_of(file);
-    for (nlohmann::json& entry : bodies)
-        if (entry.is_object() && entry.contains("name") && entry["name"] == body)
-            entry.merge_patch(keys);
-    return {{"bodies", bodies}};
-}
-
 }  // namespace enduring::chapter03

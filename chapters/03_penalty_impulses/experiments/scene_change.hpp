@@ -16,8 +16,4 @@ nlohmann::json contact_change(PenaltyMethod method, double stiffness, double dt)
 /// @throws InputError  the file cannot be read
 nlohmann::json bodies_of(const std::filesystem::path& file);
 
-/// One body's keys as a change to a scene. A merge patch replaces a list as a whole, so the file's list is read first.
-/// @throws InputError  the file cannot be read
-nlohmann::json body_change(const std::filesystem::path& file, const std::string& body, const nlohmann::json& keys);
-
 }  // namespace enduring::chapter03

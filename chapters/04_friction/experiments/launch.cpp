@@ -58,9 +58,7 @@ Scene scene_of(const Launch& launch)
 Progress1d along_slope(const World& world, double angle_deg)
 {
     const Body& body = *world.bodies.front();
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& x : body.positions_t0())
-        middle += x / static_cast<double>(body.positions_t0().size());
+    const Vec3 middle = body.centre();
     const Vec3 up = uphill(angle_deg);
     return {world.time, middle.dot(up), body.linear_momentum().dot(up) / body.mass()};
 }

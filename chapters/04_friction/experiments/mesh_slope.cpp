@@ -28,9 +28,7 @@ public:
     void observe(const World& world, const Contacts& contacts, double) override
     {
         const Body& block = body_named(world, block_);
-        Vec3 middle = Vec3::Zero();
-        for (const Vec3& x : block.positions_t0())
-            middle += x / static_cast<double>(block.positions_t0().size());
+        const Vec3 middle = block.centre();
         const Vec3 up = uphill(angle_deg_);
         const auto sideways = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& c) { return pushes_along(world, c, angle_deg_); });
         if (world.step == 0)

@@ -57,7 +57,7 @@ TurnRecord drive_in_circles(const Turn& turn)
         advance(scene.world, contacts, solver, turn.dt);
         const double error = largest_angle(scene.world, contacts, before);
         record.worst_angle_deg = std::max(record.worst_angle_deg, error);
-        const Vec3 v = scene.world.bodies.front()->linear_momentum() / scene.world.bodies.front()->mass();
+        const Vec3 v = scene.world.bodies.front()->mean_velocity();
         const Vec3 x = scene.world.bodies.front()->positions_t0()[0];
         Vec3 force = Vec3::Zero();
         for (const Contact& contact : contacts)

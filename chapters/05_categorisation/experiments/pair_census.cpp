@@ -53,19 +53,17 @@ CensusProbe::CensusProbe(std::string body)
 void CensusProbe::observe(const World& world, const Contacts& contacts, double)
 {
     const Body& body = body_named(world, body_);
-    Vec3 middle = Vec3::Zero();
+    const Vec3 middle = body.centre();
     double lowest = body.positions_t0()[0].y();
-    for (const Vec3& x : body.positions_t0()) {
-        middle += x / static_cast<double>(body.positions_t0().size());
+    for (const Vec3& x : body.positions_t0())
         lowest = std::min(lowest, x.y());
-    }
     if (world.step == 0) {
         first_x_ = farthest_ = middle.x();
         first_y_ = lowest_ = lowest;
     }
     farthest_ = std::max(farthest_, middle.x());
     lowest_ = std::min(lowest_, lowest);
-    last_speed_ = body.linear_momentum().x() / body.mass();
+    last_speed_ = body.mean_velocity().x();
     if (stopped_at_ < 0 && world.step > 0 && last_speed_ <= 0)
         stopped_at_ = world.time;
 

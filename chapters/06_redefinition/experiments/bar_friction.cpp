@@ -13,14 +13,7 @@
 namespace enduring::chapter06 {
 namespace {
 
-Vec3 middle(const World& world)
-{
-    Vec3 sum = Vec3::Zero();
-    const std::span<const Vec3> positions = body_named(world, "cube").positions_t0();
-    for (const Vec3& x : positions)
-        sum += x;
-    return sum / static_cast<double>(positions.size());
-}
+Vec3 middle(const World& world) { return body_named(world, "cube").centre(); }
 
 }  // namespace
 

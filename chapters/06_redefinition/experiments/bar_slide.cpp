@@ -67,10 +67,8 @@ void BarSlideProbe::observe(const World& world, const Contacts& contacts, double
 {
     force_.observe(world, contacts, dt);
     const Body& cube = body_named(world, "cube");
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& x : cube.positions_t0())
-        middle += x / static_cast<double>(cube.positions_t0().size());
-    const double speed = cube.linear_momentum().x() / cube.mass(), force = std::get<double>(force_.table().rows().back()[2]);
+    const Vec3 middle = cube.centre();
+    const double speed = cube.mean_velocity().x(), force = std::get<double>(force_.table().rows().back()[2]);
     if (moments_.empty())
         top_ = top_face(cube);
     weight_ = -cube.mass() * world.gravity.y();

@@ -23,14 +23,7 @@ nlohmann::json list(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Vec3 uphill(double angle_deg) { return {std::cos(radians(angle_deg)), std::sin(radians(angle_deg)), 0}; }
 
-Vec3 middle(const World& world)
-{
-    Vec3 sum = Vec3::Zero();
-    const std::span<const Vec3> positions = body_named(world, "block").positions_t0();
-    for (const Vec3& x : positions)
-        sum += x;
-    return sum / static_cast<double>(positions.size());
-}
+Vec3 middle(const World& world) { return body_named(world, "block").centre(); }
 
 /// Time to come up and stop [s].
 double rise_time(const SlopeTrial& trial)

@@ -28,7 +28,7 @@ public:
     void observe(const World& world, const Contacts& contacts, double) override
     {
         const Body& cube = body_named(world, "cube");
-        const Vec3 velocity = cube.linear_momentum() / cube.mass() / slide_speed;
+        const Vec3 velocity = cube.mean_velocity() / slide_speed;
         const double along = velocity.dot(direction_);
         if (std::abs(along - 1) > std::abs(outcome_.speed_change))
             outcome_.speed_change = along - 1;

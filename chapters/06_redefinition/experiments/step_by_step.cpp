@@ -30,7 +30,7 @@ std::array<Vec3, 3> corners_of(const SurfaceMoment& surface, int face)
     return {surface.position(f0), surface.position(f1), surface.position(f2)};
 }
 
-Vec3 foot_point(const std::array<Vec3, 3>& corners, const FaceFoot& foot)
+Vec3 foot_point(const std::array<Vec3, 3>& corners, const TriangleFoot& foot)
 {
     return foot.weights[0] * corners[0] + foot.weights[1] * corners[1] + foot.weights[2] * corners[2];
 }

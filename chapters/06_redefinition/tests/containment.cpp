@@ -94,7 +94,7 @@ TowerMotion stand(const Vec3& aside)
         motion.most_won = std::max(motion.most_won, energy(world) - at_first);
     }
     for (const auto& body : world.bodies) {
-        const Vec3 speed = body->linear_momentum() / body->mass();
+        const Vec3 speed = body->mean_velocity();
         motion.sideways = std::max(motion.sideways, std::hypot(speed.x(), speed.z()));
     }
     return motion;

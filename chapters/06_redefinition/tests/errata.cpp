@@ -36,7 +36,7 @@ TEST_CASE("errata: a foot on the line between two faces is on both by the [0, 1]
     const PairSurfaces surfaces(world, 1, 0, 0);
     int by_the_text = 0, by_the_algorithm = 0, fit = 0;
     for (int face = 0; face < 8; ++face) {
-        const FaceFoot foot = *foot_on_face(surfaces.a, 0, surfaces.b, face);
+        const TriangleFoot foot = *foot_on_face(surfaces.a, 0, surfaces.b, face);
         by_the_text += std::all_of(foot.weights.begin(), foot.weights.end(), [](double w) { return w >= 0 && w <= 1; });
         by_the_algorithm += std::all_of(foot.weights.begin(), foot.weights.end(), [](double w) { return w > 0; });
         fit += try_face(surfaces, 0, face, {}).verdict == FaceVerdict::fit;

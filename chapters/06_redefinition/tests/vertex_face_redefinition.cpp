@@ -97,7 +97,7 @@ TEST_CASE("redefinition: below a valley no face has the foot; the tolerance (6.4
             left = face;
     const Contact on_left = on_face(world, left);
     const PairSurfaces surfaces(world, on_left, 0);
-    const FaceFoot foot = *foot_on_face(surfaces.a, 0, surfaces.b, left);
+    const TriangleFoot foot = *foot_on_face(surfaces.a, 0, surfaces.b, left);
     CHECK(overshoot(foot.weights) > 0);
     CHECK_FALSE(find_face(world, on_left, 0, all_corners, {}).has_value());
 

@@ -106,11 +106,7 @@ MotionProbe::MotionProbe(std::string body)
 void MotionProbe::observe(const World& world, const Contacts&, double)
 {
     const Body& body = body_named(world, body_);
-    Vec3 middle = Vec3::Zero();
-    for (const Vec3& vertex : body.positions_t0())
-        middle += vertex;
-    middle /= static_cast<double>(std::max<std::size_t>(1, body.positions_t0().size()));
-    const Vec3 velocity = body.mass() > 0 ? Vec3(body.linear_momentum() / body.mass()) : Vec3(Vec3::Zero());
+    const Vec3 middle = body.centre(), velocity = body.mean_velocity();
     table_.add({world.time, middle.x(), middle.y(), middle.z(), velocity.x(), velocity.y(), velocity.z()});
 }
 
