@@ -1,7 +1,7 @@
 #include "chapters/03_penalty_impulses/solver.hpp"
 
 #include "chapters/01_particle_plane/normal_response.hpp"
-#include "chapters/01_particle_plane/solver.hpp"
+#include "chapters/02_collision_detection/solver.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/penalty_law.hpp"
@@ -14,15 +14,15 @@ namespace enduring {
 Solver chapter03_solver(const ContactParameters& parameters)
 {
     const auto detection = std::make_shared<CrossingDetection>();
-    Solver solver = chapter01_solver(parameters);
+    Solver solver = chapter02_solver(parameters);
     solver.name = "chapter 3";
     solver.append(StepStage::refresh, {"resolve pairs", [](World& world, Contacts& contacts, double) {
         resolve_separated_pairs(world, contacts);
     }});
-    solver.append(StepStage::detect, {"broad phase", [detection](World& world, Contacts&, double) {
+    solver.replace("broad phase", {"broad phase", [detection](World& world, Contacts&, double) {
         detection->find_candidates(world);
     }});
-    solver.append(StepStage::detect, {"queries", [detection](World& world, Contacts& contacts, double) {
+    solver.replace("queries", {"queries", [detection](World& world, Contacts& contacts, double) {
         detection->append_entries(world, contacts);
     }});
     solver.replace("push out of planes", {"impulses", [law = normal_law(parameters), k = parameters.stiffness](World& world, Contacts& contacts, double dt) {

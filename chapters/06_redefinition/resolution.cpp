@@ -23,12 +23,12 @@ bool are_at_once(double time, double later) { return later - time <= 2 * time_of
 
 //! [passages]
 /// All passages of the step, those of a contact together and in their order.
-std::vector<Passage> find_passages(const World& world, const CrossingDetection& detection, const Contacts& contacts)
+std::vector<Passage> find_passages(const World& world, const CandidateSearch& search, const Contacts& contacts)
 {
     VertexContacts in_contact;
     in_contact.fill(contacts);
     std::vector<Passage> passages;
-    detection.visit_vertex_face_candidates([&](int body_a, int vertex, int body_b, int face) {
+    search.visit_candidates([&](int body_a, int vertex, int body_b, int face) {
         const int contact = in_contact.find(body_a, vertex, body_b);
         if (contact < 0)
             return;
@@ -38,7 +38,7 @@ std::vector<Passage> find_passages(const World& world, const CrossingDetection& 
                 passages.push_back({contact, face, crossing});
             return false;  // none is the one looked for: go through all
         });
-    });
+    }, [](int, int, int, int) {});
     std::sort(passages.begin(), passages.end(), [](const Passage& one, const Passage& other) {
         return std::tie(one.contact, one.crossing.time, one.face) < std::tie(other.contact, other.crossing.time, other.face);
     });
@@ -90,9 +90,9 @@ Contact pair_at(const World& world, const Contact& before, const Passage& entry)
 }  // namespace
 
 //! [resolve_vertices]
-void resolve_vertices_that_left(const World& world, const CrossingDetection& detection, Contacts& contacts, Redefinitions& redefinitions)
+void resolve_vertices_that_left(const World& world, const CandidateSearch& search, Contacts& contacts, Redefinitions& redefinitions)
 {
-    const std::vector<Passage> passages = find_passages(world, detection, contacts);
+    const std::vector<Passage> passages = find_passages(world, search, contacts);
     auto next = passages.begin();
     const std::size_t count = contacts.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -120,7 +120,7 @@ namespace {
 
 //! [edge_is_outside]
 /// Whether an edge lies outside a body at the end of the step.
-bool is_outside(const World& world, const CrossingDetection& detection, const VertexContacts& in_contact, int edge_body, int edge, int other)
+bool is_outside(const World& world, const CandidateSearch& search, const VertexContacts& in_contact, int edge_body, int edge, int other)
 {
     const SurfaceStep mine = surface_step(body(world, edge_body)), theirs = surface_step(body(world, other));
     const auto [e0, e1] = mine.edge(edge);
@@ -128,7 +128,7 @@ bool is_outside(const World& world, const CrossingDetection& detection, const Ve
         return false;
     const Vec3 &from = mine.end(e0), &to = mine.end(e1);
     bool pierces = false;
-    detection.visit_faces_near(other, edge_box(mine, edge), [&](int face) {
+    search.visit_faces_near(other, edge_box(mine, edge), [&](int face) {
         const auto [f0, f1, f2] = theirs.face(face);
         pierces = pierces || find_edge_triangle_hit(from, to, theirs.end(f0), theirs.end(f1), theirs.end(f2));
     });
@@ -138,14 +138,14 @@ bool is_outside(const World& world, const CrossingDetection& detection, const Ve
 
 }  // namespace
 
-void resolve_edges_that_left(const World& world, const CrossingDetection& detection, Contacts& contacts)
+void resolve_edges_that_left(const World& world, const CandidateSearch& search, Contacts& contacts)
 {
     VertexContacts in_contact;
     in_contact.fill(contacts);
     for (Contact& c : contacts)
         if (c.kind == ContactKind::edge_edge && !c.resolved)
-            c.resolved = is_outside(world, detection, in_contact, c.body_a, c.feature_a, c.body_b) ||
-                         is_outside(world, detection, in_contact, c.body_b, c.feature_b, c.body_a);
+            c.resolved = is_outside(world, search, in_contact, c.body_a, c.feature_a, c.body_b) ||
+                         is_outside(world, search, in_contact, c.body_b, c.feature_b, c.body_a);
 }
 
 void drop_resolved(Contacts& contacts)

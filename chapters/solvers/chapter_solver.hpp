@@ -7,8 +7,7 @@ namespace enduring::solvers {
 
 constexpr int chapters = 6;
 
-/// The solver of a chapter by its number, 1 to 6. That of chapter 2 is chapter 1's and a list of all crossings, to which
-/// nothing answers.
+/// The solver of a chapter by its number, 1 to 6.
 /// @throws InputError  there is no such chapter
 Solver chapter_solver(int chapter, const ContactParameters& parameters);
 
