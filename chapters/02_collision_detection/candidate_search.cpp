@@ -1,5 +1,7 @@
 #include "chapters/02_collision_detection/candidate_search.hpp"
 
+#include "chapters/02_collision_detection/body_broad_phase.hpp"
+
 #include <algorithm>
 
 namespace enduring {
@@ -13,15 +15,10 @@ void CandidateSearch::build(const World& world)
 {
     bodies_.clear();
     trees_.clear();
-    body_pairs_.clear();
     for (const auto& body : world.bodies) {
         bodies_.push_back(body.get());
         trees_.emplace_back(body->surface(), body->positions_t0());
     }
-    for (int a = 0; a < static_cast<int>(bodies_.size()); ++a)
-        for (int b = a + 1; b < static_cast<int>(bodies_.size()); ++b)
-            if (!bodies_[at(a)]->is_static() || !bodies_[at(b)]->is_static())
-                body_pairs_.push_back({a, b, {}});
 }
 
 void CandidateSearch::find_candidates(const World& world)
@@ -29,10 +26,23 @@ void CandidateSearch::find_candidates(const World& world)
     const auto same = [](const Body* mine, const std::unique_ptr<Body>& theirs) { return mine == theirs.get(); };
     if (!std::equal(bodies_.begin(), bodies_.end(), world.bodies.begin(), world.bodies.end(), same))
         build(world);
-    for (std::size_t i = 0; i < trees_.size(); ++i)
+    std::vector<SweptBox> boxes;
+    for (std::size_t i = 0; i < trees_.size(); ++i) {
         trees_[i].refit(surface_step(*world.bodies[i]));
-    for (BodyPair& pair : body_pairs_)
-        collect_pairs(trees_[at(pair.a)], trees_[at(pair.b)], pair.pairs);
+        boxes.push_back(trees_[i].box());
+    }
+    std::size_t count = 0;
+    for (const auto& [a, b] : overlapping_bodies(boxes)) {
+        if (bodies_[at(a)]->is_static() && bodies_[at(b)]->is_static())
+            continue;
+        if (count == body_pairs_.size())
+            body_pairs_.emplace_back();
+        BodyPair& pair = body_pairs_[count++];  // one of the last step: its lists keep their memory
+        pair.a = a;
+        pair.b = b;
+        collect_pairs(trees_[at(a)], trees_[at(b)], pair.pairs);
+    }
+    body_pairs_.resize(count);
 }
 
 std::size_t CandidateSearch::candidate_count() const

@@ -14,6 +14,8 @@ public:
     /// Boxes of this step, and from them the pairs of features to look at.
     void find_candidates(const World& world);
 
+    /// Pairs of bodies whose boxes overlap, and of which at least one can move: those whose features are looked at.
+    std::size_t body_pair_count() const { return body_pairs_.size(); }
     /// Pairs of features that the last find_candidates left for the query.
     std::size_t candidate_count() const;
 
@@ -49,7 +51,7 @@ private:
 
     std::vector<const Body*> bodies_;  ///< whose trees these are
     std::vector<FaceTree> trees_;
-    std::vector<BodyPair> body_pairs_;
+    std::vector<BodyPair> body_pairs_;  ///< of this step, ascending
 };
 
 }  // namespace enduring

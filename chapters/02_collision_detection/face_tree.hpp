@@ -48,6 +48,8 @@ public:
             approach(0, point, bound, visit);
     }
 
+    /// Around the whole surface; for one without faces a box that overlaps nothing.
+    SweptBox box() const { return nodes_.empty() ? SweptBox::empty() : nodes_[0].box; }
     const SweptBox& vertex_box(int vertex) const { return vertex_boxes_[static_cast<std::size_t>(vertex)]; }
     const SweptBox& edge_box(int edge) const { return edge_boxes_[static_cast<std::size_t>(edge)]; }
     const SweptBox& face_box(int face) const { return nodes_[static_cast<std::size_t>(leaf_of_face_[static_cast<std::size_t>(face)])].box; }

@@ -2,6 +2,8 @@
 
 #include "chapters/02_collision_detection/surface_step.hpp"
 
+#include <limits>
+
 namespace enduring {
 
 //! [swept_box]
@@ -14,6 +16,11 @@ namespace enduring {
 struct SweptBox {
     Vec3 low, high;
 
+    static SweptBox empty()
+    {
+        const double infinity = std::numeric_limits<double>::infinity();
+        return {Vec3::Constant(infinity), Vec3::Constant(-infinity)};
+    }
     bool overlaps(const SweptBox& other) const
     {
         return low.x() <= other.high.x() && other.low.x() <= high.x() &&

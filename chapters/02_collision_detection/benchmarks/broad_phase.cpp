@@ -1,4 +1,6 @@
-// One step of the broad phase for two balls about to touch: our tree of faces, and Bullet's dynamic tree over the same boxes.
+// One step of the broad phase: between bodies, and for two balls about to touch (our tree of faces, and Bullet's dynamic tree
+// over the same boxes).
+#include "chapters/02_collision_detection/body_broad_phase.hpp"
 #include "chapters/02_collision_detection/broad_phase.hpp"
 #include "chapters/02_collision_detection/experiments/bullet_tree.hpp"
 #include "common/geometry/round_shapes.hpp"
@@ -6,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <random>
 
 namespace enduring {
 namespace {
@@ -59,6 +62,44 @@ void refit_alone(benchmark::State& state)
     }
 }
 BENCHMARK(refit_alone)->DenseRange(2, 5)->Unit(benchmark::kMicrosecond);
+
+/// Cubes of edge 1 at random places, eight cubic metres for each.
+std::vector<SweptBox> scattered_cubes(long count)
+{
+    std::mt19937 generator(6);
+    std::uniform_real_distribution<double> place(0, 2 * std::cbrt(static_cast<double>(count)));
+    std::vector<SweptBox> boxes;
+    for (long i = 0; i < count; ++i) {
+        const Vec3 low(place(generator), place(generator), place(generator));
+        boxes.push_back({low, low + Vec3::Ones()});
+    }
+    return boxes;
+}
+
+void tree_of_bodies(benchmark::State& state)
+{
+    const std::vector<SweptBox> boxes = scattered_cubes(state.range(0));
+    std::size_t pairs = 0;
+    for (auto _ : state)
+        pairs = overlapping_bodies(boxes).size();
+    state.counters["pairs"] = static_cast<double>(pairs);
+}
+BENCHMARK(tree_of_bodies)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
+
+void all_pairs_of_bodies(benchmark::State& state)
+{
+    const std::vector<SweptBox> boxes = scattered_cubes(state.range(0));
+    std::vector<OverlappingBodies> pairs;
+    for (auto _ : state) {
+        pairs.clear();
+        for (int b = 0; b < static_cast<int>(boxes.size()); ++b)
+            for (int a = 0; a < b; ++a)
+                if (boxes[static_cast<std::size_t>(a)].overlaps(boxes[static_cast<std::size_t>(b)]))
+                    pairs.push_back({a, b});
+    }
+    state.counters["pairs"] = static_cast<double>(pairs.size());
+}
+BENCHMARK(all_pairs_of_bodies)->Arg(10)->Arg(100)->Arg(1000)->Unit(benchmark::kMicrosecond);
 
 void bullet_tree_faces_only(benchmark::State& state)
 {

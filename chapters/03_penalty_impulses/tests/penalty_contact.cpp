@@ -1,4 +1,5 @@
 #include "chapters/01_particle_plane/normal_response.hpp"
+#include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 #include "chapters/03_penalty_impulses/penalty_law.hpp"
@@ -388,4 +389,30 @@ TEST_CASE("penalty contact: on a mesh the largest settling steps are chapter 1's
     CHECK(discrete == doctest::Approx(std::sqrt(4.0 / 300)).epsilon(0.01));
     CHECK(continuous == doctest::Approx(std::sqrt(0.02)).epsilon(0.01));
     CHECK(continuous / discrete == doctest::Approx(std::sqrt(1.5)).epsilon(0.01));
+}
+
+TEST_CASE("crossing detection: of a thousand bodies only those are looked at whose boxes overlap in this step, and no two static ones")
+{
+    World world;
+    const auto add = [&](BodyKind kind, const Vec3& place) {
+        world.bodies.push_back(tests::block("block " + std::to_string(world.bodies.size()), kind, place, {0, -1, 0}));
+    };
+    const int rows = 20, columns = 25;
+    for (int i = 0; i < rows * columns; ++i) {
+        const Vec3 place(2.0 * (i % rows), 0, 2.0 * (i / rows));
+        add(BodyKind::still, place);
+        add(BodyKind::rigid, place + Vec3(0, i % 2 == 0 ? 0.85 : 1.5, 0));  // every second one in its static block
+    }
+    add(BodyKind::still, {0, 0, 0});  // in another static block, and in the rigid one above that
+    const auto pairs_of_a_step = [&](CrossingDetection& detection, const Vec3& gravity) {
+        for (const auto& body : world.bodies)
+            body->predict(gravity, 0.01);
+        detection.find_candidates(world);
+        for (const auto& body : world.bodies)
+            body->commit(0.01);
+        return detection.body_pair_count();
+    };
+    CrossingDetection detection;
+    CHECK(pairs_of_a_step(detection, {0, 1e5, 0}) == rows * columns / 2 + 1);
+    CHECK(pairs_of_a_step(detection, {0, 1e5, 0}) == 0);  // 10 m higher
 }
