@@ -34,7 +34,7 @@ ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, cons
       last_prediction_(NodalVectors::Zero(3, mesh_.node_count())),
       last_response_(NodalVectors::Zero(3, mesh_.node_count())),
       rotations_(mesh_.elements().size(), Mat3::Identity()),
-      solver_(mesh_, mass_matrix_, options.solver_tolerance)
+      solver_(mesh_, mass_matrix_, options.solver_tolerance, options.linear_solver)
 {
     // A node of no element has no mass, and no equation.
     for (int n = 0; n < mesh_.node_count(); ++n)

@@ -13,6 +13,7 @@ struct ElasticOptions {
     /// found once a step, at its start.
     bool freeze_rotations = false;
     double solver_tolerance = 1e-10;  ///< relative error of the velocities in the norm of the system's matrix
+    LinearSolverKind linear_solver = LinearSolverKind::supernodal;
 };
 
 /// A deformable body: a mass that is spread over elements as their basis says, held together by their corotated stiffness. It knows nothing of surfaces or contact.

@@ -50,8 +50,9 @@ struct ImplicitSolver::System {
     }
 };
 
-ImplicitSolver::ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance)
-    : mass_matrix_(mass_matrix), masses_(lumped_masses(mass_matrix)), tolerance_(tolerance), factor_(mesh)
+ImplicitSolver::ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance,
+                               LinearSolverKind kind)
+    : mass_matrix_(mass_matrix), masses_(lumped_masses(mass_matrix)), tolerance_(tolerance), factor_(mesh, kind)
 {
 }
 

@@ -14,7 +14,8 @@ class ImplicitSolver {
 public:
     /// @param mass_matrix  M, one row a node; outlives the solver
     /// @param tolerance    stop when the error, in the norm of the matrix, is this small relative to the solution
-    ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance);
+    /// @param kind         of linear solver, which makes the factor and applies it
+    ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance, LinearSolverKind kind);
 
     /// @param elasticity      with the rotations of this step
     /// @param fixed           one flag a node: its velocity is zero whatever rhs says

@@ -1,29 +1,19 @@
 #include "common/fem/turned_factor.hpp"
 
-#include "common/fem/block_factor.hpp"
 #include "common/fem/polar_rotation.hpp"
-#include "common/fem/stiffness_assembly.hpp"
 
 #include <stdexcept>
 
 namespace enduring {
 
-struct TurnedFactor::Cholesky {
-    explicit Cholesky(const ElasticMesh& mesh) : assembly(mesh) { factor.analyze(assembly.pattern()); }
-    StiffnessAssembly assembly;
-    BlockFactor factor;
-};
-
-TurnedFactor::TurnedFactor(const ElasticMesh& mesh) : mesh_(mesh) {}
-
-TurnedFactor::~TurnedFactor() = default;
-
 void TurnedFactor::factor(const CorotatedElasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
                           const std::vector<char>& fixed, double mass_scale, double stiffness_scale)
 {
-    if (!cholesky_)
-        cholesky_ = std::make_unique<Cholesky>(mesh_);
-    if (!cholesky_->factor.factor(cholesky_->assembly.assemble(elasticity, mass_matrix, fixed, mass_scale, stiffness_scale)))
+    if (!solver_) {
+        assembly_.emplace(mesh_);
+        solver_ = make_linear_solver(kind_, assembly_->pattern());
+    }
+    if (!solver_->factor(assembly_->assemble(elasticity, mass_matrix, fixed, mass_scale, stiffness_scale)))
         throw std::runtime_error("the elastic system could not be factored");
     mass_scale_ = mass_scale;
     stiffness_scale_ = stiffness_scale;
@@ -58,7 +48,7 @@ void TurnedFactor::apply(const NodalVectors& r, NodalVectors& z) const
     Eigen::VectorXd turned(3 * r.cols());
     for (Eigen::Index n = 0; n < r.cols(); ++n)
         turned.segment<3>(3 * n) = turns_[n].transpose() * r.col(n);
-    cholesky_->factor.solve(turned);
+    solver_->solve(turned);
     z.resize(3, r.cols());
     for (Eigen::Index n = 0; n < r.cols(); ++n)
         z.col(n) = turns_[n] * turned.segment<3>(3 * n);

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "common/fem/corotated_elasticity.hpp"
+#include "common/fem/linear_solver.hpp"
+#include "common/fem/stiffness_assembly.hpp"
 
 #include <Eigen/SparseCore>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace enduring {
@@ -12,13 +15,12 @@ namespace enduring {
 /// A factorisation of A = a M + b K_R that stays useful while the body turns and bends.
 ///
 /// If every element turned by the same W since the matrix was factored, the new matrix is W A W^T exactly. Otherwise this
-/// holds nearly, with one W a node: the mean of its elements' turns. (M is the same along every axis, so W M W^T = M.) So W A^-1 W^T, a turn, a solve with the old
-/// factor and a turn back, approximates the new inverse, is symmetric and positive definite, and serves conjugate gradients
+/// holds nearly, with one W a node: the mean of its elements' turns. (M is the same along every axis, so W M W^T = M.) So
+/// W A^-1 W^T, a turn, a solve with the old factor and a turn back, approximates the new inverse, is symmetric and positive definite, and serves conjugate gradients
 /// as preconditioner over many steps (the idea of stiffness warping, Mueller et al. 2002, where it cannot harm).
 class TurnedFactor {
 public:
-    explicit TurnedFactor(const ElasticMesh& mesh);
-    ~TurnedFactor();
+    TurnedFactor(const ElasticMesh& mesh, LinearSolverKind kind) : mesh_(mesh), kind_(kind) {}
 
     /// Factors the matrix with the present rotations.
     /// @throws std::runtime_error  the factorisation broke down (out of memory, or masses and stiffness without a common scale)
@@ -32,9 +34,10 @@ public:
     void apply(const NodalVectors& r, NodalVectors& z) const;
 
 private:
-    struct Cholesky;
     const ElasticMesh& mesh_;
-    std::unique_ptr<Cholesky> cholesky_;
+    LinearSolverKind kind_;
+    std::optional<StiffnessAssembly> assembly_;  ///< with the solver made when it is first needed: not every body is stepped
+    std::unique_ptr<LinearSolver> solver_;
     ElementRotations rotations_when_factored_, rotations_now_;
     std::vector<Mat3> turns_;
     double mass_scale_ = 0, stiffness_scale_ = 0;

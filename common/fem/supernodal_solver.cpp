@@ -1,0 +1,145 @@
+#include "common/fem/supernodal_solver.hpp"
+
+#include <dlfcn.h>
+
+#include <new>
+
+namespace enduring {
+namespace {
+
+const int* ints(const void* array) { return static_cast<const int*>(array); }
+
+/// Eigen's arrays as CHOLMOD sees them. Nothing is copied, and CHOLMOD does not write here.
+cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
+{
+    cholmod_sparse view{};
+    view.nrow = view.ncol = static_cast<std::size_t>(matrix.rows());
+    view.nzmax = static_cast<std::size_t>(matrix.nonZeros());
+    view.p = const_cast<int*>(matrix.outerIndexPtr());
+    view.i = const_cast<int*>(matrix.innerIndexPtr());
+    view.x = const_cast<double*>(matrix.valuePtr());
+    view.stype = -1;  // symmetric, the lower triangle is stored
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = view.packed = 1;
+    return view;
+}
+
+/// While it lives, CHOLMOD's own loops (OpenMP) and OpenBLAS, where that is the system's BLAS, keep to one thread: a sum must not depend
+/// on how many there are, and the blocks are too small to gain. Neither has to be there: both are asked for by name.
+class OneThread {
+public:
+    OneThread()
+    {
+        for (Setting& setting : settings_)
+            if (setting.get && setting.set) {
+                setting.before = setting.get();
+                setting.set(setting.one);
+            }
+    }
+    ~OneThread()
+    {
+        for (const Setting& setting : settings_)
+            if (setting.get && setting.set)
+                setting.set(setting.before);
+    }
+    OneThread(const OneThread&) = delete;
+    OneThread& operator=(const OneThread&) = delete;
+
+private:
+    struct Setting {
+        Setting(const char* getter, const char* setter, int one_thread)
+            : get(reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, getter))),
+              set(reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, setter))), one(one_thread)
+        {
+        }
+        int (*get)();
+        void (*set)(int);
+        int one, before = 0;
+    };
+    Setting settings_[2] = {{"openblas_get_num_threads", "openblas_set_num_threads", 1},
+                            {"omp_get_max_active_levels", "omp_set_max_active_levels", 0}};
+};
+
+}  // namespace
+
+SupernodalSolver::SupernodalSolver(const Eigen::SparseMatrix<double>& pattern)
+{
+    cholmod_start(&cholmod_);
+    cholmod_.print = 0;  // factor() says by its result what CHOLMOD would print
+    cholmod_.supernodal = CHOLMOD_SUPERNODAL;
+    // Of two orderings the one with the smaller factor; minimum degree alone where CHOLMOD was built without METIS.
+    cholmod_.nmethods = 2;
+    cholmod_.method[0].ordering = CHOLMOD_METIS;
+    cholmod_.method[1].ordering = CHOLMOD_AMD;
+    cholmod_sparse view = lower_triangle(pattern);
+    factor_ = cholmod_analyze(&view, &cholmod_);
+    if (!factor_)
+        throw std::bad_alloc();
+    order_.assign(ints(factor_->Perm), ints(factor_->Perm) + factor_->n);
+}
+
+SupernodalSolver::~SupernodalSolver()
+{
+    cholmod_free_factor(&factor_, &cholmod_);
+    cholmod_finish(&cholmod_);
+}
+
+bool SupernodalSolver::factor(const Eigen::SparseMatrix<double>& matrix)
+{
+    const OneThread one_thread;
+    cholmod_sparse view = lower_triangle(matrix);
+    cholmod_factorize(&view, factor_, &cholmod_);
+    if (cholmod_.status != CHOLMOD_OK)
+        return false;
+    copy_supernodes();
+    return true;
+}
+
+/// A supernode s has the columns super[s] .. super[s + 1] - 1 of L. Its rows (its columns themselves, then those below) stand from pi[s]
+/// in `s`, and its entries, column by column, from px[s] in `x`.
+void SupernodalSolver::copy_supernodes()
+{
+    supernodes_.clear();
+    for (std::size_t node = 0; node < factor_->nsuper; ++node) {
+        const int first = ints(factor_->super)[node], columns = ints(factor_->super)[node + 1] - first;
+        const int* rows = ints(factor_->s) + ints(factor_->pi)[node];
+        const int* rows_end = ints(factor_->s) + ints(factor_->pi)[node + 1];
+        const double* entries = static_cast<const double*>(factor_->x) + ints(factor_->px)[node];
+        const Eigen::Map<const Eigen::MatrixXd> block(entries, rows_end - rows, columns);
+        supernodes_.push_back({first, columns, {rows + columns, rows_end}, block.cast<float>()});
+    }
+}
+
+//! [block_solve]
+void SupernodalSolver::solve(Eigen::VectorXd& b) const
+{
+    Eigen::VectorXf x(b.size()), below(b.size());
+    for (Eigen::Index i = 0; i < b.size(); ++i)
+        x[i] = static_cast<float>(b[order_[static_cast<std::size_t>(i)]]);
+
+    for (const auto& [first, columns, rows, block] : supernodes_) {
+        auto here = x.segment(first, columns);
+        block.topRows(columns).triangularView<Eigen::Lower>().solveInPlace(here);
+        const auto count = static_cast<Eigen::Index>(rows.size());
+        below.head(count).noalias() = block.bottomRows(count) * here;
+        for (Eigen::Index i = 0; i < count; ++i)
+            x[rows[static_cast<std::size_t>(i)]] -= below[i];
+    }
+    for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
+        const auto& [first, columns, rows, block] = *node;
+        auto here = x.segment(first, columns);
+        const auto count = static_cast<Eigen::Index>(rows.size());
+        for (Eigen::Index i = 0; i < count; ++i)
+            below[i] = x[rows[static_cast<std::size_t>(i)]];
+        here.noalias() -= block.bottomRows(count).transpose() * below.head(count);
+        block.topRows(columns).transpose().triangularView<Eigen::Upper>().solveInPlace(here);
+    }
+
+    for (Eigen::Index i = 0; i < b.size(); ++i)
+        b[order_[static_cast<std::size_t>(i)]] = static_cast<double>(x[i]);
+}
+//! [block_solve]
+
+}  // namespace enduring

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "common/fem/linear_solver.hpp"
+
+#include <cholmod.h>
+
+#include <vector>
+
+namespace enduring {
+
+/// The fast linear solver: CHOLMOD's supernodal factor A = P^T L L^T P, applied in single precision.
+///
+/// Nested dissection orders the unknowns: it cuts the body in two by few nodes, which come last, and each half again. Neighbouring
+/// columns of L whose entries then stand in the same rows make a dense block (a supernode), and dense blocks are what the
+/// BLAS is fast at. A solve reads the factor twice and computes little, so it takes as long as the reading does: with half
+/// the bytes it is about twice as fast as CHOLMOD's own. Its relative error is around 1e-6 (more where the matrix is worse
+/// conditioned): far less than a preconditioner may have.
+class SupernodalSolver : public LinearSolver {
+public:
+    explicit SupernodalSolver(const Eigen::SparseMatrix<double>& pattern);
+    ~SupernodalSolver() override;
+    SupernodalSolver(const SupernodalSolver&) = delete;
+    SupernodalSolver& operator=(const SupernodalSolver&) = delete;
+
+    bool factor(const Eigen::SparseMatrix<double>& matrix) override;
+    void solve(Eigen::VectorXd& b) const override;
+
+private:
+    /// Neighbouring columns of L as one dense block: a triangle, and what is below it.
+    struct Supernode {
+        Eigen::Index first, columns;
+        std::vector<int> rows_below;
+        Eigen::MatrixXf block;
+    };
+
+    void copy_supernodes();
+
+    cholmod_common cholmod_;
+    cholmod_factor* factor_ = nullptr;
+    std::vector<int> order_;  ///< order_[i] is the unknown that comes i-th
+    std::vector<Supernode> supernodes_;
+};
+
+}  // namespace enduring
