@@ -17,8 +17,8 @@ SOURCES = [
     "chapters/0[1-6]_*/*.cpp", "chapters/05_categorisation/experiments/corner.cpp"]
 LEFT_OUT = ["main.cpp", "query_files.cpp", "body_broad_phase.cpp"]  # the last needs Bullet, and has a stand-in in live
 # As the programs are compiled: no contraction of products and sums, so the same numbers come out.
-OPTIONS = ["-std=c++20", "-O2", "-fexceptions", "-ffp-contract=off", "-DNDEBUG", "-DBT_USE_DOUBLE_PRECISION", "-DEIGEN_MAX_ALIGN_BYTES=16",
-           f"-I{ROOT}", f"-I{ROOT}/live", "-isystem", f"{ROOT}/live/bullet", "-isystem", "/usr/include/bullet", "-isystem", "/usr/include/eigen3",
+OPTIONS = ["-std=c++20", "-O2", "-fexceptions", "-ffp-contract=off", "-DNDEBUG", "-DEIGEN_MAX_ALIGN_BYTES=16",
+           f"-I{ROOT}", f"-I{ROOT}/live", "-isystem", "/usr/include/eigen3",
            "-idirafter", f"{WORK}/include"]
 NODE_MODULES = "/usr/share/nodejs"  # where Debian keeps what the compiler's own scripts need, for a node that is not Debian's
 LINKED = ["--bind", "-sMODULARIZE=1", "-sEXPORT_NAME=enduring_live", "-sSINGLE_FILE=1", "-sALLOW_MEMORY_GROWTH=1", "-sENVIRONMENT=web,node"]

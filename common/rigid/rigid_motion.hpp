@@ -3,10 +3,6 @@
 #include "common/geometry/vector.hpp"
 #include "common/rigid/mass_properties.hpp"
 
-#include <memory>
-
-class btRigidBody;
-
 namespace enduring {
 
 /// Where a rigid body is: body coordinates (origin at the centre of mass, principal axes) to world coordinates.
@@ -20,9 +16,7 @@ struct Pose {
 
 /// The motion of one rigid body, in steps of the thesis' scheme: predict, push, commit.
 ///
-/// Bullet holds the state and integrates velocities under gravity, impulses and poses. Two things are ours, because
-/// Bullet's own drift (see the page on rigid bodies): the free rotation is the energy and momentum conserving step of
-/// Simo and Wong (1991), and a turn of more than pi/4 a step is not cut short.
+/// The free rotation is the energy and momentum conserving step of Simo and Wong (1991); the turn of a step is the exponential map.
 ///
 /// Between predict() and commit(), angular_velocity() is the constant one that turns the body through the step; after
 /// commit() it is the one the body has at that moment.
@@ -34,9 +28,6 @@ public:
     /// @throws InputError  mass not positive, inertia not positive definite, or a velocity not finite
     explicit RigidMotion(const MassProperties& properties, const Vec3& velocity = Vec3::Zero(),
                          const Vec3& angular_velocity = Vec3::Zero());
-    ~RigidMotion();
-    RigidMotion(RigidMotion&&) noexcept;
-    RigidMotion& operator=(RigidMotion&&) noexcept;
 
     /// Velocities of the step from gravity [m/s^2] and the free rotation over dt [s] (thesis 3.3, 3.6).
     void predict(const Vec3& gravity, double dt);
@@ -47,16 +38,16 @@ public:
     /// The predicted pose becomes the pose.
     void commit(double dt);
 
-    Pose pose() const;              ///< committed
-    Vec3 centre() const;            ///< its position alone, which costs less [m]
-    Vec3 velocity() const;          ///< of the centre of mass [m/s]
-    Vec3 angular_velocity() const;  ///< in world axes [rad/s]
+    const Pose& pose() const { return pose_; }                             ///< committed
+    const Vec3& centre() const { return pose_.position; }                  ///< [m]
+    const Vec3& velocity() const { return velocity_; }                     ///< of the centre of mass [m/s]
+    const Vec3& angular_velocity() const { return angular_velocity_; }     ///< in world axes [rad/s]
     /// Velocity [m/s] of the material point that is at `point` in the committed pose.
     Vec3 velocity_at(const Vec3& point) const;
     /// Velocity change at `point` per impulse there [1/kg]: 1/m + [r]x J^-1 [r]x^T with r from the centre to the point.
     Mat3 inverse_mass_at(const Vec3& point) const;
 
-    Mat3 inverse_inertia() const;   ///< about the centre, world axes, of the committed pose [1/(kg m^2)]
+    const Mat3& inverse_inertia() const { return inverse_inertia_; }  ///< about the centre, world axes, of the committed pose [1/(kg m^2)]
 
     double mass() const { return mass_; }
     Vec3 linear_momentum() const { return mass_ * velocity(); }   ///< [kg m/s]
@@ -64,10 +55,15 @@ public:
     double kinetic_energy() const;                                ///< of translation and rotation [J]
 
 private:
+    void place(const Pose& pose);
+    Vec3 spin_in_body_axes() const;  ///< the angular velocity that belongs to the momentum [rad/s]
+
     double mass_ = 0;
     Vec3 principal_inertia_ = Vec3::Zero();  ///< along the body axes [kg m^2]
+    Pose pose_;
+    Mat3 inverse_inertia_ = Mat3::Zero();    ///< belongs to the pose
+    Vec3 velocity_ = Vec3::Zero(), angular_velocity_ = Vec3::Zero();
     Vec3 spin_momentum_ = Vec3::Zero();      ///< angular momentum about the centre, world axes: what a free body keeps
-    std::unique_ptr<btRigidBody> body_;
 };
 
 }  // namespace enduring
