@@ -4,62 +4,51 @@
 #include "common/input/input_error.hpp"
 #include "common/input/text_lines.hpp"
 
-#define TINYOBJLOADER_USE_DOUBLE
-#include <tiny_obj_loader.h>
-
+#include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <sstream>
 
 namespace enduring {
 namespace {
 
-/// What the file says, checked line by line. tinyobjloader reads "nan" and missing numbers as 0 and rounds decimals
-/// more than once, so coordinates are read here; it gets the vertices for its triangulation, and the faces.
-struct ObjContent {
-    std::vector<Vec3> vertices;
-    struct Corner {
-        long vertex;  ///< counted from 1
-        int line;
-    };
-    std::vector<Corner> corners;     ///< of all faces
-    std::size_t triangle_count = 0;  ///< that the polygons should yield
-    std::string for_library;         ///< vertices and faces, without texture, normals, materials and groups
+/// A face as it stands in the file, with three corners or more.
+struct Polygon {
+    std::vector<long> vertices;  ///< counted from 1
+    int line;
 };
 
-void read_vertex(TextLines& lines, ObjContent& content)
+struct ObjContent {
+    std::vector<Vec3> vertices;
+    std::vector<Polygon> polygons;
+};
+
+Vec3 read_vertex(TextLines& lines)
 {
     Vec3 x;
     for (double& coordinate : x)
         coordinate = lines.next_finite_number("coordinate");
-    content.vertices.push_back(x);
-    content.for_library.append(lines.line()).append("\n");
+    return x;
 }
 
 /// The vertex of a corner "vertex/texture/normal", counted from 1; negative numbers count back from the last vertex.
-long vertex_of_corner(std::string_view word, const TextLines& lines, const ObjContent& content)
+long vertex_of_corner(std::string_view word, const TextLines& lines, std::size_t vertices_so_far)
 {
     const std::string_view digits = word.substr(0, word.find('/'));
     long number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (error != std::errc() || end != digits.data() + digits.size() || number == 0)
         lines.fail(TextLines::quoted(word) + " does not name a vertex; vertices are counted from 1");
-    return number > 0 ? number : static_cast<long>(content.vertices.size()) + 1 + number;
+    return number > 0 ? number : static_cast<long>(vertices_so_far) + 1 + number;
 }
 
-void read_face(TextLines& lines, ObjContent& content)
+Polygon read_face(TextLines& lines, std::size_t vertices_so_far)
 {
-    content.for_library += 'f';
-    int corners = 0;
-    for (std::string_view word = lines.next_word(); !word.empty(); word = lines.next_word(), ++corners) {
-        const long vertex = vertex_of_corner(word, lines, content);
-        content.corners.push_back({vertex, lines.number()});
-        content.for_library.append(1, ' ').append(std::to_string(vertex));
-    }
-    content.for_library += '\n';
-    if (corners < 3)
-        lines.fail("a face with " + std::to_string(corners) + " corners; three are needed");
-    content.triangle_count += static_cast<std::size_t>(corners) - 2;
+    Polygon polygon{{}, lines.number()};
+    for (std::string_view word = lines.next_word(); !word.empty(); word = lines.next_word())
+        polygon.vertices.push_back(vertex_of_corner(word, lines, vertices_so_far));
+    if (polygon.vertices.size() < 3)
+        lines.fail("a face with " + std::to_string(polygon.vertices.size()) + " corners; three are needed");
+    return polygon;
 }
 
 ObjContent read_content(TextLines& lines)
@@ -68,38 +57,69 @@ ObjContent read_content(TextLines& lines)
     while (lines.next()) {
         const std::string_view keyword = lines.next_word();
         if (keyword == "v")
-            read_vertex(lines, content);
+            content.vertices.push_back(read_vertex(lines));
         else if (keyword == "f")
-            read_face(lines, content);
+            content.polygons.push_back(read_face(lines, content.vertices.size()));
     }
-    if (content.corners.empty())
+    if (content.polygons.empty())
         lines.fail("the file ends without a face");
-    for (const auto& [vertex, line] : content.corners)  // only now: faces may stand before their vertices
-        if (vertex < 1 || vertex > static_cast<long>(content.vertices.size()))
-            lines.fail_at(line, "the face names vertex " + std::to_string(vertex) + "; the file has 1 to " +
-                                    std::to_string(content.vertices.size()));
+    for (const Polygon& polygon : content.polygons)  // only now: faces may stand before their vertices
+        for (const long vertex : polygon.vertices)
+            if (vertex < 1 || vertex > static_cast<long>(content.vertices.size()))
+                lines.fail_at(polygon.line, "the face names vertex " + std::to_string(vertex) + "; the file has 1 to " +
+                                                std::to_string(content.vertices.size()));
     return content;
+}
+
+/// The area of a polygon times two, along its normal; right for any polygon in a plane, also with dents.
+Vec3 doubled_area(const std::vector<int>& corners, const std::vector<Vec3>& x)
+{
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        sum += (x[corners[i]] - x[corners[0]]).cross(x[corners[i + 1]] - x[corners[0]]);
+    return sum;
+}
+
+/// Whether the triangle abc can be cut off: it turns as the polygon does, and holds no other corner of it.
+bool is_ear(const Face& ear, const std::vector<int>& corners, const Vec3& normal, const std::vector<Vec3>& x)
+{
+    const auto left_of = [&](int from, int to, const Vec3& p) { return (x[to] - x[from]).cross(p - x[from]).dot(normal); };
+    const auto [a, b, c] = ear;
+    if (!(left_of(a, b, x[c]) > 0))
+        return false;
+    return std::none_of(corners.begin(), corners.end(), [&](int other) {
+        return other != a && other != b && other != c && left_of(a, b, x[other]) >= 0 && left_of(b, c, x[other]) >= 0 && left_of(c, a, x[other]) >= 0;
+    });
+}
+
+/// Cuts one ear after the other from a polygon, in turn around it, until three corners are left (Meisters 1975: there always is one).
+void append_triangles(std::vector<int> corners, const std::vector<Vec3>& x, std::vector<Face>& faces, const TextLines& lines, int line)
+{
+    const Vec3 normal = doubled_area(corners, x);
+    std::size_t refused = 0;
+    for (std::size_t i = 0; corners.size() > 3; ++i) {
+        const std::size_t count = corners.size(), middle = (i + 1) % count;
+        const Face ear{corners[i % count], corners[middle], corners[(i + 2) % count]};
+        if (is_ear(ear, corners, normal, x)) {
+            faces.push_back(ear);
+            corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(middle));
+            refused = 0;
+        } else if (++refused == count) {
+            lines.fail_at(line, "this polygon cannot be cut into triangles");
+        }
+    }
+    faces.push_back({corners[0], corners[1], corners[2]});
 }
 
 std::vector<Face> triangles(const ObjContent& content, const TextLines& lines)
 {
-    tinyobj::attrib_t attributes;
-    std::vector<tinyobj::shape_t> shapes;
-    std::vector<tinyobj::material_t> materials;
-    std::string warning, error;
-    std::istringstream text(content.for_library);
-    const bool read = tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &text, nullptr, true, false);
-
-    std::vector<int> corners;
-    for (const tinyobj::shape_t& shape : shapes)
-        for (const tinyobj::index_t& index : shape.mesh.indices)
-            corners.push_back(index.vertex_index);
-    if (!read || corners.size() != 3 * content.triangle_count)
-        lines.fail("a polygon of this file cannot be cut into triangles");
-
     std::vector<Face> faces;
-    for (std::size_t i = 0; i < corners.size(); i += 3)
-        faces.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    for (const Polygon& polygon : content.polygons) {
+        std::vector<int> corners;
+        for (const long vertex : polygon.vertices)
+            corners.push_back(static_cast<int>(vertex) - 1);
+        append_triangles(std::move(corners), content.vertices, faces, lines, polygon.line);
+    }
     return faces;
 }
 

@@ -8,7 +8,7 @@
 
 namespace enduring {
 
-/// Reads the triangles of a Wavefront OBJ file; polygons are cut into triangles by tinyobjloader. Everything but
+/// Reads the triangles of a Wavefront OBJ file; polygons, also with dents, are cut into triangles. Everything but
 /// vertices and faces is passed over, and so are vertices that no face uses. Units are taken as they stand.
 ///
 /// @throws InputError  "file:line: reason": missing, empty or binary file, a coordinate that is not a finite number, a

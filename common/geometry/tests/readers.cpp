@@ -7,6 +7,7 @@
 #include "common/geometry/surface_checks.hpp"
 #include "common/geometry/surface_extraction.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/input/input_error.hpp"
 #include "common/input/source_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -147,6 +148,14 @@ TEST_CASE("OBJ reader: a polygon with a dent is cut along its inside")
         area += part;
     }
     CHECK(area == doctest::Approx(4 - 1.5).epsilon(1e-14));  // the square without its dent
+}
+
+TEST_CASE("OBJ reader: a polygon without an inside is refused with its line")
+{
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 1 1 0\n";
+    std::istringstream flat(corners + "f 1 2 5\nf 1 2 3 4\n"), twice(corners + "f 1 3 1 5\n");
+    CHECK_THROWS_WITH_AS(read_obj(flat, "text"), "text:7: this polygon cannot be cut into triangles", InputError);
+    CHECK_THROWS_WITH_AS(read_obj(twice, "text"), "text:6: this polygon cannot be cut into triangles", InputError);
 }
 
 TEST_CASE("OBJ reader: coordinates are the doubles nearest to their decimals")
