@@ -20,7 +20,10 @@ if(BASH AND NOT ENDURING_SANITIZE AND NOT ENDURING_FUZZ)
              COMMAND ${Python3_EXECUTABLE} -m unittest discover -s ${PROJECT_SOURCE_DIR}/docs/tests)
     add_test(NAME "exercises: what the catalogue reads, the judge says and the grades hold"
              COMMAND ${Python3_EXECUTABLE} -m unittest discover -s ${PROJECT_SOURCE_DIR}/exercises/tests)
+    add_test(NAME "examples: they print what falls, and another project can build them in both ways"
+             COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/examples/test_examples.py ${CMAKE_BINARY_DIR})
     set_tests_properties("book: what the weaver brings and what stops it"
-      "exercises: what the catalogue reads, the judge says and the grades hold" PROPERTIES LABELS course)
+      "exercises: what the catalogue reads, the judge says and the grades hold"
+      "examples: they print what falls, and another project can build them in both ways" PROPERTIES LABELS course)
   endif()
 endif()

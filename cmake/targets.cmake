@@ -1,40 +1,35 @@
 # How a folder becomes targets. See the head of CMakeLists.txt for the layout.
 
-# Our own code compiles without a warning, also with compilers newer than ours, where one does not stop a reader's build.
-# Outside headers are system headers and keep theirs.
+include(GNUInstallDirs)
+
+# What our headers need of whoever includes them.
 add_library(enduring_options INTERFACE)
-target_include_directories(enduring_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_features(enduring_options INTERFACE cxx_std_20)
+target_include_directories(enduring_options INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/enduring>)
 target_compile_definitions(enduring_options INTERFACE
   EIGEN_MAX_ALIGN_BYTES=16
   # A Vec3 written as three doubles and read back as a pair and a single stalls the processor: an impulse inlined where
   # its pair is made took 43 ns with Eigen's unaligned packets and 30 ns without. Since the impulses have a file of their
   # own, packets would be a tenth faster (44 against 48 ns), and elements 3 %.
-  EIGEN_UNALIGNED_VECTORIZE=0
-  $<$<BOOL:${ENDURING_RENDER}>:ENDURING_RENDER>)
-target_compile_options(enduring_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wconversion -Wshadow
-  $<$<AND:$<BOOL:${ENDURING_WERROR}>,$<NOT:$<BOOL:$<TARGET_PROPERTY:ENDURING_ATTEMPT>>>>:-Werror>  # a student's attempt may leave a warning
-  $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>  # clang counts it to -Wconversion, g++ does not
-  # The error bounds of chapter 2 count every rounding: no contraction into fused multiply-adds.
-  -ffp-contract=off)
-if(ENDURING_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  add_link_options(-fsanitize=address,undefined)
-endif()
+  EIGEN_UNALIGNED_VECTORIZE=0)
+# The error bounds of chapter 2 count every rounding: no contraction into fused multiply-adds.
+target_compile_options(enduring_options INTERFACE -ffp-contract=off)
 
 set(ENDURING_TEST_ENVIRONMENT
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/leaks.supp"
   "UBSAN_OPTIONS=print_stacktrace=1")
 
 function(enduring_packages target)
-  target_link_libraries(${target} PUBLIC enduring_options Eigen3::Eigen nlohmann_json::nlohmann_json CLI11::CLI11
-                        PkgConfig::BULLET Boost::headers ${TINYOBJLOADER_LIBRARY} ${CHOLMOD_LIBRARY})
-  target_include_directories(${target} SYSTEM PUBLIC ${BULLET_INCLUDE_DIRS} ${TINYOBJLOADER_INCLUDE} ${CHOLMOD_INCLUDE})
+  target_link_libraries(${target} PUBLIC enduring_options Eigen3::Eigen nlohmann_json::nlohmann_json
+                        PkgConfig::BULLET Boost::headers ${CHOLMOD_LIBRARY})
+  target_include_directories(${target} SYSTEM PUBLIC ${BULLET_INCLUDE_DIRS} ${CHOLMOD_INCLUDE})
 endfunction()
 
 # A library from a list of sources; header-only folders become interface-like libraries with one empty source.
+# With OUTSIDE it is one that other projects may use, as Enduring::OUTSIDE, and FOLDER's headers are installed with it.
 function(enduring_library target)
-  cmake_parse_arguments(ARG "" "" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(ARG "" "OUTSIDE;FOLDER" "SOURCES;USES" ${ARGN})
   if(NOT ARG_SOURCES)
     file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp "")
     set(ARG_SOURCES ${CMAKE_CURRENT_BINARY_DIR}/${target}.cpp)
@@ -42,12 +37,19 @@ function(enduring_library target)
   add_library(${target} STATIC ${ARG_SOURCES})
   enduring_packages(${target})
   target_link_libraries(${target} PUBLIC ${ARG_USES})
+  if(ARG_OUTSIDE)
+    add_library(Enduring::${ARG_OUTSIDE} ALIAS ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${ARG_OUTSIDE})
+    file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${ARG_FOLDER}/*.hpp)
+    install(TARGETS ${target} EXPORT EnduringContactsTargets)
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/enduring/${ARG_FOLDER})
+  endif()
 endfunction()
 
 # doctest's cases, one CTest each, named "PREFIX:area: sentence". Long names of cases are the documentation of a failure.
 function(enduring_tests target)
   cmake_parse_arguments(ARG "" "LABEL;PREFIX" "SOURCES;USES" ${ARGN})
-  if(ARG_SOURCES)
+  if(ARG_SOURCES AND PROJECT_IS_TOP_LEVEL)
     add_executable(${target} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/cmake/doctest_main.cpp)
     target_link_libraries(${target} PRIVATE ${ARG_USES} doctest::doctest)
     doctest_discover_tests(${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR} TEST_PREFIX "${ARG_PREFIX}:"
@@ -88,7 +90,7 @@ function(enduring_common path)
   file(GLOB tests CONFIGURE_DEPENDS ${folder}/tests/*.cpp)
   file(GLOB benchmarks CONFIGURE_DEPENDS ${folder}/benchmarks/*.cpp)
   file(GLOB fuzzers CONFIGURE_DEPENDS ${folder}/fuzz/*.cpp)
-  if(name STREQUAL "render")  # the same interface twice: drawn by OSMesa, or not drawn at all
+  if(name STREQUAL "render")  # the same interface twice: drawn, or not drawn at all
     if(ENDURING_RENDER)
       file(GLOB machine CONFIGURE_DEPENDS ${folder}/on/*.cpp)
     else()
@@ -98,7 +100,10 @@ function(enduring_common path)
   endif()
   list(TRANSFORM ARG_USES PREPEND enduring_)
   list(TRANSFORM ARG_TESTS_USE PREPEND enduring_)
-  enduring_library(enduring_${name} SOURCES ${sources} USES ${ARG_USES})
+  if(NOT path MATCHES "/|worked_step")
+    set(outside OUTSIDE ${name} FOLDER common/${path})
+  endif()
+  enduring_library(enduring_${name} SOURCES ${sources} USES ${ARG_USES} ${outside})
   enduring_tests(test_${name} SOURCES ${tests} USES enduring_${name} enduring_run ${ARG_TESTS_USE} LABEL common PREFIX ${name})
   enduring_benchmarks(bench_${name} SOURCES ${benchmarks} USES enduring_${name})
   enduring_fuzzers(SOURCES ${fuzzers} USES enduring_${name})
@@ -106,16 +111,30 @@ function(enduring_common path)
     add_executable(${ARG_PROGRAM} ${folder}/main.cpp)
     target_link_libraries(${ARG_PROGRAM} PRIVATE enduring_${name})
   endif()
+  if(name STREQUAL "report")
+    target_link_libraries(enduring_report PUBLIC CLI11::CLI11)
+  endif()
   if(name STREQUAL "paraview")
     target_link_libraries(enduring_paraview PUBLIC pugixml::pugixml)
   endif()
   if(name STREQUAL "render" AND ENDURING_RENDER)
     target_compile_definitions(enduring_render PRIVATE ENDURING_FONT="${DEJAVU_FONT}")
-    target_include_directories(enduring_render SYSTEM PUBLIC ${OSMESA_INCLUDE} ${STB_INCLUDE})
-    target_link_libraries(enduring_render PUBLIC ${OSMESA_LIBRARY})
-    if(UNIX AND NOT APPLE)  # what OSMesa stands on may want a newer C++ library than this compiler brings: found when the program starts
-      target_link_options(enduring_render PUBLIC -Wl,--allow-shlib-undefined)
-    endif()
+    target_include_directories(enduring_render SYSTEM PUBLIC ${STB_INCLUDE})
+    # The first library that gives a context draws; the other one, where it is there as well, has its tests.
+    foreach(context ${ENDURING_CONTEXTS})
+      add_library(enduring_${context} STATIC ${folder}/on/context/${context}.cpp)
+      target_link_libraries(enduring_${context} PUBLIC enduring_options ${ENDURING_${context}_LIBRARIES})
+      if(UNIX AND NOT APPLE)  # what it stands on may want a newer C++ library than this compiler brings: found when the program starts
+        target_link_options(enduring_${context} PUBLIC -Wl,--allow-shlib-undefined)
+      endif()
+    endforeach()
+    list(POP_FRONT ENDURING_CONTEXTS first)
+    set(asked "$<TARGET_PROPERTY:ENDURING_CONTEXT>")
+    target_link_libraries(enduring_render PUBLIC $<IF:$<BOOL:${asked}>,enduring_${asked},enduring_${first}>)
+    foreach(other ${ENDURING_CONTEXTS})
+      enduring_tests(test_render_${other} SOURCES ${folder}/tests/renderer.cpp USES enduring_render LABEL common PREFIX render_${other})
+      set_target_properties(test_render_${other} PROPERTIES ENDURING_CONTEXT ${other})
+    endforeach()
   endif()
 endfunction()
 
@@ -130,11 +149,13 @@ function(enduring_chapter number name)
   file(GLOB benchmarks CONFIGURE_DEPENDS ${folder}/benchmarks/*.cpp)
   get_property(below GLOBAL PROPERTY ENDURING_CHAPTER_LAYERS)
 
-  enduring_library(chapter${number}_layer SOURCES ${layer} USES enduring_simulation ${below})
+  enduring_library(chapter${number}_layer SOURCES ${layer} USES enduring_simulation ${below}
+                   OUTSIDE chapter${number} FOLDER chapters/${number}_${name})
   set_property(GLOBAL APPEND PROPERTY ENDURING_CHAPTER_LAYERS chapter${number}_layer)
 
-  if(EXISTS ${folder}/main.cpp)
-    enduring_library(chapter${number}_experiments SOURCES ${experiments} USES chapter${number}_layer enduring_render enduring_paraview ${ARG_EXPERIMENTS_USE})
+  if(PROJECT_IS_TOP_LEVEL AND EXISTS ${folder}/main.cpp)
+    enduring_library(chapter${number}_experiments SOURCES ${experiments}
+                     USES chapter${number}_layer enduring_render enduring_paraview ${ARG_EXPERIMENTS_USE})
     add_executable(chapter${number} ${folder}/main.cpp)
     target_link_libraries(chapter${number} PRIVATE chapter${number}_experiments)
     enduring_tests(test_chapter${number} SOURCES ${tests} USES chapter${number}_experiments enduring_worked_step LABEL chapter${number} PREFIX "chapter ${number}")

@@ -6,16 +6,6 @@
 namespace enduring::graphics {
 namespace {
 
-OSMesaContext make_context()
-{
-    const std::array<int, 11> attributes{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                         OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0, 0, 0};
-    OSMesaContext context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
-    if (context == nullptr)
-        throw std::runtime_error("OSMesa gives no OpenGL 3.3 context");
-    return context;
-}
-
 GLuint compile(GLenum kind, const std::string& source)
 {
     const GLuint shader = glCreateShader(kind);
@@ -33,15 +23,6 @@ GLuint compile(GLenum kind, const std::string& source)
 }
 
 }  // namespace
-
-void make_current()
-{
-    static OSMesaContext context = make_context();
-    static std::array<unsigned char, 4> pixel{};  // every picture goes to a framebuffer of its own
-    if (OSMesaGetCurrentContext() != context
-        && OSMesaMakeCurrent(context, pixel.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
-        throw std::runtime_error("OSMesa's context cannot be made current");
-}
 
 Handle make_texture()
 {

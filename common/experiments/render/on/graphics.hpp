@@ -1,10 +1,10 @@
 #pragma once
 
-// The only place that speaks OpenGL's own names: a context without a window and three things that clean up after themselves.
+// The only place that speaks OpenGL's own names: three things that clean up after themselves.
 
 #define GL_GLEXT_PROTOTYPES
-#include <GL/osmesa.h>
-// osmesa.h brings gl.h; the functions past OpenGL 1.1 come from here.
+#include <GL/gl.h>
+// The functions past OpenGL 1.1 come from here.
 #include <GL/glext.h>
 
 #include "common/geometry/vector.hpp"
@@ -13,10 +13,6 @@
 #include <string>
 
 namespace enduring::graphics {
-
-/// Makes the process' one context current: OpenGL 3.3 core, drawn by the CPU.
-/// @throws std::runtime_error  the library gives none
-void make_current();
 
 /// A name that OpenGL gave and that must be given back.
 class Handle {

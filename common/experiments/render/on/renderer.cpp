@@ -1,5 +1,6 @@
 #include "common/experiments/render/label.hpp"
 #include "common/experiments/render/on/canvas.hpp"
+#include "common/experiments/render/on/context.hpp"
 #include "common/experiments/render/on/shaders.hpp"
 #include "common/experiments/render/on/shadow_maps.hpp"
 #include "common/experiments/render/on/view.hpp"

@@ -1,0 +1,74 @@
+"""The examples as another project meets them: what they print, and that it can use the layers in both ways that CMake has.
+usage: test_examples.py BUILD   a finished build of the course (cmake --preset release)"""
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+BUILD = Path(sys.argv.pop(1)).resolve()
+OUTSIDE = ROOT / "examples/outside"
+
+
+def said(*command):
+    done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
+    if done.returncode:
+        raise AssertionError(f"{' '.join(map(str, command))}\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+    return done.stdout
+
+
+class Drop(unittest.TestCase):
+    def test_the_ball_falls_by_the_law_of_free_fall_and_then_stays_above_the_ground_but_for_millimetres(self):
+        rows = [tuple(map(float, row)) for row in re.findall(r"^(\S+) s: (\S+) m, (\d+) contacts$", said(BUILD / "bin/drop"), re.M)]
+        self.assertEqual(len(rows), 200)
+        for step, (time, height, contacts) in enumerate(rows, 1):
+            self.assertAlmostEqual(time, 0.005 * step, 9)
+            fallen = 0.75 - 9.81 * 0.005**2 * step * (step + 1) / 2  # its lowest point; it turns, and is no perfect ball
+            if contacts == 0 and fallen > 0:
+                self.assertAlmostEqual(height, fallen, delta=0.01)
+        self.assertTrue(any(contacts for _, _, contacts in rows))
+        self.assertGreater(min(height for _, height, _ in rows), -0.1)  # 0.05 m of its radius of 0.25 m, at 2000 N/m a pair
+
+    def test_the_readme_shows_this_very_program(self):
+        listing = re.search(r"```cpp\n(.*?)```", (ROOT / "README.md").read_text(), re.S)[1]
+        self.assertEqual(listing, (ROOT / "examples/drop.cpp").read_text())
+
+
+class FromOutside(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.folder = Path(self.scratch.name)
+        self.addCleanup(self.scratch.cleanup)
+
+    def configure(self, *options):
+        said("cmake", "-G", "Ninja", "-S", OUTSIDE, "-B", self.folder / "build", *options)
+
+    def test_an_installed_course_is_found_and_the_same_bytes_come_out(self):
+        said("cmake", "--install", BUILD, "--prefix", self.folder / "prefix")
+        self.configure(f"-DCMAKE_PREFIX_PATH={self.folder / 'prefix'}")
+        said("cmake", "--build", self.folder / "build")
+        self.assertEqual(said(self.folder / "build/drop"), said(BUILD / "bin/drop"))
+        installed = {path.name for path in (self.folder / "prefix").rglob("*") if path.is_file()}
+        self.assertIn("friction_law.hpp", installed)
+        self.assertFalse({"chapter_program.hpp", "main.cpp", "chapter06", "drop", "libenduring_render.a"} & installed)
+
+    def test_a_course_that_is_added_brings_its_layers_and_nothing_of_its_own_habits(self):
+        self.configure(f"-DENDURING_SOURCE={ROOT}")
+        ninja = ("ninja", "-C", self.folder / "build")
+        commands = said(*ninja, "-t", "commands", "drop")
+        for theirs in ("-Werror", "-Wall", "-Wconversion", "-O3", "doctest", "OSMesa", "benchmark"):
+            self.assertNotIn(theirs, commands)
+        self.assertIn("-ffp-contract=off", commands)
+        self.assertEqual(len(re.findall(r"-std=(c|gnu)\+\+20 ", commands)), commands.count(" -c "))
+        targets = said(*ninja, "-t", "targets", "all")
+        self.assertIn("libchapter06_layer.a:", targets)
+        for ours in ("test_", "bench_", "exercise_", "render", "chapter06_experiments"):
+            self.assertNotRegex(targets, rf"(?m)^(\S*/)?(lib)?{ours}\S*: (?!phony)")
+        # One object of its own and one library of ours: the others compile alike, and drop is linked above.
+        said(*ninja, "CMakeFiles/drop.dir" + str(ROOT / "examples/drop.cpp") + ".o", "enduring/libenduring_input.a")
+
+
+if __name__ == "__main__":
+    unittest.main()
