@@ -3,6 +3,8 @@
 #   exercises/NN_name/M_title.cpp        the student's file: target exercise_NN_M
 #   exercises/NN_name/M_title.check.cpp  what judges it:     target check_NN_M
 function(enduring_exercises)
+  enduring_precompiled(exercise_headers)
+  target_compile_options(exercise_headers PRIVATE -O1 -UNDEBUG -D_GLIBCXX_ASSERTIONS)
   file(GLOB checks CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/exercises/[0-9]*/*.check.cpp)
   add_library(check_main OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/cmake/doctest_main.cpp)
   target_link_libraries(check_main PRIVATE doctest::doctest)
@@ -24,6 +26,7 @@ function(enduring_exercises)
     foreach(target check_${number} exercise_${number})
       set_target_properties(${target} PROPERTIES ENDURING_ATTEMPT ON)
       # An attempt may leave arguments unused; an index out of range says so.
+      enduring_reuse_precompiled(${target} exercise_headers)
       target_compile_options(${target} PRIVATE -O1 -Wno-unused-parameter -Werror=return-type -UNDEBUG -D_GLIBCXX_ASSERTIONS
         "SHELL:-iquote ${PROJECT_SOURCE_DIR}/chapters/${chapter}" "SHELL:-iquote ${PROJECT_SOURCE_DIR}/exercises/${chapter}")
     endforeach()

@@ -20,6 +20,10 @@ set(ENDURING_TEST_ENVIRONMENT
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/leaks.supp"
   "UBSAN_OPTIONS=print_stacktrace=1")
 
+if(PROJECT_IS_TOP_LEVEL)
+  enduring_precompiled(enduring_headers)
+endif()
+
 function(enduring_packages target)
   target_link_libraries(${target} PUBLIC enduring_options Eigen3::Eigen nlohmann_json::nlohmann_json
                         PkgConfig::BULLET Boost::headers ${CHOLMOD_LIBRARY})
@@ -36,6 +40,7 @@ function(enduring_library target)
   endif()
   add_library(${target} STATIC ${ARG_SOURCES})
   enduring_packages(${target})
+  enduring_reuse_precompiled(${target} enduring_headers)
   target_link_libraries(${target} PUBLIC ${ARG_USES})
   if(ARG_OUTSIDE)
     add_library(Enduring::${ARG_OUTSIDE} ALIAS ${target})
@@ -52,6 +57,7 @@ function(enduring_tests target)
   if(ARG_SOURCES AND PROJECT_IS_TOP_LEVEL)
     add_executable(${target} ${ARG_SOURCES} ${PROJECT_SOURCE_DIR}/cmake/doctest_main.cpp)
     target_link_libraries(${target} PRIVATE ${ARG_USES} doctest::doctest)
+    enduring_reuse_precompiled(${target} enduring_headers)
     doctest_discover_tests(${target} WORKING_DIRECTORY ${CMAKE_BINARY_DIR} TEST_PREFIX "${ARG_PREFIX}:"
       PROPERTIES LABELS "${ARG_LABEL}" TIMEOUT 1500 ENVIRONMENT "${ENDURING_TEST_ENVIRONMENT}")
   endif()

@@ -41,7 +41,7 @@ struct Resting {
         }
         for (const auto& body : scene.world.bodies)
             body->predict(scene.world.gravity, scene.dt);
-        detection.find_candidates(scene.world);
+        search.find_candidates(scene.world);
     }
 
     bool has(ContactKind one) const { return kind.value_or(one) == one; }
@@ -50,7 +50,7 @@ struct Resting {
     Scene scene;
     Contacts all;    ///< of both kinds: whether an edge pair is resolved is decided by the vertex pairs
     Contacts pairs;  ///< those asked for, if they push
-    CrossingDetection detection;
+    CandidateSearch search;
     Redefinitions redefinitions;
 };
 
@@ -59,9 +59,9 @@ using Stage = void (*)(Resting&);
 void resolve(Resting& at)
 {
     if (at.has(ContactKind::vertex_face))
-        resolve_vertices_that_left(at.scene.world, at.detection, at.all, at.redefinitions);
+        resolve_vertices_that_left(at.scene.world, at.search, at.all, at.redefinitions);
     if (at.has(ContactKind::edge_edge))
-        resolve_edges_that_left(at.scene.world, at.detection, at.all);
+        resolve_edges_that_left(at.scene.world, at.search, at.all);
 }
 
 void categorise_only(Resting& at) { label_contacts(at.scene.world, at.pairs); }

@@ -67,7 +67,7 @@ TEST_CASE("edges: a pair pushes while both feet are on their edges, is held a li
         CAPTURE(c.z);
         const Contact contact = dismissed({c.x, -0.01, c.z});
         CHECK(contact.resolved == c.gone);
-        CHECK(contact.held() == c.held());
+        CHECK(contact.held() == c.held);
         CHECK(contact.weights[1] == doctest::Approx(0.5 - c.x));
         CHECK(contact.weights[3] == doctest::Approx(-(0.5 + c.z)));
     }

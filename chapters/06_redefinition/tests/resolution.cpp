@@ -87,9 +87,9 @@ TEST_CASE("resolution: an edge pair below its face ends when an edge has no end 
             pair.feature_a = sheet_is_a ? lower : of_box;
             pair.feature_b = sheet_is_a ? of_box : lower;
             contacts.push_back(pair);
-            CrossingDetection detection;
-            detection.find_candidates(world);
-            resolve_edges_that_left(world, detection, contacts);
+            CandidateSearch search;
+            search.find_candidates(world);
+            resolve_edges_that_left(world, search, contacts);
             CHECK(contacts.back().resolved == lies.ends);
         }
 }
@@ -161,12 +161,12 @@ TEST_CASE("resolution: a vertex that grazes a ridge, in by one side and out by t
     const SurfaceMesh roof{{{0, 0, -1}, {0, 0, 1}, {-2, -2, 0}, {2, -2, 0}}, {{0, 2, 1}, {0, 1, 3}}};
     World world = tip_and(roof, {-1, 0, 0.1}, {2, 0, 0});
     world.bodies[1]->predict(Vec3::Zero(), 1);
-    CrossingDetection detection;
-    detection.find_candidates(world);
+    CandidateSearch search;
+    search.find_candidates(world);
     Contacts contacts{on_face(world, 0)};
     contacts[0].start = 0.5;
     Redefinitions redefinitions;
-    resolve_vertices_that_left(world, detection, contacts, redefinitions);
+    resolve_vertices_that_left(world, search, contacts, redefinitions);
     CHECK(contacts.size() == 1);
     CHECK_FALSE(contacts[0].resolved);
 }
@@ -177,7 +177,7 @@ namespace {
 /// 1, which pierces nothing.
 struct PiercedSheet {
     World world;
-    CrossingDetection detection;
+    CandidateSearch search;
     Contacts contacts;
 
     explicit PiercedSheet(double rise)
@@ -186,7 +186,7 @@ struct PiercedSheet {
                                                              std::vector<Face>{{0, 1, 2}}, 1, Vec3(0, rise, 0)));
         world.bodies.push_back(still("sheet", {{{-3, 0, -1}, {2, 0, -1}, {0, 0, 3}}, {{0, 2, 1}}}));
         world.bodies[0]->predict(Vec3::Zero(), 1);
-        detection.find_candidates(world);
+        search.find_candidates(world);
         const auto edge = [&](std::size_t body) {
             const auto edges = world.bodies[body]->surface().edges();
             return static_cast<int>(std::find(edges.begin(), edges.end(), Edge{0, 1}) - edges.begin());
@@ -195,7 +195,7 @@ struct PiercedSheet {
     }
     bool resolved()
     {
-        resolve_edges_that_left(world, detection, contacts);
+        resolve_edges_that_left(world, search, contacts);
         return contacts[0].resolved;
     }
     void touch(int vertex_of_sheet) { contacts.push_back({ContactKind::vertex_face, 1, 0, vertex_of_sheet, 0}); }

@@ -157,7 +157,7 @@ TEST_CASE("timings: what the probes take between two steps belongs to no pass")
     };
     WatchProbe slow([&](const World&, const Contacts&, double) { dawdle(0.1); });
     const Pass slow_pass{"slow pass", [&](World&, Contacts&, double) { dawdle(0.01); }};
-    const RunResult result = run(scene, {"", {slow_pass}}, {&slow});
+    const RunResult result = run(scene, {"slow", {slow_pass}, {}, {}}, {&slow});
     CHECK(result.timings.of("slow pass") >= 0.03);
     CHECK(result.timings.total() < 0.1);
 }

@@ -1,0 +1,19 @@
+# What nearly every file reads, and reads for longer than its own lines: parsed once here. The fuzz preset goes without,
+# so that a file which forgets an include of its own is found.
+option(ENDURING_PRECOMPILE "parse Eigen and the standard library once, not once a file" ON)
+
+function(enduring_precompiled name)
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
+  add_library(${name} OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE enduring_options Eigen3::Eigen)
+  target_precompile_headers(${name} PRIVATE
+    <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <limits> <map> <memory> <numbers> <optional> <random>
+    <set> <span> <sstream> <stdexcept> <string> <variant> <vector> <Eigen/Dense> <Eigen/SparseCore>)
+endfunction()
+
+# TARGET reads them from the library NAME, whose options for the compiler have to be its own.
+function(enduring_reuse_precompiled target name)
+  if(PROJECT_IS_TOP_LEVEL AND ENDURING_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM ${name})
+  endif()
+endfunction()
