@@ -8,7 +8,7 @@ std::vector<OverlappingBodies> overlapping_bodies(std::span<const SweptBox> boxe
     std::vector<OverlappingBodies> pairs;
     for (int a = 0; a < static_cast<int>(boxes.size()); ++a)
         for (int b = a + 1; b < static_cast<int>(boxes.size()); ++b)
-            if (boxes[static_cast<std::size_t>(a)].overlaps(boxes[static_cast<std::size_t>(b)]))
+            if (boxes[a].overlaps(boxes[b]))
                 pairs.push_back({a, b});
     return pairs;
 }

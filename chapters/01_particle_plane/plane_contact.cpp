@@ -20,8 +20,8 @@ PlaneStep plane_step(const Body& body, int vertex, const Plane& plane)
 
 PlaneStep plane_step(const World& world, const Contact& contact)
 {
-    return plane_step(*world.bodies[static_cast<std::size_t>(contact.body_a)], contact.feature_a,
-                      world.planes[static_cast<std::size_t>(contact.body_b)]);
+    return plane_step(*world.bodies[contact.body_a], contact.feature_a,
+                      world.planes[contact.body_b]);
 }
 
 /// Which vertices of a body already have a contact with a plane.
@@ -30,7 +30,7 @@ std::vector<bool> vertices_in_contact(const Contacts& contacts, int body, int pl
     std::vector<bool> marks(static_cast<std::size_t>(vertex_count), false);
     for (const Contact& contact : contacts)
         if (contact.kind == ContactKind::vertex_plane && contact.body_a == body && contact.body_b == plane)
-            marks[static_cast<std::size_t>(contact.feature_a)] = true;
+            marks[contact.feature_a] = true;
     return marks;
 }
 
@@ -49,12 +49,12 @@ Contact new_contact(int body, int vertex, int plane, double start)
 
 void detect(const World& world, int body_index, int plane_index, Contacts& contacts)
 {
-    const Body& body = *world.bodies[static_cast<std::size_t>(body_index)];
-    const Plane& plane = world.planes[static_cast<std::size_t>(plane_index)];
+    const Body& body = *world.bodies[body_index];
+    const Plane& plane = world.planes[plane_index];
     const int count = body.surface().vertex_count();
     const std::vector<bool> known = vertices_in_contact(contacts, body_index, plane_index, count);
     for (int vertex = 0; vertex < count; ++vertex) {
-        if (known[static_cast<std::size_t>(vertex)])
+        if (known[vertex])
             continue;
         const PlaneStep step = plane_step(body, vertex, plane);
         if (const auto inside = find_plane_interval(step.depth_t0, step.depth_t1))

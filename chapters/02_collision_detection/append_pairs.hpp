@@ -43,7 +43,7 @@ void append_pairs(const World& world, const CandidateSearch& search, const Verte
                   const EdgeEdgeQuery& edge_edge, Contacts& contacts)
 {
     const KnownPairs known(contacts);
-    const auto surface = [&](int body) { return surface_step(*world.bodies[static_cast<std::size_t>(body)]); };
+    const auto surface = [&](int body) { return surface_step(*world.bodies[body]); };
     const auto append = [&](Contact& contact, const auto& meeting) {
         if (!meeting)
             return;

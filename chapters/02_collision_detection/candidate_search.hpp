@@ -38,7 +38,7 @@ public:
     template <class Visit>
     void visit_faces_near(int body, const SweptBox& box, Visit&& visit) const
     {
-        trees_[static_cast<std::size_t>(body)].faces_near(box, visit);
+        trees_[body].faces_near(box, visit);
     }
 
 private:

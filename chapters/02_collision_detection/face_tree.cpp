@@ -9,8 +9,8 @@ FaceTree::FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positi
       owned_vertices_(topology.faces().size()), owned_edges_(topology.faces().size())
 {
     const auto give = [](std::vector<Owned>& owners, int face, int feature) {
-        Owned& owner = owners[static_cast<std::size_t>(face)];
-        owner.features[static_cast<std::size_t>(owner.count++)] = feature;
+        Owned& owner = owners[face];
+        owner.features[owner.count++] = feature;
     };
     for (int v = 0; v < topology.vertex_count(); ++v)
         if (const auto faces = topology.faces_around_vertex(v); !faces.empty())
@@ -22,7 +22,7 @@ FaceTree::FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positi
     std::vector<int> faces;
     for (const auto& [a, b, c] : topology.faces()) {
         faces.push_back(static_cast<int>(middles.size()));
-        middles.push_back(positions[static_cast<std::size_t>(a)] + positions[static_cast<std::size_t>(b)] + positions[static_cast<std::size_t>(c)]);
+        middles.push_back(positions[a] + positions[b] + positions[c]);
     }
     nodes_.reserve(2 * faces.size());
     if (!faces.empty())
@@ -36,10 +36,10 @@ void FaceTree::build(std::span<int> faces, std::span<const Vec3> middles)
     nodes_.emplace_back();
     if (faces.size() == 1) {
         nodes_[node].second_child = -1 - faces[0];
-        leaf_of_face_[static_cast<std::size_t>(faces[0])] = static_cast<int>(node);
+        leaf_of_face_[faces[0]] = static_cast<int>(node);
         return;
     }
-    const auto middle = [&](int face) -> const Vec3& { return middles[static_cast<std::size_t>(face)]; };
+    const auto middle = [&](int face) -> const Vec3& { return middles[face]; };
     SweptBox bounds{middle(faces[0]), middle(faces[0])};
     for (int face : faces)
         bounds = bounds | SweptBox{middle(face), middle(face)};
@@ -70,7 +70,7 @@ void FaceTree::refit(const SurfaceStep& surface)
             const auto [a, b, c] = surface.face(node.face());
             node.box = vertex_box(a) | vertex_box(b) | vertex_box(c);
         } else {
-            node.box = nodes_[n + 1].box | nodes_[static_cast<std::size_t>(node.second_child)].box;
+            node.box = nodes_[n + 1].box | nodes_[node.second_child].box;
         }
     }
 }

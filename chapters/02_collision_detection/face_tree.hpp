@@ -50,9 +50,9 @@ public:
 
     /// Around the whole surface; for one without faces a box that overlaps nothing.
     SweptBox box() const { return nodes_.empty() ? SweptBox::empty() : nodes_[0].box; }
-    const SweptBox& vertex_box(int vertex) const { return vertex_boxes_[static_cast<std::size_t>(vertex)]; }
-    const SweptBox& edge_box(int edge) const { return edge_boxes_[static_cast<std::size_t>(edge)]; }
-    const SweptBox& face_box(int face) const { return nodes_[static_cast<std::size_t>(leaf_of_face_[static_cast<std::size_t>(face)])].box; }
+    const SweptBox& vertex_box(int vertex) const { return vertex_boxes_[vertex]; }
+    const SweptBox& edge_box(int edge) const { return edge_boxes_[edge]; }
+    const SweptBox& face_box(int face) const { return nodes_[leaf_of_face_[static_cast<std::size_t>(face)]].box; }
     std::span<const int> owned_vertices(int face) const { return owned(owned_vertices_, face); }
     std::span<const int> owned_edges(int face) const { return owned(owned_edges_, face); }
 
@@ -80,12 +80,12 @@ private:
     template <class Visit>
     void approach(int i, const Vec3& point, const double& bound, Visit& visit) const
     {
-        const Node& node = nodes_[static_cast<std::size_t>(i)];
+        const Node& node = nodes_[i];
         if (node.is_leaf())
             return visit(node.face());
         int near = i + 1, far = node.second_child;
-        double to_near = squared_distance(nodes_[static_cast<std::size_t>(near)].box, point);
-        double to_far = squared_distance(nodes_[static_cast<std::size_t>(far)].box, point);
+        double to_near = squared_distance(nodes_[near].box, point);
+        double to_far = squared_distance(nodes_[far].box, point);
         if (to_far < to_near) {
             std::swap(near, far);
             std::swap(to_near, to_far);
@@ -98,14 +98,14 @@ private:
 
     static std::span<const int> owned(const std::vector<Owned>& all, int face)
     {
-        const Owned& one = all[static_cast<std::size_t>(face)];
+        const Owned& one = all[face];
         return {one.features.data(), static_cast<std::size_t>(one.count)};
     }
 
     template <class Visit>
     void descend(int i, const SweptBox& box, Visit& visit) const
     {
-        const Node& node = nodes_[static_cast<std::size_t>(i)];
+        const Node& node = nodes_[i];
         if (!node.box.overlaps(box))
             return;
         if (node.is_leaf())
@@ -118,7 +118,7 @@ private:
     template <class Visit>
     static void descend(const FaceTree& a, int i, const FaceTree& b, int j, Visit& visit)
     {
-        const Node &in_a = a.nodes_[static_cast<std::size_t>(i)], &in_b = b.nodes_[static_cast<std::size_t>(j)];
+        const Node &in_a = a.nodes_[i], &in_b = b.nodes_[j];
         if (!in_a.box.overlaps(in_b.box))
             return;
         if (in_a.is_leaf() && in_b.is_leaf()) {

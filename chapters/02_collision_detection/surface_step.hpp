@@ -10,10 +10,10 @@ struct SurfaceStep {
     const SurfaceTopology& topology;
     std::span<const Vec3> t0, t1;
 
-    const Vec3& start(int vertex) const { return t0[static_cast<std::size_t>(vertex)]; }
-    const Vec3& end(int vertex) const { return t1[static_cast<std::size_t>(vertex)]; }
-    const Face& face(int index) const { return topology.faces()[static_cast<std::size_t>(index)]; }
-    const Edge& edge(int index) const { return topology.edges()[static_cast<std::size_t>(index)]; }
+    const Vec3& start(int vertex) const { return t0[vertex]; }
+    const Vec3& end(int vertex) const { return t1[vertex]; }
+    const Face& face(int index) const { return topology.faces()[index]; }
+    const Edge& edge(int index) const { return topology.edges()[index]; }
 };
 
 inline SurfaceStep surface_step(const Body& body)

@@ -24,7 +24,7 @@ InnerRoots extrema(const Bernstein<double, 2>& slope)
     const double q = -(half_linear + std::copysign(std::sqrt(discriminant), half_linear));
     for (const double candidate : {q / square, c0 / q})
         if (candidate > 0 && candidate < 1)
-            roots.at[static_cast<std::size_t>(roots.count++)] = candidate;
+            roots.at[roots.count++] = candidate;
     if (roots.count == 2 && roots.at[0] > roots.at[1])
         std::swap(roots.at[0], roots.at[1]);
     return roots;
@@ -62,7 +62,7 @@ PenetrationIntervals intervals_between_roots(const Bernstein<double, 3>& depth, 
     double left = start, left_depth = depth(start), entered = start;
     bool inside = left_depth < 0;
     for (int piece = 0; piece <= cuts.count; ++piece) {
-        const double right = piece < cuts.count ? std::max(start, cuts.at[static_cast<std::size_t>(piece)]) : 1;
+        const double right = piece < cuts.count ? std::max(start, cuts.at[piece]) : 1;
         const double right_depth = depth(right);
         if (!inside && right_depth < 0)
             entered = left_depth > 0 ? root_between(depth, left, right) : left;

@@ -9,9 +9,9 @@ namespace enduring {
 /// The parts of a step in which a depth is negative: none, one or two.
 class PenetrationIntervals {
 public:
-    void add(const Interval& interval) { intervals_[static_cast<std::size_t>(count_++)] = interval; }
+    void add(const Interval& interval) { intervals_[count_++] = interval; }
     int size() const { return count_; }
-    const Interval& operator[](int i) const { return intervals_[static_cast<std::size_t>(i)]; }
+    const Interval& operator[](int i) const { return intervals_[i]; }
     const Interval* begin() const { return intervals_.data(); }
     const Interval* end() const { return begin() + count_; }
 

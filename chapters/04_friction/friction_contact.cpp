@@ -12,8 +12,8 @@ Vec3 relative_velocity(const World& world, const Contact& contact)
 {
     Vec3 velocity = Vec3::Zero();
     for (int i = 0; i < contact.vertex_count(); ++i)
-        velocity += contact.weights[static_cast<std::size_t>(i)]
-                    * body_of_vertex(world, contact, i).velocity(contact.vertices[static_cast<std::size_t>(i)]);
+        velocity += contact.weights[i]
+                    * body_of_vertex(world, contact, i).velocity(contact.vertices[i]);
     return velocity;
 }
 

@@ -15,7 +15,7 @@ std::size_t body_index(const Contact& contact, int i)
 
 std::span<const int> parts(const World& world, const Contact& contact, int i)
 {
-    return body_of_vertex(world, contact, i).moved_parts(contact.vertices[static_cast<std::size_t>(i)]);
+    return body_of_vertex(world, contact, i).moved_parts(contact.vertices[i]);
 }
 
 double largest_eigenvalue(const Mat2& m)
@@ -40,12 +40,12 @@ public:
     explicit PushList(const Body& body) : place_(static_cast<std::size_t>(body.surface().vertex_count()), -1) {}
     void add(int vertex, double weight, std::vector<Push>& pushes)
     {
-        int& place = place_[static_cast<std::size_t>(vertex)];
+        int& place = place_[vertex];
         if (place < 0) {
             place = static_cast<int>(pushes.size());
             pushes.push_back({vertex, 0});
         }
-        pushes[static_cast<std::size_t>(place)].weight += weight;
+        pushes[place].weight += weight;
     }
 
 private:
@@ -72,7 +72,7 @@ MassShares::MassShares(const World& world, const Contacts& contacts)
             lists[body_index(contact, i)].add(contact.vertices[v], std::abs(contact.weights[v]), of_body.pushes);
             for (const int part : parts(world, contact, i))
                 if (!moved_before(world, contact, i, part))
-                    ++of_body.pairs_of_part[static_cast<std::size_t>(part)];
+                    ++of_body.pairs_of_part[part];
         }
     }
 }
@@ -82,13 +82,13 @@ int MassShares::pairs_sharing(const World& world, const Contact& contact, int i)
 {
     int most = 1;
     for (const int part : parts(world, contact, i))
-        most = std::max(most, bodies_[body_index(contact, i)].pairs_of_part[static_cast<std::size_t>(part)]);
+        most = std::max(most, bodies_[body_index(contact, i)].pairs_of_part[part]);
     return most;
 }
 
 double MassShares::response_bound(const Body& body, OfBody& of_body, int vertex) const
 {
-    double& known = of_body.together[static_cast<std::size_t>(vertex)];
+    double& known = of_body.together[vertex];
     if (known < 0)
         known = body.response_bound(vertex, of_body.pushes);
     return known;

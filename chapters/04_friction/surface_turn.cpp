@@ -26,7 +26,7 @@ Vec3 apart(const World& world, const Contact& contact, double tau)
 {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < contact.vertex_count(); ++i)
-        sum += contact.weights[static_cast<std::size_t>(i)] * contact_vertex(world, contact, i, tau);
+        sum += contact.weights[i] * contact_vertex(world, contact, i, tau);
     return sum;
 }
 

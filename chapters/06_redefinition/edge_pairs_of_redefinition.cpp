@@ -21,8 +21,8 @@ bool has_vertex(const Face& face, int vertex) { return std::find(face.begin(), f
 template <class Visit>
 void visit_edges_between(const SurfaceTopology& surface, int old_face, int new_face, Visit&& visit)
 {
-    const Face &old_corners = surface.faces()[static_cast<std::size_t>(old_face)],
-               &new_corners = surface.faces()[static_cast<std::size_t>(new_face)];
+    const Face &old_corners = surface.faces()[old_face],
+               &new_corners = surface.faces()[new_face];
     const auto is_mutual = [&](int vertex) { return has_vertex(old_corners, vertex); };
     const bool apart = std::none_of(new_corners.begin(), new_corners.end(), is_mutual);
     for (const int vertex : new_corners)
@@ -72,8 +72,8 @@ Contact edge_pair(const Redefinition& of, int edge_at_vertex, int edge_between)
 void append_edge_pairs(const World& world, const Redefinitions& redefinitions, double tau, Contacts& contacts)
 {
     for (const Redefinition& of : redefinitions) {
-        const SurfaceTopology &surface_a = world.bodies[static_cast<std::size_t>(of.body_a)]->surface(),
-                              &surface_b = world.bodies[static_cast<std::size_t>(of.body_b)]->surface();
+        const SurfaceTopology &surface_a = world.bodies[of.body_a]->surface(),
+                              &surface_b = world.bodies[of.body_b]->surface();
         const Vec3 reference = of.body_a < of.body_b ? of.reference_normal : Vec3(-of.reference_normal);
         visit_edges_between(surface_b, of.old_face, of.new_face, [&](int edge_between) {
             for (const int edge_at_vertex : surface_a.edges_around_vertex(of.vertex))

@@ -17,8 +17,8 @@ struct PairSurfaces {
     SurfaceMoment a, b;
 
     PairSurfaces(const World& world, int body_a, int body_b, double tau)
-        : a(surface_at(*world.bodies[static_cast<std::size_t>(body_a)], tau)),
-          b(surface_at(*world.bodies[static_cast<std::size_t>(body_b)], tau))
+        : a(surface_at(*world.bodies[body_a], tau)),
+          b(surface_at(*world.bodies[body_b], tau))
     {
     }
     PairSurfaces(const World& world, const Contact& contact, double tau)
@@ -86,7 +86,7 @@ inline PairVertices edge_vertices(const PairSurfaces& surfaces, int edge_a, int 
 /// Lets a vertex-face contact act at a foot.
 inline void put_on_face(Contact& contact, const SurfaceTopology& surface_b, int face, const std::array<double, 3>& weights)
 {
-    const Face& corners = surface_b.faces()[static_cast<std::size_t>(face)];
+    const Face& corners = surface_b.faces()[face];
     contact.feature_b = face;
     for (std::size_t i = 0; i < 3; ++i) {
         contact.vertices[i + 1] = corners[i];

@@ -10,7 +10,7 @@
 namespace enduring {
 namespace {
 
-const Body& body(const World& world, int index) { return *world.bodies[static_cast<std::size_t>(index)]; }
+const Body& body(const World& world, int index) { return *world.bodies[index]; }
 
 /// A vertex with a pair passes through a face of the pair's body.
 struct Passage {

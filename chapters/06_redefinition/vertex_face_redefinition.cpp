@@ -9,7 +9,7 @@ namespace {
 
 void hand_on(const World& world, Contact& contact, double tau, const FaceTrial& choice, Redefinitions& redefinitions)
 {
-    const SurfaceMoment b = surface_at(*world.bodies[static_cast<std::size_t>(contact.body_b)], tau);
+    const SurfaceMoment b = surface_at(*world.bodies[contact.body_b], tau);
     redefinitions.push_back({contact.body_a, contact.feature_a, contact.body_b, contact.feature_b, choice.face,
                              b.face_normal(choice.face), contact.start});
     // Over the edge between two faces the friction anchor's stretch goes on as it would on a flat surface.

@@ -24,7 +24,7 @@ double depth_inside(const Body& body, const Vec3& point)
 {
     double nearest = 1e300;
     for (const auto& [f0, f1, f2] : body.surface().faces()) {
-        const auto corner = [&](int vertex) { return body.positions_t0()[static_cast<std::size_t>(vertex)]; };
+        const auto corner = [&](int vertex) { return body.positions_t0()[vertex]; };
         const Vec3 a = corner(f0), b = corner(f1), c = corner(f2);
         nearest = std::min(nearest, distance_to_triangle(point, a, b, c));
     }
@@ -33,11 +33,11 @@ double depth_inside(const Body& body, const Vec3& point)
 
 double deepest_without_pair(const World& world, const Contacts& contacts, int body_a, int body_b)
 {
-    const Body &a = *world.bodies[static_cast<std::size_t>(body_a)], &b = *world.bodies[static_cast<std::size_t>(body_b)];
+    const Body &a = *world.bodies[body_a], &b = *world.bodies[body_b];
     double deepest = 0;
     for (int vertex = 0; vertex < a.surface().vertex_count(); ++vertex)
         if (!is_pushed(contacts, body_a, vertex, body_b))
-            deepest = std::max(deepest, depth_inside(b, a.positions_t0()[static_cast<std::size_t>(vertex)]));
+            deepest = std::max(deepest, depth_inside(b, a.positions_t0()[vertex]));
     return deepest;
 }
 

@@ -42,7 +42,7 @@ Table page_of(const std::vector<LedgerCell>& cells)
             row = {cell.scene->name, cell.scene->quantity, bound_text(*cell.scene)};
             row.resize(3 + chapters, std::string());
         }
-        row[static_cast<std::size_t>(2 + cell.chapter)] = number_text(cell) + (cell.passed() ? " ✓" : " ✗");
+        row[2 + cell.chapter] = number_text(cell) + (cell.passed() ? " ✓" : " ✗");
     }
     for (const LedgerCell& cell : cells)
         if (auto row = rows.find(cell.scene); row != rows.end()) {  // in the cells' order, not in that of addresses
@@ -66,7 +66,7 @@ std::vector<StripPicture> pictures_of(const std::vector<LedgerCell>& cells)
 
 bool at_border(const MotivatingScene& scene, int chapter)
 {
-    const auto expected = [&](int c) { return scene.expected[static_cast<std::size_t>(std::clamp(c, 1, chapters) - 1)]; };
+    const auto expected = [&](int c) { return scene.expected[std::clamp(c, 1, chapters) - 1]; };
     const bool changes = scene.expected.find_first_not_of(scene.expected[0]) != std::string::npos;
     return changes ? expected(chapter) != expected(chapter - 1) || expected(chapter) != expected(chapter + 1) : chapter == 1 || chapter == chapters;
 }

@@ -13,7 +13,7 @@ struct LedgerCell {
     Outcome outcome;
 
     bool passed() const { return passes(*scene, outcome.value); }
-    bool expected_to_pass() const { return scene->expected[static_cast<std::size_t>(chapter - 1)] == 'p'; }
+    bool expected_to_pass() const { return scene->expected[chapter - 1] == 'p'; }
 };
 
 /// Whether a scene's expectation changes between this chapter and a neighbour: what is worth a picture. Where all agree,

@@ -117,7 +117,7 @@ void SupernodalSolver::solve(Eigen::VectorXd& b) const
 {
     Eigen::VectorXf x(b.size()), below(b.size());
     for (Eigen::Index i = 0; i < b.size(); ++i)
-        x[i] = static_cast<float>(b[order_[static_cast<std::size_t>(i)]]);
+        x[i] = static_cast<float>(b[order_[i]]);
 
     for (const auto& [first, columns, rows, block] : supernodes_) {
         auto here = x.segment(first, columns);
@@ -125,20 +125,20 @@ void SupernodalSolver::solve(Eigen::VectorXd& b) const
         const auto count = static_cast<Eigen::Index>(rows.size());
         below.head(count).noalias() = block.bottomRows(count) * here;
         for (Eigen::Index i = 0; i < count; ++i)
-            x[rows[static_cast<std::size_t>(i)]] -= below[i];
+            x[rows[i]] -= below[i];
     }
     for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
         const auto& [first, columns, rows, block] = *node;
         auto here = x.segment(first, columns);
         const auto count = static_cast<Eigen::Index>(rows.size());
         for (Eigen::Index i = 0; i < count; ++i)
-            below[i] = x[rows[static_cast<std::size_t>(i)]];
+            below[i] = x[rows[i]];
         here.noalias() -= block.bottomRows(count).transpose() * below.head(count);
         block.topRows(columns).transpose().triangularView<Eigen::Upper>().solveInPlace(here);
     }
 
     for (Eigen::Index i = 0; i < b.size(); ++i)
-        b[order_[static_cast<std::size_t>(i)]] = static_cast<double>(x[i]);
+        b[order_[i]] = static_cast<double>(x[i]);
 }
 //! [block_solve]
 

@@ -41,7 +41,7 @@ std::string element_fault(const std::array<Vec3, 4>& nodes)
 {
     double longest = 0;
     for (const auto& [i, j] : tetrahedron_edges)
-        longest = std::max(longest, (nodes[static_cast<std::size_t>(i)] - nodes[static_cast<std::size_t>(j)]).norm());
+        longest = std::max(longest, (nodes[i] - nodes[j]).norm());
     const double volume = signed_volume(nodes);
     if (!std::isfinite(volume) || !std::isfinite(longest * longest * longest))
         return "is too large for its volume to be a finite number";
@@ -61,7 +61,7 @@ std::string element_fault(const std::array<Vec3, 10>& nodes)
             at[n] = 1;
         else
             for (int corner : tetrahedron_edges[n - 4])
-                at[static_cast<std::size_t>(corner)] = 0.5;
+                at[corner] = 0.5;
         if (!(map_determinant(nodes, at) > 0))
             return "is so curved that it is inverted at its node " + std::to_string(n);
     }
@@ -73,8 +73,8 @@ double smallest_dihedral_angle(const std::array<Vec3, 4>& x)
     std::array<Vec3, 4> normals;
     for (std::size_t f = 0; f < 4; ++f) {
         const auto& [a, b, c] = tetrahedron_faces[f];
-        const Vec3& origin = x[static_cast<std::size_t>(a)];
-        normals[f] = (x[static_cast<std::size_t>(b)] - origin).cross(x[static_cast<std::size_t>(c)] - origin);
+        const Vec3& origin = x[a];
+        normals[f] = (x[b] - origin).cross(x[c] - origin);
     }
     double smallest = 4;
     for (std::size_t f = 0; f < 4; ++f)

@@ -16,7 +16,7 @@ std::vector<Edge> distinct_edges(const TetrahedralMesh& mesh)
     edges.reserve(6 * mesh.elements.size());
     for (const auto& element : mesh.elements)
         for (const auto& [i, j] : tetrahedron_edges)
-            edges.push_back(edge_between(element[static_cast<std::size_t>(i)], element[static_cast<std::size_t>(j)]));
+            edges.push_back(edge_between(element[i], element[j]));
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
@@ -31,14 +31,14 @@ QuadraticTetrahedralMesh with_edge_midpoints(const TetrahedralMesh& mesh)
     result.corner_count = static_cast<int>(mesh.nodes.size());
     result.nodes = mesh.nodes;
     for (const auto& [a, b] : edges)
-        result.nodes.push_back(0.5 * (mesh.nodes[static_cast<std::size_t>(a)] + mesh.nodes[static_cast<std::size_t>(b)]));
+        result.nodes.push_back(0.5 * (mesh.nodes[a] + mesh.nodes[b]));
 
     for (const auto& corners : mesh.elements) {
         std::array<int, 10> element{};
         std::copy(corners.begin(), corners.end(), element.begin());
         for (std::size_t e = 0; e < tetrahedron_edges.size(); ++e) {
             const auto [i, j] = tetrahedron_edges[e];
-            const Edge edge = edge_between(corners[static_cast<std::size_t>(i)], corners[static_cast<std::size_t>(j)]);
+            const Edge edge = edge_between(corners[i], corners[j]);
             const auto found = std::lower_bound(edges.begin(), edges.end(), edge);
             element[4 + e] = result.corner_count + static_cast<int>(found - edges.begin());
         }

@@ -85,7 +85,7 @@ std::array<Vec3, N> positions_of(const GmshContent& content, const std::array<in
 {
     std::array<Vec3, N> x;
     for (std::size_t i = 0; i < N; ++i)
-        x[i] = content.nodes[static_cast<std::size_t>(element[i])];
+        x[i] = content.nodes[element[i]];
     return x;
 }
 
@@ -158,7 +158,7 @@ QuadraticTetrahedralMesh compact(const GmshContent& content)
     std::vector<Use> use(content.nodes.size(), unused);
     for (const auto& element : content.elements)
         for (std::size_t i = 0; i < 10 && element[i] >= 0; ++i) {
-            Use& of_node = use[static_cast<std::size_t>(element[i])];
+            Use& of_node = use[element[i]];
             of_node = std::max(of_node, i < 4 ? corner : middle);
         }
     QuadraticTetrahedralMesh mesh;
@@ -174,7 +174,7 @@ QuadraticTetrahedralMesh compact(const GmshContent& content)
     }
     for (std::array<int, 10> element : content.elements) {
         for (int& node : element)
-            node = node < 0 ? -1 : renumbered[static_cast<std::size_t>(node)];
+            node = node < 0 ? -1 : renumbered[node];
         mesh.elements.push_back(element);
     }
     return mesh;

@@ -28,7 +28,7 @@ void refine(SurfaceMesh& mesh)
     const auto middle = [&](int a, int b) {
         const auto [entry, is_new] = middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(mesh.vertices.size()));
         if (is_new) {
-            const Vec3 x = 0.5 * (mesh.vertices[static_cast<std::size_t>(a)] + mesh.vertices[static_cast<std::size_t>(b)]);
+            const Vec3 x = 0.5 * (mesh.vertices[a] + mesh.vertices[b]);
             mesh.vertices.push_back(x);
         }
         return entry->second;
@@ -78,7 +78,7 @@ SurfaceMesh revolve(const Outline& outline, int around)
     for (int ring = 1; ring <= rings; ++ring)
         for (int j = 0; j < around; ++j) {
             const double angle = 2 * std::numbers::pi * j / around;
-            const Eigen::Vector2d& at = outline[static_cast<std::size_t>(ring)];
+            const Eigen::Vector2d& at = outline[ring];
             mesh.vertices.emplace_back(at.x() * std::cos(angle), at.y(), at.x() * std::sin(angle));
         }
     mesh.vertices.emplace_back(0, outline.back().y(), 0);

@@ -23,8 +23,8 @@ void check_elements(const Mesh& mesh, const std::string& what)
             const int node = mesh.elements[e][i];
             if (node < 0 || node >= static_cast<int>(mesh.nodes.size()))
                 throw InputError(name + " names node " + std::to_string(node) + ", which does not exist");
-            used[static_cast<std::size_t>(node)] = true;
-            x[i] = mesh.nodes[static_cast<std::size_t>(node)];
+            used[node] = true;
+            x[i] = mesh.nodes[node];
             if (!x[i].allFinite())
                 throw InputError(what + ": node " + std::to_string(node) + " has a coordinate that is not finite");
         }

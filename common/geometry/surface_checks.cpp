@@ -27,7 +27,7 @@ void check_vertices(const SurfaceMesh& mesh, const Complaint& complain)
     for (const Face& face : mesh.faces)
         for (int vertex : face)
             if (vertex >= 0 && vertex < static_cast<int>(used.size()))
-                used[static_cast<std::size_t>(vertex)] = true;
+                used[vertex] = true;
     for (std::size_t v = 0; v < used.size(); ++v) {
         if (!mesh.vertices[v].allFinite())
             complain("vertex " + std::to_string(v) + " has a coordinate that is not finite");
@@ -39,7 +39,7 @@ void check_vertices(const SurfaceMesh& mesh, const Complaint& complain)
 void check_areas(const SurfaceMesh& mesh, const Complaint& complain)
 {
     for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
-        const auto corner = [&](std::size_t i) { return mesh.vertices[static_cast<std::size_t>(mesh.faces[f][i])]; };
+        const auto corner = [&](std::size_t i) { return mesh.vertices[mesh.faces[f][i]]; };
         const Vec3 a = corner(1) - corner(0), b = corner(2) - corner(0), c = b - a;
         const double longest = std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
         if (!(a.cross(b).norm() > 1e-12 * longest))
@@ -89,7 +89,7 @@ double enclosed_volume(const SurfaceMesh& mesh)
     const Vec3 origin = mesh.vertices.front();  // far from the origin the sum would cancel
     double sum = 0;
     for (const Face& face : mesh.faces) {
-        const auto corner = [&](std::size_t i) -> Vec3 { return mesh.vertices[static_cast<std::size_t>(face[i])] - origin; };
+        const auto corner = [&](std::size_t i) -> Vec3 { return mesh.vertices[face[i]] - origin; };
         sum += corner(0).dot(corner(1).cross(corner(2)));
     }
     return sum / 6;
@@ -100,7 +100,7 @@ SurfaceMesh without_unused_vertices(const SurfaceMesh& mesh)
     std::vector<int> renumbered(mesh.vertices.size(), -1);
     for (const Face& face : mesh.faces)
         for (int vertex : face)
-            renumbered[static_cast<std::size_t>(vertex)] = 0;
+            renumbered[vertex] = 0;
     SurfaceMesh result;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
         if (renumbered[v] == 0) {
@@ -109,7 +109,7 @@ SurfaceMesh without_unused_vertices(const SurfaceMesh& mesh)
         }
     for (Face face : mesh.faces) {
         for (int& vertex : face)
-            vertex = renumbered[static_cast<std::size_t>(vertex)];
+            vertex = renumbered[vertex];
         result.faces.push_back(face);
     }
     return result;

@@ -20,8 +20,8 @@ std::vector<ElementFace> faces_by_corners(const std::vector<Element>& elements)
         for (int f = 0; f < 4; ++f) {
             std::array<int, 3> corners{};
             for (std::size_t i = 0; i < 3; ++i) {
-                const int local = tetrahedron_faces[static_cast<std::size_t>(f)][i];
-                corners[i] = elements[static_cast<std::size_t>(e)][static_cast<std::size_t>(local)];
+                const int local = tetrahedron_faces[f][i];
+                corners[i] = elements[e][local];
             }
             std::sort(corners.begin(), corners.end());
             faces.push_back({corners, e, f});
@@ -63,7 +63,7 @@ ExtractedSurface compact(const std::vector<Vec3>& nodes, std::vector<Face> faces
     std::vector<int> vertex_of_node(nodes.size(), -1);
     for (const Face& face : faces)
         for (int node : face)
-            vertex_of_node[static_cast<std::size_t>(node)] = 0;
+            vertex_of_node[node] = 0;
 
     ExtractedSurface surface;
     for (std::size_t n = 0; n < nodes.size(); ++n)
@@ -74,7 +74,7 @@ ExtractedSurface compact(const std::vector<Vec3>& nodes, std::vector<Face> faces
         }
     for (Face& face : faces)
         for (int& node : face)
-            node = vertex_of_node[static_cast<std::size_t>(node)];
+            node = vertex_of_node[node];
     surface.mesh.faces = std::move(faces);
     return surface;
 }
@@ -94,9 +94,9 @@ ExtractedSurface surface_of(const TetrahedralMesh& mesh)
 {
     std::vector<Face> faces;
     for (const auto& [corners, e, f] : outer_faces(mesh.elements)) {
-        const auto& element = mesh.elements[static_cast<std::size_t>(e)];
-        const auto& [i, j, k] = tetrahedron_faces[static_cast<std::size_t>(f)];
-        faces.push_back({element[static_cast<std::size_t>(i)], element[static_cast<std::size_t>(j)], element[static_cast<std::size_t>(k)]});
+        const auto& element = mesh.elements[e];
+        const auto& [i, j, k] = tetrahedron_faces[f];
+        faces.push_back({element[i], element[j], element[k]});
     }
     return compact(mesh.nodes, std::move(faces));
 }
@@ -105,9 +105,9 @@ ExtractedSurface surface_of(const QuadraticTetrahedralMesh& mesh)
 {
     std::vector<Face> faces;
     for (const auto& [corners, e, f] : outer_faces(mesh.elements)) {
-        const auto& element = mesh.elements[static_cast<std::size_t>(e)];
-        const auto& [i, j, k] = tetrahedron_faces[static_cast<std::size_t>(f)];
-        const int a = element[static_cast<std::size_t>(i)], b = element[static_cast<std::size_t>(j)], c = element[static_cast<std::size_t>(k)];
+        const auto& element = mesh.elements[e];
+        const auto& [i, j, k] = tetrahedron_faces[f];
+        const int a = element[i], b = element[j], c = element[k];
         const int ab = middle(element, i, j), bc = middle(element, j, k), ca = middle(element, k, i);
         faces.insert(faces.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
     }

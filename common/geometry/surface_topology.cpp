@@ -32,9 +32,9 @@ std::vector<Side> sides_by_edge(std::span<const Face> faces)
     std::vector<Side> sides;
     sides.reserve(3 * faces.size());
     for (int f = 0; f < static_cast<int>(faces.size()); ++f) {
-        const Face& face = faces[static_cast<std::size_t>(f)];
+        const Face& face = faces[f];
         for (int corner = 0; corner < 3; ++corner) {
-            const int from = face[static_cast<std::size_t>(corner)], to = face[static_cast<std::size_t>((corner + 1) % 3)];
+            const int from = face[corner], to = face[(corner + 1) % 3];
             sides.push_back({{std::min(from, to), std::max(from, to)}, f, corner, from < to});
         }
     }
@@ -55,8 +55,8 @@ void file_under_vertices(int vertex_count, const Items& items, std::vector<int>&
     list.resize(static_cast<std::size_t>(offsets.back()));
     std::vector<int> next(offsets.begin(), offsets.end() - 1);
     for (int i = 0; i < static_cast<int>(items.size()); ++i)
-        for (int vertex : items[static_cast<std::size_t>(i)])
-            list[static_cast<std::size_t>(next[static_cast<std::size_t>(vertex)]++)] = i;
+        for (int vertex : items[i])
+            list[next[static_cast<std::size_t>(vertex)]++] = i;
 }
 
 std::span<const int> part(const std::vector<int>& offsets, const std::vector<int>& list, int vertex)
@@ -98,7 +98,7 @@ bool SurfaceTopology::has_one_fan(int vertex) const
     std::vector<int> reached{faces[0]};
     for (std::size_t i = 0; i < reached.size(); ++i)
         for (int edge : edges_of_face(reached[i])) {
-            const Edge& ends = edges_[static_cast<std::size_t>(edge)];
+            const Edge& ends = edges_[edge];
             if (ends[0] != vertex && ends[1] != vertex)
                 continue;
             for (int face : faces_at_edge(edge))
@@ -120,12 +120,12 @@ std::span<const int> SurfaceTopology::edges_around_vertex(int vertex) const
 
 const std::array<int, 2>& SurfaceTopology::faces_at_edge(int edge) const
 {
-    return edge_faces_[static_cast<std::size_t>(edge)];
+    return edge_faces_[edge];
 }
 
 const std::array<int, 3>& SurfaceTopology::edges_of_face(int face) const
 {
-    return face_edges_[static_cast<std::size_t>(face)];
+    return face_edges_[face];
 }
 
 bool SurfaceTopology::is_closed() const

@@ -91,8 +91,8 @@ SurfaceTree::SurfaceTree(std::span<const Face> faces, std::span<const Vec3> posi
 
 SurfaceTree::Triangle SurfaceTree::triangle(int face) const
 {
-    const auto& [a, b, c] = faces_[static_cast<std::size_t>(face)];
-    const auto at = [&](int vertex) -> const Vec3& { return positions_[static_cast<std::size_t>(vertex)]; };
+    const auto& [a, b, c] = faces_[face];
+    const auto at = [&](int vertex) -> const Vec3& { return positions_[vertex]; };
     return {at(a), at(b), at(c)};
 }
 

@@ -78,7 +78,7 @@ TetrahedralMesh bar(const Vec3& size, std::array<int, 3> cells, CellSplit split)
     for (int k = 0; k < nz; ++k)
         for (int j = 0; j < ny; ++j)
             for (int i = 0; i < nx; ++i)
-                for (const CellTetrahedron& local : pattern[static_cast<std::size_t>((i + j + k) % 2)]) {
+                for (const CellTetrahedron& local : pattern[(i + j + k) % 2]) {
                     std::array<int, 4> element{};
                     for (std::size_t c = 0; c < 4; ++c)
                         element[c] = node(i + (local[c] & 1), j + (local[c] >> 1 & 1), k + (local[c] >> 2 & 1));

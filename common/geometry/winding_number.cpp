@@ -19,7 +19,7 @@ double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c)
 
 double winding_number(std::span<const Face> faces, std::span<const Vec3> positions, const Vec3& point)
 {
-    const auto seen = [&](int vertex) -> Vec3 { return positions[static_cast<std::size_t>(vertex)] - point; };
+    const auto seen = [&](int vertex) -> Vec3 { return positions[vertex] - point; };
     double sum = 0;
     for (const auto& [i, j, k] : faces)
         sum += solid_angle(seen(i), seen(j), seen(k));

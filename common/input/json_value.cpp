@@ -211,7 +211,7 @@ Vec3 JsonValue::vector(const NumberRange& each) const
         fail("a list of three numbers");
     Vec3 v;
     for (int i = 0; i < 3; ++i)
-        v[i] = JsonValue((*value_)[static_cast<std::size_t>(i)], file_, path_ + "/" + std::to_string(i)).number(each);
+        v[i] = JsonValue((*value_)[i], file_, path_ + "/" + std::to_string(i)).number(each);
     return v;
 }
 

@@ -32,7 +32,7 @@ std::string superscript(int exponent)
     static const std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     std::string text = exponent < 0 ? "⁻" : "";
     for (const char digit : std::to_string(std::abs(exponent)))
-        text += digits[static_cast<std::size_t>(digit - '0')];
+        text += digits[digit - '0'];
     return text;
 }
 

@@ -23,9 +23,9 @@ Moments integrate(const SurfaceMesh& mesh, const Vec3& origin)
 {
     Moments sum;
     for (const Face& face : mesh.faces) {
-        const Vec3 a = mesh.vertices[static_cast<std::size_t>(face[0])] - origin;
-        const Vec3 b = mesh.vertices[static_cast<std::size_t>(face[1])] - origin;
-        const Vec3 c = mesh.vertices[static_cast<std::size_t>(face[2])] - origin;
+        const Vec3 a = mesh.vertices[face[0]] - origin;
+        const Vec3 b = mesh.vertices[face[1]] - origin;
+        const Vec3 c = mesh.vertices[face[2]] - origin;
         const double determinant = a.dot(b.cross(c));
         const Vec3 s = a + b + c;
         sum.volume += determinant / 6;
@@ -69,7 +69,7 @@ MassProperties mass_properties(const SurfaceMesh& mesh, double density)
     check_solid(mesh);
 
     // An origin on the body: far away, the large terms of the sum would cancel and leave their rounding errors.
-    const Vec3 origin = mesh.vertices[static_cast<std::size_t>(mesh.faces.front()[0])];
+    const Vec3 origin = mesh.vertices[mesh.faces.front()[0]];
     const Moments moments = integrate(mesh, origin);
     if (!(moments.volume > 1e-12 * std::pow(extent(mesh), 3)))
         throw InputError("mass properties: the mesh encloses a volume of " + std::to_string(moments.volume) +

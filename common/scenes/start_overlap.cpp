@@ -21,7 +21,7 @@ public:
     const Body& body() const { return body_; }
     const Box& box() const { return box_; }
     std::span<const Vec3> positions() const { return body_.positions_t0(); }
-    const Vec3& position(int vertex) const { return positions()[static_cast<std::size_t>(vertex)]; }
+    const Vec3& position(int vertex) const { return positions()[vertex]; }
     const SurfaceTree& tree()
     {
         if (!tree_)

@@ -45,7 +45,7 @@ StiffestContact contact_of(const Softness& a, const Softness& b, PenaltyMethod m
 
 Vec3 normal_of(const Face& face, std::span<const Vec3> positions)
 {
-    const auto at = [&](int corner) { return positions[static_cast<std::size_t>(face[static_cast<std::size_t>(corner)])]; };
+    const auto at = [&](int corner) { return positions[face[static_cast<std::size_t>(corner)]]; };
     return (at(1) - at(0)).cross(at(2) - at(0)).normalized();
 }
 
@@ -74,7 +74,7 @@ int corners_of_smallest_side(const SurfaceTopology& surface, std::span<const Vec
             corners.insert(faces[face].begin(), faces[face].end());
             for (const int edge : surface.edges_of_face(static_cast<int>(face)))
                 for (const int next : surface.faces_at_edge(edge))
-                    if (next >= 0 && normal_of(faces[face], positions).dot(normal_of(faces[static_cast<std::size_t>(next)], positions)) > flat)
+                    if (next >= 0 && normal_of(faces[face], positions).dot(normal_of(faces[next], positions)) > flat)
                         take(static_cast<std::size_t>(next));
         }
         fewest = std::min(fewest, corners.size());

@@ -39,13 +39,13 @@ PairInstant instant(const Contact& contact, const PairVertices& x)
 
 Vec3 contact_vertex(const World& world, const Contact& contact, int i, double tau)
 {
-    return body_of_vertex(world, contact, i).position(contact.vertices[static_cast<std::size_t>(i)], tau);
+    return body_of_vertex(world, contact, i).position(contact.vertices[i], tau);
 }
 
 ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau)
 {
     if (contact.kind == ContactKind::vertex_plane)
-        return plane_geometry(world.planes[static_cast<std::size_t>(contact.body_b)],
+        return plane_geometry(world.planes[contact.body_b],
                               contact_vertex(world, contact, 0, tau));
 
     std::array<Vec3, 4> x;
@@ -66,7 +66,7 @@ PairStep pair_step(const World& world, const Contact& contact)
 {
     if (contact.kind == ContactKind::vertex_plane)
         return plane_step(body_of_vertex(world, contact, 0), static_cast<std::size_t>(contact.vertices[0]),
-                          world.planes[static_cast<std::size_t>(contact.body_b)]);
+                          world.planes[contact.body_b]);
     PairVertices t0, t1;
     for (std::size_t i = 0; i < 4; ++i) {
         const Body& body = body_of_vertex(world, contact, static_cast<int>(i));
@@ -81,12 +81,12 @@ double pair_stiffness(const World& world, const Contact& contact, double of_all_
 {
     if (contact.kind != ContactKind::vertex_plane)
         return of_all_pairs;
-    return world.planes[static_cast<std::size_t>(contact.body_b)].stiffness.value_or(of_all_pairs);
+    return world.planes[contact.body_b].stiffness.value_or(of_all_pairs);
 }
 
 const std::string& name_of_a(const World& world, const Contact& contact)
 {
-    return world.bodies[static_cast<std::size_t>(contact.body_a)]->name();
+    return world.bodies[contact.body_a]->name();
 }
 
 const std::string& name_of_b(const World& world, const Contact& contact)

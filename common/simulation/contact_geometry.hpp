@@ -34,7 +34,7 @@ const std::string& name_of_b(const World& world, const Contact& contact);
 inline Body& body_of_vertex(const World& world, const Contact& contact, int i)
 {
     const int body = i < contact.vertices_of_a() ? contact.body_a : contact.body_b;
-    return *world.bodies[static_cast<std::size_t>(body)];
+    return *world.bodies[body];
 }
 
 /// World position of the contact's i-th vertex (0..3) at tau [m].

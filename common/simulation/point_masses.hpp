@@ -14,19 +14,19 @@ public:
     PointMasses(std::string name, std::vector<Vec3> positions, std::vector<Face> faces, double mass_of_each,
                 const Vec3& velocity = Vec3::Zero());
 
-    void set_velocity(int vertex, const Vec3& velocity) { velocities_[static_cast<std::size_t>(vertex)] = velocity; }
+    void set_velocity(int vertex, const Vec3& velocity) { velocities_[vertex] = velocity; }
 
     void predict(const Vec3& gravity, double dt) override;
     void update_prediction(double dt) override;
     void commit(double dt) override;
 
-    void apply_impulse(int vertex, const Vec3& impulse) override { velocities_[static_cast<std::size_t>(vertex)] += impulse / mass_; }
-    Vec3 velocity(int vertex) const override { return velocities_[static_cast<std::size_t>(vertex)]; }
+    void apply_impulse(int vertex, const Vec3& impulse) override { velocities_[vertex] += impulse / mass_; }
+    Vec3 velocity(int vertex) const override { return velocities_[vertex]; }
     Mat3 inverse_mass(int) const override { return Mat3::Identity() / mass_; }
 
     void begin_trial() override { tried_velocities_ = velocities_; }
-    void try_impulse(int vertex, const Vec3& impulse) override { tried_velocities_[static_cast<std::size_t>(vertex)] += impulse / mass_; }
-    Vec3 tried_velocity(int vertex) const override { return tried_velocities_[static_cast<std::size_t>(vertex)]; }
+    void try_impulse(int vertex, const Vec3& impulse) override { tried_velocities_[vertex] += impulse / mass_; }
+    Vec3 tried_velocity(int vertex) const override { return tried_velocities_[vertex]; }
 
     int part_count() const override { return static_cast<int>(velocities_.size()); }
     std::span<const int> moved_parts(int vertex) const override { return std::span(numbers_).subspan(static_cast<std::size_t>(vertex), 1); }

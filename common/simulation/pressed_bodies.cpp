@@ -30,7 +30,7 @@ void add(std::vector<PressedBodies>& all, const Contact& contact, double stiffne
 
 double inverse_mass(const World& world, int body)
 {
-    const double mass = world.bodies[static_cast<std::size_t>(body)]->mass();
+    const double mass = world.bodies[body]->mass();
     return mass > 0 ? 1 / mass : 0;
 }
 
@@ -59,7 +59,7 @@ std::vector<PressedBodies> pushed_bodies(const World& world, const Contacts& con
 std::string names_of(const World& world, const PressedBodies& pressed)
 {
     const auto b = static_cast<std::size_t>(pressed.b);
-    return "'" + world.bodies[static_cast<std::size_t>(pressed.a)]->name() + "' and '" +
+    return "'" + world.bodies[pressed.a]->name() + "' and '" +
            (pressed.with_plane ? world.planes[b].name : world.bodies[b]->name()) + "'";
 }
 

@@ -45,7 +45,7 @@ private:
         Mat3 inverse_inertia;
     };
 
-    const Vec3& start_of(int vertex) const { return positions_t0_[static_cast<std::size_t>(vertex)]; }
+    const Vec3& start_of(int vertex) const { return positions_t0_[vertex]; }
 
     RigidMotion motion_;
     Trial trial_{};

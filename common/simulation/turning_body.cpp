@@ -31,7 +31,7 @@ void TurningBody::commit(double dt)
 
 Vec3 TurningBody::velocity(int vertex) const
 {
-    return angular_velocity_.cross(positions_t0_[static_cast<std::size_t>(vertex)] - centre_);
+    return angular_velocity_.cross(positions_t0_[vertex] - centre_);
 }
 
 Vec3 TurningBody::turned_back(const Vec3& point) const

@@ -25,7 +25,7 @@ void VertexResponse::begin_step(double dt)
     ++step_;
     begin_trial();
     for (const int place : new_)
-        vertices_[static_cast<std::size_t>(place)].responses = {};
+        vertices_[place].responses = {};
     new_.clear();
     if (dt != dt_) {
         vertices_.clear();
@@ -39,7 +39,7 @@ const Mat3& VertexResponse::frame(Vertex& vertex)
     if (vertex.frame_of_step != step_) {
         Mat3 sum = Mat3::Zero();
         for (const int e : vertex.elements)
-            sum += body_.rotations()[static_cast<std::size_t>(e)];
+            sum += body_.rotations()[e];
         vertex.frame = polar_rotation(sum);
         vertex.frame_of_step = step_;
     }
@@ -53,7 +53,7 @@ VertexResponse::UnitResponses VertexResponse::unit_responses(int vertex) const
         NodalVectors impulse = NodalVectors::Zero(3, body_.node_count());
         for (const auto& [node, weight] : embedding_.nodes_of(vertex))
             impulse(axis, node) = weight;
-        responses[static_cast<std::size_t>(axis)] = body_.near_response(impulse);
+        responses[axis] = body_.near_response(impulse);
     }
     return responses;
 }
@@ -62,7 +62,7 @@ Mat3 VertexResponse::block_to(const UnitResponses& responses, int vertex) const
 {
     Mat3 block;
     for (int axis = 0; axis < 3; ++axis)
-        block.col(axis) = embedding_.at(vertex, responses[static_cast<std::size_t>(axis)]);
+        block.col(axis) = embedding_.at(vertex, responses[axis]);
     return block;
 }
 
@@ -71,7 +71,7 @@ int VertexResponse::column_of(int vertex)
 {
     if (place_.empty())
         place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
-    int& place = place_[static_cast<std::size_t>(vertex)];
+    int& place = place_[vertex];
     if (place >= 0)
         return place;
     place = static_cast<int>(vertices_.size());
@@ -92,7 +92,7 @@ int VertexResponse::column_of(int vertex)
 
 const VertexResponse::Block& VertexResponse::stored(int i, int j) const
 {
-    return vertices_[static_cast<std::size_t>(std::max(i, j))].blocks[static_cast<std::size_t>(std::min(i, j))];
+    return vertices_[std::max(i, j)].blocks[std::min(i, j)];
 }
 
 Mat3 VertexResponse::block(int u, int v)
@@ -100,7 +100,7 @@ Mat3 VertexResponse::block(int u, int v)
     const int i = column_of(u), j = column_of(v);
     const Mat3& local = stored(i, j).matrix;
     const Mat3 turned = i >= j ? local : Mat3(local.transpose());
-    return frame(vertices_[static_cast<std::size_t>(i)]) * turned * frame(vertices_[static_cast<std::size_t>(j)]).transpose();
+    return frame(vertices_[i]) * turned * frame(vertices_[j]).transpose();
 }
 
 double VertexResponse::response_bound(int vertex, std::span<const Push> pushes)
@@ -115,8 +115,8 @@ double VertexResponse::response_bound(int vertex, std::span<const Push> pushes)
 void VertexResponse::begin_trial()
 {
     for (const int place : tried_) {
-        vertices_[static_cast<std::size_t>(place)].tried.setZero();
-        vertices_[static_cast<std::size_t>(place)].is_tried = false;
+        vertices_[place].tried.setZero();
+        vertices_[place].is_tried = false;
     }
     tried_.clear();
     ++trial_state_;
@@ -125,7 +125,7 @@ void VertexResponse::begin_trial()
 void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
 {
     const int place = column_of(vertex);
-    Vertex& known = vertices_[static_cast<std::size_t>(place)];
+    Vertex& known = vertices_[place];
     if (!known.is_tried)
         tried_.push_back(place);
     known.is_tried = true;
@@ -136,13 +136,13 @@ void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
 Vec3 VertexResponse::tried_change(int vertex)
 {
     const int place = column_of(vertex);
-    Vertex& own = vertices_[static_cast<std::size_t>(place)];
+    Vertex& own = vertices_[place];
     if (own.change_of == trial_state_)
         return own.change;  // several pairs ask for the same vertex
     Vec3 local = Vec3::Zero();
     for (const int other : tried_) {
         const Mat3& block = stored(place, other).matrix;
-        const Vec3& impulse = vertices_[static_cast<std::size_t>(other)].tried;
+        const Vec3& impulse = vertices_[other].tried;
         if (place >= other)
             local.noalias() += block * impulse;
         else

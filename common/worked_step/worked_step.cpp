@@ -47,7 +47,7 @@ using Weights = std::array<double, 3>;
 std::array<Vec3, 3> face_at(const Body& body, int face, double tau)
 {
     std::array<Vec3, 3> corners;
-    const Face& vertices = body.surface().faces()[static_cast<std::size_t>(face)];
+    const Face& vertices = body.surface().faces()[face];
     for (std::size_t i = 0; i < 3; ++i)
         corners[i] = body.position(vertices[i], tau);
     return corners;
@@ -62,7 +62,7 @@ double height(const Vec3& point, const std::array<Vec3, 3>& f)
 
 void put_on_face(Contact& contact, const Body& below, int face, const Weights& weights)
 {
-    const Face& vertices = below.surface().faces()[static_cast<std::size_t>(face)];
+    const Face& vertices = below.surface().faces()[face];
     contact.feature_b = face;
     for (std::size_t i = 0; i < 3; ++i) {
         contact.vertices[i + 1] = vertices[i];

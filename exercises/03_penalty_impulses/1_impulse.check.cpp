@@ -96,8 +96,8 @@ TEST_CASE("integral of the product: right for each of the twelve products of bas
         for (int j = 0; j <= 2; ++j) {
             Bernstein<double, 3> depth{};
             Bernstein<Vec3, 2> normal{{Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)}};
-            depth.coefficients[static_cast<std::size_t>(i)] = 1;
-            normal.coefficients[static_cast<std::size_t>(j)] = Vec3(1, -2, 0);
+            depth.coefficients[i] = 1;
+            normal.coefficients[j] = Vec3(1, -2, 0);
             given("depth ", i, " is 1, normal ", j, " is (1, -2, 0), all others are 0");
             const double integral = binomial(3, i) * binomial(2, j) / binomial(5, i + j) / 6;
             expect("integral", integral_of_product(depth, normal), Vec3(1, -2, 0) * integral, 1e-14);

@@ -22,8 +22,8 @@ Vec3 leaning(double degrees) { return {-std::sin(degrees * degree), std::cos(deg
 Contact curb(const World& world)
 {
     const Contact one = edge_pair(world, Vec3::UnitY(), Vec3::UnitZ(), -Vec3::UnitX());
-    const auto [a, b] = world.bodies[cube_body]->surface().edges()[static_cast<std::size_t>(one.feature_a)];
-    const bool front = world.bodies[cube_body]->positions_t0()[static_cast<std::size_t>(a)].x() > 0.2;
+    const auto [a, b] = world.bodies[cube_body]->surface().edges()[one.feature_a];
+    const bool front = world.bodies[cube_body]->positions_t0()[a].x() > 0.2;
     return front ? one : edge_pair(world, Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX());
 }
 

@@ -7,7 +7,7 @@
 namespace enduring {
 namespace {
 
-const Body& body(const World& world, int index) { return *world.bodies[static_cast<std::size_t>(index)]; }
+const Body& body(const World& world, int index) { return *world.bodies[index]; }
 
 /// Two sides whose angle is lost in rounding span no normal.
 bool has_normal(const PairInstant& pair, const Vec3& normal)

@@ -72,7 +72,7 @@ TEST_CASE("nearest: all regular vertices of the nearest ring count, each once, a
     const auto around = square.edges_around_vertex(0);
     std::vector<BuriedVertex> corner = {{0, Vec3::UnitX(), hooked}};
     for (const int edge : around) {
-        const auto [v0, v1] = square.edges()[static_cast<std::size_t>(edge)];
+        const auto [v0, v1] = square.edges()[edge];
         corner.push_back({v0 == 0 ? v1 : v0, Vec3::UnitX(), hooked});
     }
     const std::size_t ring_end = corner.size();
@@ -88,7 +88,7 @@ TEST_CASE("nearest: all regular vertices of the nearest ring count, each once, a
         bool near = false;
         for (const int edge : square.edges_around_vertex(corner[i].vertex))
             for (std::size_t j = 1; j < ring_end; ++j) {
-                const auto [v0, v1] = square.edges()[static_cast<std::size_t>(edge)];
+                const auto [v0, v1] = square.edges()[edge];
                 near |= v0 == corner[j].vertex || v1 == corner[j].vertex;
             }
         if (near)

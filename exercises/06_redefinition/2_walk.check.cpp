@@ -18,10 +18,10 @@ struct Still {
 
 Vec3 point_of(const Still& still, const Walk& walk)
 {
-    const Face& face = still.mesh.faces[static_cast<std::size_t>(walk.face)];
+    const Face& face = still.mesh.faces[walk.face];
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i)
-        sum += walk.weights[i] * still.mesh.vertices[static_cast<std::size_t>(face[i])];
+        sum += walk.weights[i] * still.mesh.vertices[face[i]];
     return sum;
 }
 

@@ -23,7 +23,7 @@ std::pair<int, std::array<double, 3>> hit(const Still& ball, const Vec3& directi
     for (int face = 0; face < static_cast<int>(ball.mesh.faces.size()); ++face) {
         Mat3 corners;
         for (int i = 0; i < 3; ++i)
-            corners.col(i) = ball.mesh.vertices[static_cast<std::size_t>(ball.mesh.faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)])];
+            corners.col(i) = ball.mesh.vertices[ball.mesh.faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)]];
         const Vec3 w = corners.inverse() * direction;
         if (w.minCoeff() >= -1e-12)
             return {face, {w.x() / w.sum(), w.y() / w.sum(), w.z() / w.sum()}};
@@ -38,7 +38,7 @@ TEST_CASE("vertex: at a cube's corner it looks along the diagonal, however the s
     const Still cube{box({2, 2, 2})};
     for (int vertex = 0; vertex < 8; ++vertex) {
         given("corner ", vertex, " of a cube whose sides are two triangles each");
-        expect("normal", vertex_normal(cube.surface(), vertex), Vec3(cube.mesh.vertices[static_cast<std::size_t>(vertex)].normalized()), 1e-12);
+        expect("normal", vertex_normal(cube.surface(), vertex), Vec3(cube.mesh.vertices[vertex].normalized()), 1e-12);
     }
 }
 
@@ -47,7 +47,7 @@ TEST_CASE("vertex: a large side has no more to say than a small one")
     const Still plank{box({1, 0.2, 5})};
     for (int vertex = 0; vertex < 8; ++vertex) {
         given("corner ", vertex, " of a plank of 1 by 0.2 by 5 m");
-        const Vec3 out = plank.mesh.vertices[static_cast<std::size_t>(vertex)].cwiseSign();
+        const Vec3 out = plank.mesh.vertices[vertex].cwiseSign();
         expect("normal", vertex_normal(plank.surface(), vertex), Vec3(out.normalized()), 1e-12);
     }
 }
@@ -66,12 +66,12 @@ TEST_CASE("smooth: on an edge both of its faces say the same")
 {
     const Still ball{sphere(1, 1)};
     for (int edge = 0; edge < static_cast<int>(ball.topology.edges().size()); edge += 3) {
-        const auto [v0, v1] = ball.topology.edges()[static_cast<std::size_t>(edge)];
+        const auto [v0, v1] = ball.topology.edges()[edge];
         const auto [one, other] = ball.topology.faces_at_edge(edge);
         const auto on = [&](int face) {
             std::array<double, 3> weights{};
             for (std::size_t i = 0; i < 3; ++i)
-                weights[i] = ball.topology.faces()[static_cast<std::size_t>(face)][i] == v0 ? 0.3 : ball.topology.faces()[static_cast<std::size_t>(face)][i] == v1 ? 0.7 : 0;
+                weights[i] = ball.topology.faces()[face][i] == v0 ? 0.3 : ball.topology.faces()[face][i] == v1 ? 0.7 : 0;
             return smooth_normal(ball.surface(), face, weights);
         };
         given("a point on edge ", edge, " of a sphere, asked of both faces");
@@ -88,7 +88,7 @@ TEST_CASE("smooth: at a vertex it is the vertex', in the middle of a face the me
     expect("at its first corner", smooth_normal(cube.surface(), 0, {1, 0, 0}), vertex_normal(cube.surface(), face[0]), 1e-12);
     Vec3 mean = Vec3::Zero();
     for (const int corner : face)
-        mean += cube.mesh.vertices[static_cast<std::size_t>(corner)].normalized();
+        mean += cube.mesh.vertices[corner].normalized();
     expect("in its middle", smooth_normal(cube.surface(), 0, {1 / 3.0, 1 / 3.0, 1 / 3.0}), Vec3(mean.normalized()), 1e-12);
 }
 

@@ -10,20 +10,20 @@ static std::optional<Vec3> borrowed_by(const SurfaceTopology& surface, std::span
                                        const std::vector<int>& place, int start)
 {
     std::vector<bool> seen(buried.size(), false);
-    seen[static_cast<std::size_t>(start)] = true;
+    seen[start] = true;
     for (std::vector<int> ring = {start}, next; !ring.empty(); ring = std::move(next), next.clear()) {
         Vec3 sum = Vec3::Zero();
         bool found = false;
         for (const int from : ring)
-            for (const int edge : surface.edges_around_vertex(buried[static_cast<std::size_t>(from)].vertex)) {
-                const auto [v0, v1] = surface.edges()[static_cast<std::size_t>(edge)];
-                const int other = place[static_cast<std::size_t>(v0 == buried[static_cast<std::size_t>(from)].vertex ? v1 : v0)];
-                if (other < 0 || seen[static_cast<std::size_t>(other)])
+            for (const int edge : surface.edges_around_vertex(buried[from].vertex)) {
+                const auto [v0, v1] = surface.edges()[edge];
+                const int other = place[v0 == buried[static_cast<std::size_t>(from)].vertex ? v1 : v0];
+                if (other < 0 || seen[other])
                     continue;
-                seen[static_cast<std::size_t>(other)] = true;
+                seen[other] = true;
                 next.push_back(other);
-                if (buried[static_cast<std::size_t>(other)].category == ContactCategory::regular) {
-                    sum += buried[static_cast<std::size_t>(other)].normal;
+                if (buried[other].category == ContactCategory::regular) {
+                    sum += buried[other].normal;
                     found = true;
                 }
             }
@@ -37,7 +37,7 @@ std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface
 {
     std::vector<int> place(static_cast<std::size_t>(surface.vertex_count()), -1);
     for (std::size_t i = 0; i < buried.size(); ++i)
-        place[static_cast<std::size_t>(buried[i].vertex)] = static_cast<int>(i);
+        place[buried[i].vertex] = static_cast<int>(i);
     std::vector<std::optional<Vec3>> normals;
     for (std::size_t i = 0; i < buried.size(); ++i)
         normals.push_back(buried[i].category == ContactCategory::regular ? std::optional<Vec3>(buried[i].normal)

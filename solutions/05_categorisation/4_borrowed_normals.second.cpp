@@ -10,7 +10,7 @@ std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface
     const auto n = static_cast<Eigen::Index>(buried.size());
     std::vector<int> place(static_cast<std::size_t>(surface.vertex_count()), -1);
     for (std::size_t i = 0; i < buried.size(); ++i)
-        place[static_cast<std::size_t>(buried[i].vertex)] = static_cast<int>(i);
+        place[buried[i].vertex] = static_cast<int>(i);
     const int far = 1 << 20;
     Eigen::MatrixXi distance = Eigen::MatrixXi::Constant(n, n, far);
     for (Eigen::Index i = 0; i < n; ++i)
@@ -18,7 +18,7 @@ std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface
     for (bool changed = true; changed;) {
         changed = false;
         for (const auto& [v0, v1] : surface.edges()) {
-            const int a = place[static_cast<std::size_t>(v0)], b = place[static_cast<std::size_t>(v1)];
+            const int a = place[v0], b = place[v1];
             if (a < 0 || b < 0)
                 continue;
             for (Eigen::Index to = 0; to < n; ++to)
@@ -34,11 +34,11 @@ std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface
         int nearest = far;
         Vec3 sum = Vec3::Zero();
         for (Eigen::Index j = 0; j < n; ++j)
-            if (buried[static_cast<std::size_t>(j)].category == ContactCategory::regular)
+            if (buried[j].category == ContactCategory::regular)
                 nearest = std::min(nearest, distance(i, j));
         for (Eigen::Index j = 0; j < n; ++j)
-            if (buried[static_cast<std::size_t>(j)].category == ContactCategory::regular && distance(i, j) == nearest)
-                sum += buried[static_cast<std::size_t>(j)].normal;
+            if (buried[j].category == ContactCategory::regular && distance(i, j) == nearest)
+                sum += buried[j].normal;
         normals.push_back(nearest < far && sum.norm() > 1e-9 ? std::optional<Vec3>(sum.normalized()) : std::nullopt);
     }
     return normals;

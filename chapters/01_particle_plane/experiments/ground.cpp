@@ -22,8 +22,8 @@ Touch touch_of(const World& world, const Contacts& contacts, int body, double dt
     Touch touch;
     for (const Contact& contact : contacts)
         if (contact.body_a == body && contact.impulse.norm() > 0) {
-            const Plane& plane = world.planes[static_cast<std::size_t>(contact.body_b)];
-            const Vec3& point = world.bodies[static_cast<std::size_t>(body)]->positions_t0()[static_cast<std::size_t>(contact.feature_a)];
+            const Plane& plane = world.planes[contact.body_b];
+            const Vec3& point = world.bodies[body]->positions_t0()[contact.feature_a];
             touch.vertices += 1;
             touch.force += plane.normal.dot(contact.impulse) / dt;
             touch.depth -= plane.normal.dot(point - plane.point);
@@ -62,7 +62,7 @@ std::vector<double> predicted_falls(const World& world, const Contacts& contacts
     std::vector<double> sum(world.bodies.size(), 0.0), count(world.bodies.size(), 0.0);
     for (const Contact& contact : contacts) {
         const auto body = static_cast<std::size_t>(contact.body_a);
-        const Vec3& normal = world.planes[static_cast<std::size_t>(contact.body_b)].normal;
+        const Vec3& normal = world.planes[contact.body_b].normal;
         sum[body] -= dt * normal.dot(world.bodies[body]->velocity(contact.feature_a));
         count[body] += 1;
     }

@@ -144,7 +144,7 @@ TEST_CASE("plane contact: impulses at a tilted cube's corners balance its moment
         advance(world, contacts, solver_of(PenaltyMethod::continuous), 0.005);
         for (const Contact& contact : contacts) {
             momentum += contact.impulse;
-            spin += before[static_cast<std::size_t>(contact.feature_a)].cross(contact.impulse);
+            spin += before[contact.feature_a].cross(contact.impulse);
             pushes += contact.impulse.y() > 0;
         }
     }

@@ -94,7 +94,7 @@ void all_pairs_of_bodies(benchmark::State& state)
         pairs.clear();
         for (int b = 0; b < static_cast<int>(boxes.size()); ++b)
             for (int a = 0; a < b; ++a)
-                if (boxes[static_cast<std::size_t>(a)].overlaps(boxes[static_cast<std::size_t>(b)]))
+                if (boxes[a].overlaps(boxes[b]))
                     pairs.push_back({a, b});
     }
     state.counters["pairs"] = static_cast<double>(pairs.size());

@@ -12,7 +12,7 @@ void record(const World& world, CandidateSearch& search, RecordedQueries& querie
 {
     search.find_candidates(world);
     queries.detections += search.candidate_count() > 0;
-    const auto surface = [&](int body) { return surface_step(*world.bodies[static_cast<std::size_t>(body)]); };
+    const auto surface = [&](int body) { return surface_step(*world.bodies[body]); };
     search.visit_candidates(
         [&](int a, int vertex, int b, int face) { queries.vertex_face.push_back(vertex_face_step(surface(a), vertex, surface(b), face)); },
         [&](int a, int edge_a, int b, int edge_b) { queries.edge_edge.push_back(edge_edge_step(surface(a), edge_a, surface(b), edge_b)); });

@@ -24,7 +24,7 @@ public:
         const Vec3 up = uphill(angle_deg_);
         double uphill_force = 0;
         for (const Contact& contact : contacts)
-            if (world.bodies.front()->positions_t0()[static_cast<std::size_t>(contact.vertices[0])].dot(up) > now.way)
+            if (world.bodies.front()->positions_t0()[contact.vertices[0]].dot(up) > now.way)
                 uphill_force += contact.impulse.norm() / dt;
         table_.add({height_, now.time, now.speed, uphill_force / (world.bodies.front()->mass() * 9.81 * up.x())});
     }

@@ -146,7 +146,7 @@ struct RandomMeeting {
         }
         Vec3 q = Vec3::Zero();
         for (std::size_t i = vertex_face ? 1 : 2; i < 4; ++i)
-            q -= contact.weights[i] * b_[static_cast<std::size_t>(contact.vertices[i])];
+            q -= contact.weights[i] * b_[contact.vertices[i]];
         const Vec3 along = vector(1);
         a_.push_back(vertex_face ? q : Vec3(q - s * along));
         a_.push_back(a_.back() + along);

@@ -29,7 +29,7 @@ struct MovingPair {
             x[body] = {vector(), vector(), vector()};
             auto points = std::make_unique<PointMasses>("points", x[body], std::vector<Face>{{0, 1, 2}}, 1.0);
             for (int v = 0; v < 3; ++v)
-                points->set_velocity(v, motion(body, x[body][static_cast<std::size_t>(v)]) - x[body][static_cast<std::size_t>(v)]);
+                points->set_velocity(v, motion(body, x[body][v]) - x[body][v]);
             world.bodies.push_back(std::move(points));
             world.bodies.back()->predict(world.gravity, 1);
         }

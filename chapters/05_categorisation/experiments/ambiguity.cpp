@@ -26,7 +26,7 @@ std::unique_ptr<StaticBody> block(const std::string& name, const Vec3& low, cons
 {
     std::array<int, 3> cells;
     for (int axis = 0; axis < 3; ++axis)
-        cells[static_cast<std::size_t>(axis)] = static_cast<int>(std::lround((high[axis] - low[axis]) / cell));
+        cells[axis] = static_cast<int>(std::lround((high[axis] - low[axis]) / cell));
     SurfaceMesh mesh = box(high - low, cells);
     for (Vec3& x : mesh.vertices)
         x += 0.5 * (low + high);
@@ -90,7 +90,7 @@ Arrangement arrange(std::string name, std::unique_ptr<StaticBody> a, std::unique
     one.name = std::move(name);
     one.way_out = shortest_way_out(*a, *b);
     const int vertex = vertex_at(*a, the_vertex), face = face_behind(*b);
-    const auto [f0, f1, f2] = b->surface().faces()[static_cast<std::size_t>(face)];
+    const auto [f0, f1, f2] = b->surface().faces()[face];
     one.contact = {ContactKind::vertex_face, 0, 1, vertex, face, {vertex, f0, f1, f2}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}};
     one.world.bodies.push_back(std::move(a));
     one.world.bodies.push_back(std::move(b));
@@ -138,10 +138,10 @@ std::vector<Vec3> local_positions(const Arrangement& arrangement)
     const Body &a = *arrangement.world.bodies[0], &b = *arrangement.world.bodies[1];
     std::vector<Vec3> positions;
     const auto add_face = [&](const Body& body, int face) {
-        for (const int vertex : body.surface().faces()[static_cast<std::size_t>(face)])
-            positions.push_back(body.positions_t0()[static_cast<std::size_t>(vertex)]);
+        for (const int vertex : body.surface().faces()[face])
+            positions.push_back(body.positions_t0()[vertex]);
     };
-    positions.push_back(a.positions_t0()[static_cast<std::size_t>(arrangement.contact.feature_a)]);
+    positions.push_back(a.positions_t0()[arrangement.contact.feature_a]);
     add_face(b, arrangement.contact.feature_b);
     for (const int face : a.surface().faces_around_vertex(arrangement.contact.feature_a))
         add_face(a, face);

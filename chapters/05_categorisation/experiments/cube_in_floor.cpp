@@ -25,8 +25,8 @@ int lowest_edge_along(const Body& body, const Vec3& direction)
     int found = -1;
     double lowest = 1e9;
     for (int edge = 0; edge < static_cast<int>(body.surface().edges().size()); ++edge) {
-        const auto [a, b] = body.surface().edges()[static_cast<std::size_t>(edge)];
-        const Vec3 &start = body.positions_t0()[static_cast<std::size_t>(a)], &end = body.positions_t0()[static_cast<std::size_t>(b)];
+        const auto [a, b] = body.surface().edges()[edge];
+        const Vec3 &start = body.positions_t0()[a], &end = body.positions_t0()[b];
         if ((end - start).normalized().cross(direction).norm() < 1e-12 && start.y() + end.y() < lowest) {
             lowest = start.y() + end.y();
             found = edge;
@@ -40,8 +40,8 @@ Contact edge_pair(const World& world, const Vec3& cube_edge, const Vec3& floor_e
     const Body &cube = *world.bodies[cube_body], &floor = *world.bodies[floor_body];
     Contact contact{ContactKind::edge_edge, cube_body, floor_body, lowest_edge_along(cube, cube_edge), lowest_edge_along(floor, floor_edge)};
     const auto along = [](const Body& body, int edge) {
-        const auto [a, b] = body.surface().edges()[static_cast<std::size_t>(edge)];
-        return Vec3(body.positions_t0()[static_cast<std::size_t>(b)] - body.positions_t0()[static_cast<std::size_t>(a)]);
+        const auto [a, b] = body.surface().edges()[edge];
+        return Vec3(body.positions_t0()[b] - body.positions_t0()[a]);
     };
     contact.orientation = along(cube, contact.feature_a).cross(along(floor, contact.feature_b)).dot(out) > 0 ? 1 : -1;
     return contact;

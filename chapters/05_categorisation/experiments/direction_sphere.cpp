@@ -15,15 +15,15 @@ const std::array<Vec3, 4> group_colors{palette::blue, srgb(0xc0392b), srgb(0xa9c
 /// The area of the part of the sphere that a small face stands for, but for its curvature.
 double area(const std::vector<Vec3>& points, const Face& face)
 {
-    const Vec3& a = points[static_cast<std::size_t>(face[0])];
-    return 0.5 * (points[static_cast<std::size_t>(face[1])] - a).cross(points[static_cast<std::size_t>(face[2])] - a).norm();
+    const Vec3& a = points[face[0]];
+    return 0.5 * (points[face[1]] - a).cross(points[face[2]] - a).norm();
 }
 
 Vec3 middle(const std::vector<Vec3>& points, const Face& face)
 {
     Vec3 sum = Vec3::Zero();
     for (const int vertex : face)
-        sum += points[static_cast<std::size_t>(vertex)];
+        sum += points[vertex];
     return sum.normalized();
 }
 
@@ -86,7 +86,7 @@ DirectionSphere directions_around(const Corner& corner, int subdivisions)
         average_finds += touches && average_says_regular(corner, normal) ? share : 0;
         span_finds += touches && regular ? share : 0;
         span_allows += !touches && regular ? share : 0;
-        result.groups[static_cast<std::size_t>((touches ? 0 : 2) + (regular ? 0 : 1))].push_back(face);
+        result.groups[(touches ? 0 : 2) + (regular ? 0 : 1)].push_back(face);
     }
     const double some = possible > 0 ? possible : 1;
     result.shares = {possible / total, average_finds / some, span_finds / some, span_allows / (total - possible)};

@@ -32,7 +32,7 @@ bool in_a_pair(const World& world, const Contacts& contacts, const Body& body, i
 {
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
         return contact.kind == ContactKind::vertex_face && contact.feature_a == vertex &&
-               world.bodies[static_cast<std::size_t>(contact.body_a)].get() == &body;
+               world.bodies[contact.body_a].get() == &body;
     });
 }
 
@@ -42,7 +42,7 @@ long lost_vertices(const IntrusionScene& scene, const World& world, const Contac
     const auto lost_of = [&](const Body& owner, const auto& inside) {
         long lost = 0;
         for (int vertex = 0; vertex < owner.surface().vertex_count(); ++vertex)
-            lost += inside(owner.positions_t0()[static_cast<std::size_t>(vertex)]) && !in_a_pair(world, contacts, owner, vertex);
+            lost += inside(owner.positions_t0()[vertex]) && !in_a_pair(world, contacts, owner, vertex);
         return lost;
     };
     return lost_of(body, [&](const Vec3& x) { return depth_below(scene, x) > 0; }) +

@@ -27,8 +27,8 @@ TEST_CASE("errata: (6.3) as printed, with \"and\", calls a cube's upright edge a
     REQUIRE(curb.feature_a >= 0);
     REQUIRE(curb.feature_b >= 0);
     const Body& cube = *world.bodies[cube_body];
-    const auto [a, b] = cube.surface().edges()[static_cast<std::size_t>(curb.feature_a)];
-    const bool front = cube.positions_t0()[static_cast<std::size_t>(a)].x() > 0.2;
+    const auto [a, b] = cube.surface().edges()[curb.feature_a];
+    const bool front = cube.positions_t0()[a].x() > 0.2;
     const Contact met = front ? curb : edge_pair(world, Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX());
     CHECK(categorise(world, met, 0, EdgeRule::both) == regular);
     CHECK(categorise(world, met, 0, EdgeRule::either) == hooked);
@@ -82,7 +82,7 @@ TEST_CASE("labels: edges and faces thinner than a ten-thousandth still have a no
     world.bodies.push_back(still({{{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, 2, 1}}}, Vec3::Zero()));
     world.bodies.push_back(still({{{-1, 0, -1e-4}, {1, 0, 1e-4}, {0, 0, 1}}, {{0, 1, 2}}}, Vec3::Zero()));
     const auto edge = [&](int body) {
-        const auto edges = world.bodies[static_cast<std::size_t>(body)]->surface().edges();
+        const auto edges = world.bodies[body]->surface().edges();
         return static_cast<int>(std::find(edges.begin(), edges.end(), Edge{0, 1}) - edges.begin());
     };
     Contact pair{ContactKind::edge_edge, 0, 1, edge(0), edge(1)};

@@ -23,7 +23,7 @@ Corner hinge(double angle)
 int edge_between(const SurfaceTopology& topology, int a, int b)
 {
     for (int edge = 0; edge < static_cast<int>(topology.edges().size()); ++edge)
-        if (topology.edges()[static_cast<std::size_t>(edge)] == Edge{a, b})
+        if (topology.edges()[edge] == Edge{a, b})
             return edge;
     return -1;
 }

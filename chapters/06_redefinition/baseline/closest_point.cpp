@@ -5,9 +5,9 @@
 namespace enduring {
 namespace {
 
-const Vec3& at(std::span<const Vec3> positions, int vertex) { return positions[static_cast<std::size_t>(vertex)]; }
+const Vec3& at(std::span<const Vec3> positions, int vertex) { return positions[vertex]; }
 
-const Face& face_of(const SurfaceTopology& surface, int face) { return surface.faces()[static_cast<std::size_t>(face)]; }
+const Face& face_of(const SurfaceTopology& surface, int face) { return surface.faces()[face]; }
 
 Vec3 unit_normal(const SurfaceTopology& surface, std::span<const Vec3> positions, int face)
 {

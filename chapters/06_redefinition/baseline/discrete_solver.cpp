@@ -21,7 +21,7 @@ void push_to_closest_points(const World& world, Contacts& contacts, double stiff
         }
         Vec3 out = Vec3::Zero();  // q - p
         for (int i = 0; i < 4; ++i)
-            out -= contact.weights[static_cast<std::size_t>(i)] * contact_vertex(world, contact, i, 1);
+            out -= contact.weights[i] * contact_vertex(world, contact, i, 1);
         contact.impulse = stiffness * dt * out;
     }
 }

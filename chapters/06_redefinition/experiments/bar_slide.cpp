@@ -33,8 +33,8 @@ Vec3 face_normal(const Body& body, std::size_t face)
 {
     const auto x = body.positions_t0();
     const auto [f0, f1, f2] = body.surface().faces()[face];
-    const Vec3& corner = x[static_cast<std::size_t>(f0)];
-    return (x[static_cast<std::size_t>(f1)] - corner).cross(x[static_cast<std::size_t>(f2)] - corner).normalized();
+    const Vec3& corner = x[f0];
+    return (x[f1] - corner).cross(x[f2] - corner).normalized();
 }
 
 /// The face that looks up most.

@@ -11,7 +11,7 @@ void add_tetrahedron(Drawable& drawable, const ElasticElement& element, const No
 {
     const int first = static_cast<int>(drawable.positions.size());
     for (int corner = 0; corner < 4; ++corner)
-        drawable.positions.push_back(positions.col(element.nodes[static_cast<std::size_t>(corner)]));
+        drawable.positions.push_back(positions.col(element.nodes[corner]));
     for (const Face& face : {Face{0, 2, 1}, Face{0, 1, 3}, Face{1, 2, 3}, Face{0, 3, 2}}) {
         drawable.faces.push_back({first + face[0], first + face[1], first + face[2]});
         drawable.faces.push_back({first + face[0], first + face[2], first + face[1]});

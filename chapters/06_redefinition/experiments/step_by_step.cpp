@@ -205,7 +205,7 @@ void step_by_step(const RunOptions&, Report& report)
         look_at(caught.stage, caught.vertex + Vec3(0, hooked ? 0.1 : 0.03, 0), hooked ? 1.9 : 1.1, hooked ? 0.0 : 0.35);
         std::vector<StripPicture> pictures;
         for (int step = 1; step <= 4; ++step)
-            pictures.push_back({renderer.draw(draw_step(caught, step)), captions[static_cast<std::size_t>(step - 1)]});
+            pictures.push_back({renderer.draw(draw_step(caught, step)), captions[step - 1]});
         write_png(strip(pictures, 2), report.file("step_by_step_" + caught.title + ".png"));
         add_rows(table, caught);
     }

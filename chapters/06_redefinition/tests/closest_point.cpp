@@ -69,7 +69,7 @@ TEST_CASE("closest point: no corner of the triangle lies on the far side of the 
             REQUIRE(weight >= 0);
         for (const Vec3& corner : {a, b, c})
             REQUIRE((p - q).dot(corner - q) <= 1e-12);
-        ++zeros[static_cast<std::size_t>((w[0] == 0) + (w[1] == 0) + (w[2] == 0))];
+        ++zeros[(w[0] == 0) + (w[1] == 0) + (w[2] == 0)];
     }
     CHECK(zeros[0] > 500);  // inside, on edges and at corners
     CHECK(zeros[1] > 500);
@@ -85,8 +85,8 @@ TEST_CASE("closest point: the tree finds what looking at every face finds, and n
         const Vec3 p = random.vector(1.3);
         double nearest = 1e300;
         for (const auto& [a, b, c] : surface.topology.faces()) {
-            const Vec3 &x = surface.positions[static_cast<std::size_t>(a)], &y = surface.positions[static_cast<std::size_t>(b)],
-                       &z = surface.positions[static_cast<std::size_t>(c)];
+            const Vec3 &x = surface.positions[a], &y = surface.positions[b],
+                       &z = surface.positions[c];
             const FaceWeights w = closest_weights(p, x, y, z);
             nearest = std::min(nearest, (p - w[0] * x - w[1] * y - w[2] * z).squaredNorm());
         }

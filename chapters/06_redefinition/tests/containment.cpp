@@ -22,9 +22,9 @@ void check_bodies(const World& world, int a, int b, const Contacts& contacts, Bo
     for (const Contact& c : contacts)
         if (c.kind == ContactKind::vertex_face && !c.resolved && c.body_a == a && c.body_b == b)
             ++pairs[c.feature_a];
-    const Body &mine = *world.bodies[static_cast<std::size_t>(a)], &other = *world.bodies[static_cast<std::size_t>(b)];
+    const Body &mine = *world.bodies[a], &other = *world.bodies[b];
     for (int v = 0; v < mine.surface().vertex_count(); ++v) {
-        const bool inside = winding_number(other.surface().faces(), other.positions_t0(), mine.positions_t0()[static_cast<std::size_t>(v)]) > 0.5;
+        const bool inside = winding_number(other.surface().faces(), other.positions_t0(), mine.positions_t0()[v]) > 0.5;
         const int count = pairs.count(v) ? pairs[v] : 0;
         books.inside += inside;
         books.without_pair += inside && count == 0;

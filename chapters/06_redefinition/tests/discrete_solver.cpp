@@ -21,12 +21,12 @@ std::set<std::tuple<int, int, int>> vertices_inside(const World& world)
     const int count = static_cast<int>(world.bodies.size());
     for (int a = 0; a < count; ++a)
         for (int b = 0; b < count; ++b) {
-            const Body &of_vertices = *world.bodies[static_cast<std::size_t>(a)], &of_faces = *world.bodies[static_cast<std::size_t>(b)];
+            const Body &of_vertices = *world.bodies[a], &of_faces = *world.bodies[b];
             const std::span<const Vec3> positions = of_faces.positions_t1();
             FaceTree tree(of_faces.surface(), positions);
             tree.refit({of_faces.surface(), positions, positions});
             for (int v = 0; a != b && v < of_vertices.surface().vertex_count(); ++v) {
-                const Vec3& p = of_vertices.positions_t1()[static_cast<std::size_t>(v)];
+                const Vec3& p = of_vertices.positions_t1()[v];
                 const ClosestPoint closest = closest_point(tree, of_faces.surface(), positions, p, 1e300);
                 if (pseudonormal(of_faces.surface(), positions, closest).dot(p - closest.point) < 0)
                     inside.insert({a, v, b});

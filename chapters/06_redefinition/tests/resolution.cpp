@@ -25,7 +25,7 @@ double middle_x(const World& world, const Contact& contact)
 {
     double sum = 0;
     for (const std::size_t i : {1u, 2u, 3u})
-        sum += world.bodies[0]->positions_t0()[static_cast<std::size_t>(contact.vertices[i])].x() / 3;
+        sum += world.bodies[0]->positions_t0()[contact.vertices[i]].x() / 3;
     return sum;
 }
 

@@ -46,7 +46,7 @@ inline void turn_to(World& world, const Vec3& velocity)
 /// The pair of the tip and a face, as an earlier step left it.
 inline Contact on_face(const World& world, int face)
 {
-    const Face& f = world.bodies[0]->surface().faces()[static_cast<std::size_t>(face)];
+    const Face& f = world.bodies[0]->surface().faces()[face];
     return {ContactKind::vertex_face, 1, 0, 0, face, {0, f[0], f[1], f[2]}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}};
 }
 

@@ -20,8 +20,8 @@ namespace {
 /// layer's own projection.
 bool lies_on(const World& world, int face, double x, double z, double slack)
 {
-    const Face& f = world.bodies[0]->surface().faces()[static_cast<std::size_t>(face)];
-    const auto corner = [&](int i) { return world.bodies[0]->positions_t0()[static_cast<std::size_t>(f[static_cast<std::size_t>(i)])]; };
+    const Face& f = world.bodies[0]->surface().faces()[face];
+    const auto corner = [&](int i) { return world.bodies[0]->positions_t0()[f[static_cast<std::size_t>(i)]]; };
     for (int i = 0; i < 3; ++i) {
         const Vec3 p = corner(i), q = corner((i + 1) % 3);
         if ((q.z() - p.z()) * (x - p.x()) - (q.x() - p.x()) * (z - p.z()) < -slack)
@@ -111,9 +111,9 @@ TEST_CASE("redefinition: below a valley no face has the foot; the tolerance (6.4
         redefine_enduring_vertices(moved, contacts, redefinitions);
         changes += static_cast<int>(redefinitions.size());
         CHECK_FALSE(contacts[0].resolved);
-        const double side = moved.bodies[0]->positions_t0()[static_cast<std::size_t>(contacts[0].vertices[1])].x()
-                            + moved.bodies[0]->positions_t0()[static_cast<std::size_t>(contacts[0].vertices[2])].x()
-                            + moved.bodies[0]->positions_t0()[static_cast<std::size_t>(contacts[0].vertices[3])].x();
+        const double side = moved.bodies[0]->positions_t0()[contacts[0].vertices[1]].x()
+                            + moved.bodies[0]->positions_t0()[contacts[0].vertices[2]].x()
+                            + moved.bodies[0]->positions_t0()[contacts[0].vertices[3]].x();
         if (std::abs(x) > 0.011)
             CHECK(side * x > 0);  // on the face of its own side
     }
@@ -167,7 +167,7 @@ TEST_CASE("new pairs: of two entries of a vertex the earliest is kept, and of tw
         CAPTURE(early);
         Contacts contacts{on_face(world, 0), on_face(world, 1)};
         contacts[0].start = contacts[1].start = 0.6;
-        contacts[static_cast<std::size_t>(early)].start = 0.2;
+        contacts[early].start = 0.2;
         label_new_contacts(world, contacts);
         Redefinitions redefinitions;
         admit_new_pairs(world, contacts, 0, redefinitions);

@@ -22,7 +22,7 @@ std::vector<std::vector<Vec3>> contact_forces(const World& world, const Contacts
         for (int i = 0; i < contact.vertex_count(); ++i) {
             const int body = i < contact.vertices_of_a() ? contact.body_a : contact.body_b;
             const auto at = static_cast<std::size_t>(i);
-            forces[static_cast<std::size_t>(body)][static_cast<std::size_t>(contact.vertices[at])]
+            forces[body][contact.vertices[at]]
                 += contact.weights[at] * (contact.impulse + contact.friction) / dt;
         }
     return forces;
@@ -45,8 +45,8 @@ std::vector<Vec3> at_vtk_points(const ElasticMesh& mesh, const NodalVectors& fie
             for (std::size_t edge = 0; edge < tetrahedron_edges.size(); ++edge) {
                 const auto [a, b] = tetrahedron_edges[edge];
                 const int middle = element.nodes[4 + edge];
-                values[static_cast<std::size_t>(middle)] = field.col(middle) / 2
-                    + (field.col(element.nodes[static_cast<std::size_t>(a)]) + field.col(element.nodes[static_cast<std::size_t>(b)])) / 4;
+                values[middle] = field.col(middle) / 2
+                    + (field.col(element.nodes[a]) + field.col(element.nodes[b])) / 4;
             }
     return values;
 }
@@ -63,7 +63,7 @@ void append(ElementArrays& arrays, const ElasticBody& elastic, long body)
     const int nodes = nodes_of(mesh.basis());
     for (const ElasticElement& element : mesh.elements()) {
         for (int i = 0; i < nodes; ++i)
-            arrays.corners.push_back(first + element.nodes[static_cast<std::size_t>(i)]);
+            arrays.corners.push_back(first + element.nodes[i]);
         arrays.ends.push_back(static_cast<long>(arrays.corners.size()));
         arrays.types.push_back(mesh.basis() == Basis::quadratic ? vtk_quadratic_tetrahedron : vtk_tetrahedron);
         arrays.inverted.push_back(is_inverted(mesh.basis(), element, elastic.positions()) ? 1 : 0);

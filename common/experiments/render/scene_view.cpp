@@ -29,7 +29,7 @@ void mark(Stage& stage, const World& world, const Contact& contact, const MarkCo
 {
     std::array<Vec3, 4> points;
     for (int i = 0; i < contact.vertex_count(); ++i)
-        points[static_cast<std::size_t>(i)] = contact_vertex(world, contact, i, 0);
+        points[i] = contact_vertex(world, contact, i, 0);
     if (contact.kind == ContactKind::edge_edge) {
         stage.segments.push_back({points[0], points[1], colors.edge, 4});
         stage.segments.push_back({points[2], points[3], colors.edge, 4});

@@ -33,7 +33,7 @@ Picture strip(const std::vector<StripPicture>& pictures, int columns)
 
     Picture page(across * (width + gap) - gap, rows * (height + line + gap) - gap, paper);
     for (int i = 0; i < count; ++i) {
-        const auto& [picture, caption] = pictures[static_cast<std::size_t>(i)];
+        const auto& [picture, caption] = pictures[i];
         if (picture.width != width || picture.height != height)
             throw InputError("the pictures of a strip must have one size");
         const int left = i % across * (width + gap), top = i / across * (height + line + gap);

@@ -10,7 +10,7 @@ const double same_side_of_a_crease = std::cos(40 * std::numbers::pi / 180);
 
 Vec3 area_vector(const Drawable& body, const Face& face)
 {
-    const auto corner = [&](std::size_t i) -> const Vec3& { return body.positions[static_cast<std::size_t>(face[i])]; };
+    const auto corner = [&](std::size_t i) -> const Vec3& { return body.positions[face[i]]; };
     return (corner(1) - corner(0)).cross(corner(2) - corner(0));
 }
 
@@ -22,7 +22,7 @@ void add_surface(TriangleSoup& soup, const Drawable& body, const Vec3& centre)
     std::vector<std::vector<std::size_t>> around(body.positions.size());
     for (const Face& face : body.faces) {
         for (const int vertex : face)
-            around[static_cast<std::size_t>(vertex)].push_back(areas.size());
+            around[vertex].push_back(areas.size());
         areas.push_back(area_vector(body, face));
     }
     const auto smooth_normal = [&](std::size_t face, std::size_t vertex) {

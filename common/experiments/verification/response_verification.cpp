@@ -28,7 +28,7 @@ int vertex_at(const Body& body, const Vec3& place)
     int nearest = 0;
     const std::span<const Vec3> at = body.positions_t0();
     for (int vertex = 1; vertex < body.surface().vertex_count(); ++vertex)
-        if ((at[static_cast<std::size_t>(vertex)] - place).norm() < (at[static_cast<std::size_t>(nearest)] - place).norm())
+        if ((at[vertex] - place).norm() < (at[nearest] - place).norm())
             nearest = vertex;
     return nearest;
 }
@@ -46,7 +46,7 @@ Gain push(DeformableBody& body)
     body.predict(Vec3::Zero(), dt);
     body.apply_impulse(vertex, impulse);
     body.update_prediction(dt);
-    const double lever = body.positions_t0()[static_cast<std::size_t>(vertex)].cross(impulse).x();
+    const double lever = body.positions_t0()[vertex].cross(impulse).x();
     const double work = 0.5 * impulse.dot(body.velocity(vertex));
     const double angular = body.angular_momentum(Vec3::Zero()).x(), kinetic = body.energy(Vec3::Zero()).kinetic;
     body.commit(dt);

@@ -27,11 +27,11 @@ Eigen::SparseMatrix<double> random_matrix(int size, double density, unsigned see
             if (unit() < density) {
                 const double value = 2 * unit() - 1;
                 entries.emplace_back(row, column, value);
-                diagonal[static_cast<std::size_t>(row)] += std::abs(value);
-                diagonal[static_cast<std::size_t>(column)] += std::abs(value);
+                diagonal[row] += std::abs(value);
+                diagonal[column] += std::abs(value);
             }
     for (int i = 0; i < size; ++i)
-        entries.emplace_back(i, i, diagonal[static_cast<std::size_t>(i)]);
+        entries.emplace_back(i, i, diagonal[i]);
     Eigen::SparseMatrix<double> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
     return matrix;

@@ -171,7 +171,7 @@ TEST_CASE("surface checks: what contact cannot live on is refused, with the reas
     CHECK(refused(twice).find("cube: two faces over the same vertices") == 0);
 
     SurfaceMesh flat = cube;
-    flat.vertices[0] = flat.vertices[static_cast<std::size_t>(flat.faces[0][1])];
+    flat.vertices[0] = flat.vertices[flat.faces[0][1]];
     CHECK(refused(flat) == "cube: face 0 has no area");
 
     SurfaceMesh stray = cube;

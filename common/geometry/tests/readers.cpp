@@ -78,7 +78,7 @@ TEST_CASE("Gmsh reader: ten-node elements arrive in our order of edges, corners 
     const QuadraticTetrahedralMesh read = read_gmsh_quadratic(stream, "text");
     CHECK(read.corner_count == 4);
     REQUIRE(read.elements.size() == 1);
-    const auto node = [&](std::size_t i) { return read.nodes[static_cast<std::size_t>(read.elements[0][i])]; };
+    const auto node = [&](std::size_t i) { return read.nodes[read.elements[0][i]]; };
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(read.elements[0][i] < 4);
         CHECK(node(i) == corner[i]);
@@ -108,7 +108,7 @@ TEST_CASE("meshes: every bunny is sound, and what its README says")
 
         double volume = 0, angle = 4;
         for (const auto& e : mesh.elements) {
-            const auto x = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(e[i])]; };
+            const auto x = [&](std::size_t i) { return mesh.nodes[e[i]]; };
             volume += signed_volume({x(0), x(1), x(2), x(3)});
             angle = std::min(angle, smallest_dihedral_angle({x(0), x(1), x(2), x(3)}));
         }
@@ -142,7 +142,7 @@ TEST_CASE("OBJ reader: a polygon with a dent is cut along its inside")
     CHECK(dented.faces.size() == 3);
     double area = 0;
     for (const auto& [a, b, c] : dented.faces) {
-        const auto x = [&](int v) { return dented.vertices[static_cast<std::size_t>(v)]; };
+        const auto x = [&](int v) { return dented.vertices[v]; };
         const double part = (x(b) - x(a)).cross(x(c) - x(a)).z() / 2;
         CHECK(part > 0);
         area += part;

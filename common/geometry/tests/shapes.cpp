@@ -134,8 +134,8 @@ TEST_CASE("shapes: the three plane grids cover the same area, face up, and diffe
         CHECK(mesh.faces.size() == 24 * faces_per_cell[kind]);
         Vec3 area = Vec3::Zero();
         for (const auto& [a, b, c] : mesh.faces) {
-            const Vec3 origin = mesh.vertices[static_cast<std::size_t>(a)];
-            const Vec3 normal = (mesh.vertices[static_cast<std::size_t>(b)] - origin).cross(mesh.vertices[static_cast<std::size_t>(c)] - origin) / 2;
+            const Vec3 origin = mesh.vertices[a];
+            const Vec3 normal = (mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin) / 2;
             CHECK(normal.y() > 0);
             area += normal;
         }

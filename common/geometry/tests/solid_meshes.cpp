@@ -14,7 +14,7 @@ double volume_of(const TetrahedralMesh& mesh)
 {
     double volume = 0;
     for (const auto& e : mesh.elements) {
-        const auto x = [&](std::size_t i) { return mesh.nodes[static_cast<std::size_t>(e[i])]; };
+        const auto x = [&](std::size_t i) { return mesh.nodes[e[i]]; };
         const double part = signed_volume({x(0), x(1), x(2), x(3)});
         CHECK(part > 0);
         volume += part;
@@ -27,7 +27,7 @@ double enclosed(const SurfaceMesh& mesh)
 {
     double sum = 0;
     for (const auto& [a, b, c] : mesh.faces)
-        sum += mesh.vertices[static_cast<std::size_t>(a)].dot(mesh.vertices[static_cast<std::size_t>(b)].cross(mesh.vertices[static_cast<std::size_t>(c)]));
+        sum += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c]));
     return sum / 6;
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("surface extraction: each vertex is the node that the map names")
     const ExtractedSurface surface = surface_of(mesh);
     CHECK(surface.nodes.size() == 26);  // all of the 27 nodes but the middle one
     for (std::size_t v = 0; v < surface.nodes.size(); ++v)
-        CHECK(surface.mesh.vertices[v] == mesh.nodes[static_cast<std::size_t>(surface.nodes[v])]);
+        CHECK(surface.mesh.vertices[v] == mesh.nodes[surface.nodes[v]]);
 }
 
 TEST_CASE("surface extraction: a 10-node face becomes four triangles with the same outline")
@@ -73,13 +73,13 @@ TEST_CASE("surface extraction: a 10-node face becomes four triangles with the sa
     CHECK(closed_manifold(fine.mesh));
     CHECK(enclosed(fine.mesh) == doctest::Approx(6.0).epsilon(1e-13));
     for (std::size_t v = 0; v < fine.nodes.size(); ++v)
-        CHECK(fine.mesh.vertices[v] == quadratic.nodes[static_cast<std::size_t>(fine.nodes[v])]);
+        CHECK(fine.mesh.vertices[v] == quadratic.nodes[fine.nodes[v]]);
 
     // Every fourth triangle is the middle one; all four have a quarter of the whole triangle's area.
     const auto area = [](const SurfaceMesh& mesh, std::size_t face) {
         const auto& [a, b, c] = mesh.faces[face];
-        const Vec3& origin = mesh.vertices[static_cast<std::size_t>(a)];
-        return (mesh.vertices[static_cast<std::size_t>(b)] - origin).cross(mesh.vertices[static_cast<std::size_t>(c)] - origin).norm() / 2;
+        const Vec3& origin = mesh.vertices[a];
+        return (mesh.vertices[b] - origin).cross(mesh.vertices[c] - origin).norm() / 2;
     };
     for (std::size_t f = 0; f < fine.mesh.faces.size(); ++f)
         CHECK(area(fine.mesh, f) == doctest::Approx(area(coarse.mesh, f / 4) / 4).epsilon(1e-12));
@@ -94,7 +94,7 @@ TEST_CASE("quadratic mesh: each edge has one node, in its middle, shared by all 
     CHECK(mesh.nodes.size() == 12 + 20 + 11 + 2);
     for (const auto& element : mesh.elements)
         for (std::size_t e = 0; e < 6; ++e) {
-            const auto node = [&](int local) { return mesh.nodes[static_cast<std::size_t>(element[static_cast<std::size_t>(local)])]; };
+            const auto node = [&](int local) { return mesh.nodes[element[static_cast<std::size_t>(local)]]; };
             const Vec3 middle = 0.5 * (node(tetrahedron_edges[e][0]) + node(tetrahedron_edges[e][1]));
             CHECK((node(static_cast<int>(4 + e)) - middle).norm() == 0.0);
         }
@@ -120,11 +120,11 @@ TEST_CASE("element quality: a flat element and an overbent one are faults")
     std::array<Vec3, 10> nodes;
     const auto fault = [&] {
         for (std::size_t i = 0; i < 10; ++i)
-            nodes[i] = mesh.nodes[static_cast<std::size_t>(mesh.elements[0][i])];
+            nodes[i] = mesh.nodes[mesh.elements[0][i]];
         return element_fault(nodes);
     };
     CHECK(fault().empty());
-    Vec3& middle_of_first_edge = mesh.nodes[static_cast<std::size_t>(mesh.elements[0][4])];
+    Vec3& middle_of_first_edge = mesh.nodes[mesh.elements[0][4]];
     middle_of_first_edge = {0.7, 0, 0};
     CHECK(fault().empty());
     middle_of_first_edge = {0.8, 0, 0};  // past three quarters the map runs backwards at the far corner

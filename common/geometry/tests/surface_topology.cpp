@@ -30,10 +30,10 @@ TEST_CASE("topology: every neighbourhood equals a search through all faces")
         for (int v = 0; v < surface.vertex_count(); ++v) {
             std::vector<int> faces, edges;
             for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f)
-                if (const Face& face = mesh.faces[static_cast<std::size_t>(f)]; std::count(face.begin(), face.end(), v))
+                if (const Face& face = mesh.faces[f]; std::count(face.begin(), face.end(), v))
                     faces.push_back(f);
             for (int e = 0; e < static_cast<int>(surface.edges().size()); ++e)
-                if (const Edge& edge = surface.edges()[static_cast<std::size_t>(e)]; edge[0] == v || edge[1] == v)
+                if (const Edge& edge = surface.edges()[e]; edge[0] == v || edge[1] == v)
                     edges.push_back(e);
             CAPTURE(v);
             CHECK(same(surface.faces_around_vertex(v), faces));
@@ -47,10 +47,10 @@ TEST_CASE("topology: edges of a face and faces at an edge name each other, in or
     const SurfaceTopology surface = topology_of(sphere(1, 1));
     for (int f = 0; f < static_cast<int>(surface.faces().size()); ++f)
         for (std::size_t i = 0; i < 3; ++i) {
-            const Face& face = surface.faces()[static_cast<std::size_t>(f)];
+            const Face& face = surface.faces()[f];
             const int e = surface.edges_of_face(f)[i];
             const Edge expected{std::min(face[i], face[(i + 1) % 3]), std::max(face[i], face[(i + 1) % 3])};
-            CHECK(surface.edges()[static_cast<std::size_t>(e)] == expected);
+            CHECK(surface.edges()[e] == expected);
             const auto& [first, second] = surface.faces_at_edge(e);
             CHECK((first == f || second == f));
             CHECK(first < second);

@@ -38,8 +38,8 @@ TEST_CASE("surface tree: what it holds and how far its faces are is what the sol
             CAPTURE(point.transpose());
             double nearest = 1e300;
             for (const auto& [a, b, c] : mesh.faces)
-                nearest = std::min(nearest, distance_to_triangle(point, mesh.vertices[static_cast<std::size_t>(a)],
-                                                                 mesh.vertices[static_cast<std::size_t>(b)], mesh.vertices[static_cast<std::size_t>(c)]));
+                nearest = std::min(nearest, distance_to_triangle(point, mesh.vertices[a],
+                                                                 mesh.vertices[b], mesh.vertices[c]));
             CHECK(tree.distance(point) == doctest::Approx(nearest).epsilon(1e-12));
             CHECK(tree.contains(point) == (winding_number(mesh.faces, mesh.vertices, point) > 0.5));
             inside += tree.contains(point);

@@ -22,7 +22,7 @@ TEST_CASE("winding number: a side of a cube fills a sixth of what is seen from i
     const SurfaceMesh cube = box({2, 2, 2});
     std::vector<Face> top;
     std::copy_if(cube.faces.begin(), cube.faces.end(), std::back_inserter(top), [&](const Face& face) {
-        return std::all_of(face.begin(), face.end(), [&](int v) { return cube.vertices[static_cast<std::size_t>(v)].y() > 0; });
+        return std::all_of(face.begin(), face.end(), [&](int v) { return cube.vertices[v].y() > 0; });
     });
     REQUIRE_FALSE(top.empty());
     CHECK(winding_number(top, cube.vertices, Vec3::Zero()) == doctest::Approx(1.0 / 6).epsilon(1e-14));

@@ -58,7 +58,7 @@ TEST_CASE("deformable body: it starts unstrained where it was placed, moving as 
             nearest = std::min(nearest, (vertex - corner).norm());
         CHECK(nearest < 1e-14);
         for (int vertex = 0; vertex < body->surface().vertex_count(); ++vertex) {
-            const Vec3 lever = body->positions_t0()[static_cast<std::size_t>(vertex)] - Vec3(1, 2, 3);
+            const Vec3 lever = body->positions_t0()[vertex] - Vec3(1, 2, 3);
             CHECK((body->velocity(vertex) - Vec3(0, -1, 0) - Vec3(1, 0, 2).cross(lever)).norm() < 1e-12);
         }
     }
@@ -121,7 +121,7 @@ TEST_CASE("deformable body: an implicit impulse gives exactly its linear and ang
             body->predict(Vec3::Zero(), 0.01);
             const Vec3 velocity = body->velocity(vertex), linear = body->linear_momentum(), angular = body->angular_momentum(about);
             const double before = body->energy(Vec3::Zero()).total();
-            const Vec3 point = body->positions_t0()[static_cast<std::size_t>(vertex)];
+            const Vec3 point = body->positions_t0()[vertex];
             body->apply_impulse(vertex, impulse);
             body->update_prediction(0.01);
             CHECK((body->linear_momentum() - linear - impulse).norm() < 1e-10);
@@ -195,14 +195,14 @@ TEST_CASE("deformable body: fixed nodes stay, whatever pushes them")
         if (body->embedding().nodes_of(vertex)[0].node == 0)
             pinned = vertex;
     REQUIRE(pinned >= 0);
-    const Vec3 start = body->positions_t0()[static_cast<std::size_t>(pinned)];
+    const Vec3 start = body->positions_t0()[pinned];
     CHECK(body->inverse_mass(pinned).isZero());
     for (int n = 0; n < 3; ++n) {
         body->predict({0, -9.81, 0}, 0.02);
         body->apply_impulse(pinned, {1, 2, 3});
         body->commit(0.02);
     }
-    CHECK(body->positions_t0()[static_cast<std::size_t>(pinned)] == start);
+    CHECK(body->positions_t0()[pinned] == start);
     CHECK(body->energy(Vec3::Zero()).kinetic > 0);
 }
 

@@ -88,7 +88,7 @@ TEST_CASE("rigid body: the inverse mass of a box's corner is the textbook's 3x3 
     const SurfaceMesh mesh = box({a, b, c});
     const RigidBody body("box", mesh, with_mass(mass_properties(mesh, 1.0), m));
     for (int vertex = 0; vertex < 8; ++vertex) {
-        const Vec3 r = mesh.vertices[static_cast<std::size_t>(vertex)];
+        const Vec3 r = mesh.vertices[vertex];
         Mat3 cross;
         cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
         const Vec3 inertia = m / 12 * Vec3(b * b + c * c, a * a + c * c, a * a + b * b);
@@ -105,7 +105,7 @@ TEST_CASE("rigid body: impulses give it exactly their linear and angular momentu
     Vec3 linear = body.linear_momentum(), angular = body.angular_momentum(about);
     for (const auto& [vertex, impulse] : {std::pair<int, Vec3>{0, {1, 2, 3}}, {5, {-2, 0.5, 1}}, {2, {0, -4, 0.25}}}) {
         linear += impulse;
-        angular += (body.positions_t0()[static_cast<std::size_t>(vertex)] - about).cross(impulse);
+        angular += (body.positions_t0()[vertex] - about).cross(impulse);
         body.apply_impulse(vertex, impulse);
     }
     CHECK((body.linear_momentum() - linear).norm() < 1e-13);

@@ -137,7 +137,7 @@ TEST_CASE("paraview: a pair is a line from q to p with its forces, depth and lab
         const Contact& contact = sheets.contacts[i];
         Vec3 between = Vec3::Zero();  // p - q, from the weights alone
         for (int v = 0; v < contact.vertex_count(); ++v)
-            between += contact.weights[static_cast<std::size_t>(v)] * contact_vertex(sheets.world, contact, v, 1);
+            between += contact.weights[v] * contact_vertex(sheets.world, contact, v, 1);
         if (contact.kind == ContactKind::vertex_plane)
             between = Vec3(0, 0, 0);  // its vertex lies in the plane
         CHECK((vector_at(points, 2 * i + 1) - vector_at(points, 2 * i) - between).norm() < 1e-14);

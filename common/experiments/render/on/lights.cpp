@@ -33,13 +33,13 @@ std::array<DirectionalLight, light_count> studio_lights(const Camera& camera, co
     std::array<DirectionalLight, light_count> lights;
     for (int i = 0; i < sun_count; ++i) {  // a spiral over the sun's disc
         const double r = sun_radius * std::sqrt((i + 0.5) / sun_count), angle = i * golden_angle;
-        lights[static_cast<std::size_t>(i)] = light_from(sun + r * (std::cos(angle) * x + std::sin(angle) * y), 0.72 / sun_count * sun_color);
+        lights[i] = light_from(sun + r * (std::cos(angle) * x + std::sin(angle) * y), 0.72 / sun_count * sun_color);
     }
     const int sky_count = light_count - sun_count;
     for (int i = 0; i < sky_count; ++i) {  // a spiral from the zenith to 8 degrees above the horizon, equal areas
         const double height = 1 - (1 - std::sin(8 * pi / 180)) * (i + 0.5) / sky_count, angle = i * golden_angle;
         const Vec3 around = std::cos(angle) * front + std::sin(angle) * right;
-        lights[static_cast<std::size_t>(sun_count + i)] =
+        lights[sun_count + i] =
             light_from(height * up + std::sqrt(1 - height * height) * around, 0.86 / sky_count * sky_color);
     }
     return lights;

@@ -44,7 +44,7 @@ void ShadowMaps::fill(const std::array<DirectionalLight, light_count>& lights, d
     for (int i = 0; i < light_count; ++i) {
         glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, maps_, 0, i);
         glClear(GL_DEPTH_BUFFER_BIT);
-        set(program_, "light", lights[static_cast<std::size_t>(i)].rows);
+        set(program_, "light", lights[i].rows);
         glDrawArrays(GL_TRIANGLES, 0, corners);
     }
 }

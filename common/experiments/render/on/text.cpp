@@ -64,7 +64,7 @@ void cover(Coverage& line, int code_point, float scale, double pen)
         for (int x = 0; x < width; ++x) {
             const int column = whole + left + x - line.left, row = top + y - line.top;
             if (column >= 0 && row >= 0 && column < line.width && row < line.height) {
-                float& share = line.share[static_cast<std::size_t>(row * line.width + column)];
+                float& share = line.share[row * line.width + column];
                 share = std::max(share, static_cast<float>(bitmap[y * width + x]) / 255);
             }
         }
@@ -105,7 +105,7 @@ void draw_text(Picture& picture, const std::string& text, double x, double y, do
     walk(text, scale, x, [&](int code_point, double pen) { cover(line, code_point, scale, pen); });
     for (int row = 0; row < line.height; ++row)
         for (int column = 0; column < line.width; ++column)
-            blend(picture, line.left + column, base + line.top + row, color, line.share[static_cast<std::size_t>(row * line.width + column)]);
+            blend(picture, line.left + column, base + line.top + row, color, line.share[row * line.width + column]);
 }
 
 }  // namespace enduring

@@ -52,7 +52,7 @@ inline Stage bunny_in_bowl()
 
     // The face nearest to the camera is one that it sees.
     const auto& at = stage.bodies[1].positions;
-    const auto corner = [&](const Face& face, std::size_t i) -> const Vec3& { return at[static_cast<std::size_t>(face[i])]; };
+    const auto corner = [&](const Face& face, std::size_t i) -> const Vec3& { return at[face[i]]; };
     const auto depth = [&](const Face& f) { return stage.camera.depth((corner(f, 0) + corner(f, 1) + corner(f, 2)) / 3); };
     const Face face = *std::min_element(stage.bodies[1].faces.begin(), stage.bodies[1].faces.end(),
                                         [&](const Face& f, const Face& g) { return depth(f) < depth(g); });
