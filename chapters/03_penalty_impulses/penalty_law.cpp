@@ -26,7 +26,7 @@ NormalLaw normal_law(const ContactParameters& parameters)
         return parameters.law;
     constexpr std::array laws{discrete_penalty, continuous_penalty};  // as PenaltyMethod has them
     static_assert(laws.size() == penalty_words.size(), "a method without a law");
-    return laws[parameters.method];
+    return laws[static_cast<std::size_t>(parameters.method)];
 }
 //! [normal_law]
 

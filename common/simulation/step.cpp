@@ -91,7 +91,7 @@ const Pass& Solver::pass(const std::string& called) const
 void Solver::append(StepStage stage, Pass pass)
 {
     require_free(pass.name);
-    lists_[stage].push_back(std::move(pass));
+    lists_[static_cast<std::size_t>(stage)].push_back(std::move(pass));
 }
 
 void Solver::insert_before(const std::string& called, Pass pass)

@@ -58,7 +58,7 @@ public:
            const std::vector<Pass>& respond, const std::vector<Pass>& finish = {});
 
     /// In the order in which they run.
-    const std::vector<Pass>& passes(StepStage stage) const { return lists_[stage]; }
+    const std::vector<Pass>& passes(StepStage stage) const { return lists_[static_cast<std::size_t>(stage)]; }
     const Pass& pass(const std::string& called) const;
 
     void append(StepStage stage, Pass pass);                      ///< behind all others of its stage

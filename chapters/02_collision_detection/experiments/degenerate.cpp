@@ -68,7 +68,7 @@ struct Comparison {
             textbook[i].add(textbook_time_of_impact(step, {1e-12, tolerances[i], tolerances[i]}), collides);
         const CertifiedAnswer answer = certified_answer(step);
         certified.add(answer.time, collides);
-        ++settled[answer.stage];
+        ++settled[static_cast<std::size_t>(answer.stage)];
     }
 };
 

@@ -46,7 +46,7 @@ struct Errors {
 double quantile(std::vector<double> values, double share)
 {
     std::sort(values.begin(), values.end());
-    return values[share * static_cast<double>(values.size() - 1)];
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 Errors errors_at(double turn, double growth, int count)
