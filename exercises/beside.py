@@ -1,10 +1,11 @@
 """The chapter's scene, run with a student's code, and its picture beside the one of the chapter's own code."""
 import html
 import shutil
-import subprocess
 
+import sandbox
 import workshop
 from catalogue import ROOT, shown
+from judge import SEEN
 
 SECONDS = 120
 PAGE = """<!DOCTYPE html>
@@ -29,13 +30,13 @@ def lay_beside(exercise, folder):
     workshop.link_instead(program, folder / "answer.o", folder / "program")
     for name, run in (("yours", folder / "program"), ("reference", workshop.BUILD / "bin" / program)):
         shutil.rmtree(folder / name, ignore_errors=True)
-        try:
-            done = subprocess.run([run, exercise.scene, "--quick", "--out", folder / name], cwd=ROOT, capture_output=True,
-                                  text=True, timeout=SECONDS)
-        except subprocess.TimeoutExpired:
-            return f"The scene {exercise.scene} took longer than {SECONDS} s with your code."
+        (folder / name).mkdir()
+        done = sandbox.run([run, exercise.scene, "--quick", "--out", folder / name], ROOT, readable=[run, *(ROOT / seen for seen in SEEN)],
+                           writable=[folder / name], limits=sandbox.Limits(seconds=SECONDS))
+        if done.stopped:
+            return f"The scene {exercise.scene} was stopped with your code: too much {done.stopped} (it may take {SECONDS} s)."
         if done.returncode or not (folder / name / exercise.picture).is_file():
-            return f"The scene {exercise.scene} did not end well: {done.stderr.strip()[-300:]}"
+            return f"The scene {exercise.scene} did not end well: {done.err.strip()[-300:]}"
     return write_page(exercise, folder)
 
 

@@ -41,7 +41,7 @@ def row_of(student, exercise):
     shutil.rmtree(folder, ignore_errors=True)
     outcome = judge(exercise, source.resolve(), folder)
     results = {"passed": "right", "failed": "wrong", "untouched": "not started", "does_not_compile": "does not compile",
-               "too_long": "took too long", "crashed": "crashed"}
+               "includes_solution": "includes the solution", "too_long": "took too long", "too_much": "took too much", "crashed": "crashed"}
     found = misconceptions(exercise, outcome) if outcome.state == "failed" else []
     properties = outcome.held_before + outcome.cases
     hold = properties - len(outcome.failed_cases) if properties else ""

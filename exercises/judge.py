@@ -1,15 +1,21 @@
 """Runs one answer against its check and tells what came of it."""
+import functools
 import re
-import resource
-import subprocess
+import secrets
 import xml.etree.ElementTree as ElementTree
 from dataclasses import dataclass, field
 
+import honest
+import sandbox
 import workshop
 from catalogue import ROOT
 
-SECONDS = 20          # a check takes well under two
-MEMORY = 4 << 30      # bytes
+SECONDS = 20                              # a check takes well under two
+SEEN = ("chapters", "common", "renders")  # what the chapters' tests read
+TOO_MUCH = {"time": "Stopped after {} s: a loop does not end, or takes far too many rounds.",
+            "memory": "Stopped: it takes far too much memory.", "output": "Stopped: it prints far too much.",
+            "processes": "Stopped: it starts far too many processes."}
+NO_VERDICT = "No verdict: of the {1} properties it reports {0}, or its report is not the judge's. Does it add tests, or meddle with the check?"
 NOT_IMPLEMENTED = "not implemented yet: "
 THREW = "threw an exception"
 
@@ -24,7 +30,8 @@ class Failure:
 
 @dataclass
 class Outcome:
-    """What came of an answer: passed, failed, untouched, does_not_compile, too_long or crashed."""
+    """What came of an answer: passed, failed, untouched, does_not_compile, includes_solution, too_long, too_much
+    or crashed."""
     state: str
     message: str = ""
     cases: int = 0                              # properties that were tried
@@ -52,18 +59,26 @@ def judge(exercise, source, folder, chapters_tests=True):
     try:
         answer = workshop.compile_answer(exercise, source, folder)
         workshop.link_check(exercise, answer, program)
-        outcome = run_cases(program, folder / "check.xml")
+        outcome = run_cases(program, expected=properties_of(exercise))
         if outcome.state == "passed" and exercise.kind == "rebuild" and chapters_tests:
             outcome = with_chapters_tests(exercise, answer, folder, outcome)
         return outcome
-    except workshop.DoesNotCompile as error:
+    except honest.DoesNotCompile as error:
         return Outcome("does_not_compile", str(error))
+    except honest.IncludesSolution as error:
+        return Outcome("includes_solution", str(error))
+
+
+def properties_of(exercise):
+    """How many properties its check has."""
+    return len(re.findall(r"^TEST_CASE\(", exercise.check.read_text(encoding="utf-8"), re.M))
 
 
 def with_chapters_tests(exercise, answer, folder, outcome):
     program = folder / "tests"
-    workshop.link_instead(f"test_chapter{exercise.chapter[:2]}", answer, program)
-    own = run_cases(program, folder / "tests.xml", ["--test-case=" + ",".join(exercise.tests)])
+    workshop.link_tests(exercise, answer, program)
+    chosen = "--test-case=" + ",".join(exercise.tests)
+    own = run_cases(program, [chosen], expected=tests_of(exercise.chapter[:2], chosen))
     if own.state == "passed" and not own.cases:
         return Outcome("failed", f"no test of the chapter is called {' or '.join(exercise.tests)}")
     own.held_before = outcome.cases
@@ -71,43 +86,41 @@ def with_chapters_tests(exercise, answer, folder, outcome):
     return own
 
 
-def run_cases(program, report, options=(), seconds=None):
-    """Runs a program of doctest cases, with a limit of time and memory.
-    @param seconds  the limit of time; without it, that of a check"""
-    seconds = seconds or SECONDS
-    report.unlink(missing_ok=True)
-    command = [str(program), "--reporters=xml", f"--out={report}", "--no-breaks", *options]
-    done, in_time = run_limited(command, seconds)
-    cases = cases_in(report)
+@functools.cache
+def tests_of(chapter, chosen):
+    """How many of a chapter's tests are chosen, as its own program says."""
+    told = workshop.run_quietly([str(workshop.BUILD / f"bin/test_chapter{chapter}"), chosen, "--count"])
+    return int(re.search(r"filters: (\d+)", told)[1])
+
+
+def run_cases(program, options=(), seconds=SECONDS, expected=None):
+    """Runs a program of doctest cases.
+    @param expected  how many cases it has, when it is an answer's: it then runs in the sandbox and has to sign its report; without
+                     it, it is the course's own
+    @return an Outcome"""
+    secret = secrets.token_hex(16) if expected is not None else ""
+    command = [program, "--reporters=xml", "--out={report}", "--no-breaks", *options]
+    done = sandbox.run(command, ROOT, readable=[program, *(ROOT / name for name in SEEN)], limits=sandbox.Limits(seconds=seconds),
+                       said=secret.encode(), environment={"ENDURING_JUDGED": "1"} if secret else {}, trusted=not secret)
+    signed = done.report.endswith(secret)
+    cases = cases_in(done.report.removesuffix(secret))
     checking = f" It was checking: {cases[-1].get('name')}" if cases else ""
-    if not in_time:
-        return Outcome("too_long", f"Stopped after {seconds} s: a loop does not end, or takes far too many rounds.{checking}")
+    if done.stopped:
+        return Outcome("too_long" if done.stopped == "time" else "too_much", TOO_MUCH[done.stopped].format(seconds) + checking)
     if cases is None:
-        return Outcome("crashed", crash_of(done), said=done.stdout)
+        return Outcome("crashed", crash_of(done), said=done.out)
     failures = [failure for case in cases for failure in failures_of(case)]
     crash = crash_of(done) + checking if done.returncode < 0 else ""
-    return Outcome(state_of(done, cases, failures), crash, len(cases), failures, done.stdout)
-
-
-def run_limited(command, limit):
-    """(CompletedProcess, whether it ended in time). Who does not is asked to end first, so that its report names the case."""
-    program = subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace",
-                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
-    in_time = True
-    for seconds, end in ((limit, program.terminate), (5, program.kill), (None, None)):
-        try:
-            out, err = program.communicate(timeout=seconds)
-            return subprocess.CompletedProcess(command, program.returncode, out, err), in_time
-        except subprocess.TimeoutExpired:
-            in_time = False
-            end()
+    if not crash and (not signed or expected not in (None, len(cases))):
+        return Outcome("crashed", NO_VERDICT.format(len(cases), expected), said=done.out)
+    return Outcome(state_of(done, cases, failures), crash, len(cases), failures, done.out)
 
 
 def cases_in(report):
     """The cases that a report holds, without those that were not asked for; None where it was never finished."""
     try:
-        cases = ElementTree.parse(report).getroot().findall(".//TestCase")
-    except (ElementTree.ParseError, FileNotFoundError):
+        cases = ElementTree.fromstring(report).findall(".//TestCase")
+    except ElementTree.ParseError:
         return None
     return [case for case in cases if case.get("skipped") != "true"]
 
@@ -125,7 +138,7 @@ def crash_of(done):
     """Why a program fell over, as its assertion says it."""
     if done.returncode >= 0:
         return "The program ended before its check did. Does it call exit()?"
-    found = re.search(r"([^/\s]+:\d+): .*Assertion [`'](.*)' failed", done.stderr)
+    found = re.search(r"([^/\s]+:\d+): .*Assertion [`'](.*)' failed", done.err)
     if not found:
         return "The program crashed: often an index or a pointer out of range, or a function that calls itself without end."
     past_the_end = "an index is past the end of a container: " if "size()" in found[2] else ""

@@ -106,8 +106,7 @@ def prove(version, renew=False):
 @functools.cache
 def passes_in_the_build(target, test):
     """Whether a test passes with the layer as it is."""
-    with tempfile.TemporaryDirectory(prefix="enduring_") as folder:
-        outcome = run_cases(workshop.BUILD / "bin" / target, Path(folder) / "tests.xml", [f"--test-case={as_filter(test)}"], SECONDS)
+    outcome = run_cases(workshop.BUILD / "bin" / target, [f"--test-case={as_filter(test)}"], SECONDS)
     return outcome.state == "passed"
 
 
@@ -115,9 +114,9 @@ def outcome_of(version, folder):
     """What a layer's tests say to a wrong version: first the one that is expected to notice, then all."""
     program = folder / "tests"
     workshop.link(version.targets[0], compiled(version, folder), program)
-    outcome = run_cases(program, folder / "tests.xml", [f"--test-case={as_filter(version.fails)}"], SECONDS)
+    outcome = run_cases(program, [f"--test-case={as_filter(version.fails)}"], SECONDS)
     if outcome.state == "passed":
-        outcome = run_cases(program, folder / "tests.xml", ["--abort-after=1"], SECONDS)
+        outcome = run_cases(program, ["--abort-after=1"], SECONDS)
     return outcome
 
 

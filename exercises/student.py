@@ -28,12 +28,13 @@ def check(exercises, named):
         workshop.prepare(to_judge)
     wrong = None
     for exercise in to_judge:
-        outcome = judge(exercise, exercise.stub, workshop.WORK / exercise.number)
-        progress.note(exercise, outcome.state == "passed")
-        if outcome.state != "passed":
-            wrong = exercise, outcome
-            break
-        tell_right(exercise, outcome)
+        with workshop.alone(workshop.WORK / exercise.number):
+            outcome = judge(exercise, exercise.stub, workshop.WORK / exercise.number)
+            progress.note(exercise, outcome.state == "passed")
+            if outcome.state != "passed":
+                wrong = exercise, outcome
+                break
+            tell_right(exercise, outcome)
     if wrong:
         tell_wrong(*wrong)
     if not named:
@@ -58,7 +59,7 @@ def tell_wrong(exercise, outcome):
         print(head + "not implemented yet.")
     elif outcome.state == "does_not_compile":
         print(head + f"does not compile yet.\n\n{outcome.message}")
-    elif outcome.state in ("too_long", "crashed"):
+    elif outcome.state != "failed":
         print(head + outcome.message)
     else:
         failed = outcome.failed_cases

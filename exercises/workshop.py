@@ -1,25 +1,40 @@
-"""Compiles and links one answer: a student's file, a solution or a mutant, by the commands of the build folder."""
+"""Compiles and links one answer: a student's file, a solution or a mutant, by the commands of the build folder, without a shell."""
+import fcntl
 import functools
 import os
 import re
+import shlex
 import subprocess
+import sys
+from contextlib import contextmanager
 from pathlib import Path
 
-from catalogue import ROOT, shown
+import compiler_errors
+import honest
+import sandbox
+from catalogue import ROOT
+from honest import DoesNotCompile
 
 BUILD = Path(os.environ.get("ENDURING_BUILD", ROOT / "build/release")).resolve()
 WORK = ROOT / "build/exercises"
-MOST_ERRORS = 3
-MESSAGE = r"^([^\s:][^:\n]*):(\d+):(\d+): +(?:fatal )?(error|required from)(?:: )?(.*)$"
-MISSED = "Your file should define {}; its name, its arguments or its namespace differ."
-
-
-class DoesNotCompile(Exception):
-    """The answer has mistakes that the compiler finds; the message is what a student needs of them."""
+TOOLS = sandbox.Limits(seconds=300, memory=6 << 30, output=8 << 20)
 
 
 class NotBuilt(Exception):
     """What stands around the answer could not be built; the message is the build's."""
+
+
+@contextmanager
+def alone(folder):
+    """One at a time, of all that run at once: who comes second waits."""
+    folder.mkdir(parents=True, exist_ok=True)
+    with (folder / ".lock").open("w") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            print(f"Another command is at work in {folder.name}; waiting for it.", file=sys.stderr, flush=True)
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 def prepare(exercises, reconfigure=False):
@@ -37,20 +52,57 @@ def prepare(exercises, reconfigure=False):
 
 
 def build(targets):
-    run_quietly(["cmake", "--build", str(BUILD), "--parallel", str(os.cpu_count()), "--target", *sorted(targets)])
+    """Builds targets, and says how much there is to do, if there is something."""
+    command = ["cmake", "--build", str(BUILD), "--parallel", str(os.cpu_count()), "--target", *sorted(targets)]
+    with alone(BUILD), subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace") as running:
+        lines, told = [], False
+        for line in running.stdout:
+            lines.append(line)
+            step = re.match(r"\[\d+/(\d+)\] Building", line)
+            if step and not told:
+                told = True
+                print(f"Building what answers are linked with: {step[1]} steps, some seconds each, and only once.", file=sys.stderr, flush=True)
+    if running.returncode:
+        raise NotBuilt(f"{' '.join(command)}\n{''.join(lines)[-4000:]}")
 
 
 def run_quietly(command):
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, errors="replace")
     if done.returncode:
         raise NotBuilt(f"{' '.join(command)}\n{done.stdout[-4000:]}{done.stderr[-4000:]}")
     return done.stdout
 
 
+def run_tool(words, folder):
+    """The compiler or the linker, which see the course and write into one folder.
+    @return sandbox.Finished"""
+    cache = compilers_cache()
+    environment = {"CCACHE_DIR": cache, "CCACHE_TEMPDIR": f"{cache}/tmp"} if cache else {}
+    return sandbox.run(words, BUILD, readable=[ROOT, BUILD], writable=[folder, *environment.values()][:2], limits=TOOLS, environment=environment)
+
+
+@functools.cache
+def compilers_cache():
+    """ccache's folder, or nothing."""
+    try:
+        folder = run_quietly(["ccache", "--get-config", "cache_dir"]).strip()
+    except (OSError, NotBuilt):
+        return ""
+    Path(folder, "tmp").mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+@functools.cache
 def last_command(target):
-    """The command that makes one file of the build folder, without what CMake does after it."""
-    command = run_quietly(["ninja", "-C", str(BUILD), "-t", "commands", "-s", target]).strip()
-    return command.split(" && ")[1] if command.startswith(": && ") else command
+    """The words of the command that makes one file of the build folder, without what CMake does before and after it."""
+    words = shlex.split(run_quietly(["ninja", "-C", str(BUILD), "-t", "commands", "-s", target]))
+    words = words[words.index("&&") + 1:] if words[0] == ":" else words
+    return tuple(words[:words.index("&&")] if "&&" in words else words)
+
+
+def exchanged(words, changes):
+    """The words with some of them changed, of a dependency file's name its stem."""
+    return [changes.get(word, f"{changes.get(word[:-2])}.d" if word.endswith(".d") and word[:-2] in changes else word) for word in words]
 
 
 def pattern_object(exercise):
@@ -61,35 +113,30 @@ def compile_answer(exercise, source, folder):
     """The object file of an answer.
     @param source  the answer's file
     @param folder  where the object goes
-    @throws DoesNotCompile"""
+    @throws DoesNotCompile, IncludesSolution"""
     folder.mkdir(parents=True, exist_ok=True)
-    answer = folder / "answer.o"
+    copy, answer = folder / "answer.cpp", folder / "answer.o"
+    copy.write_bytes(honest.text_of(source))
     pattern = pattern_object(exercise)
-    command = last_command(pattern).replace(str(exercise.stub), f"'{source}'").replace(pattern, f"'{answer}'")
-    done = subprocess.run(["bash", "-c", command], cwd=BUILD, capture_output=True, text=True)
+    done = run_tool(exchanged(last_command(pattern), {str(exercise.stub): str(copy), pattern: str(answer)}), folder)
+    honest.refuse_solution(exercise, Path(f"{answer}.d"), copy, BUILD)
+    if done.stopped:
+        raise DoesNotCompile(f"The compiler was stopped: it took too much {done.stopped}.")
     if done.returncode:
-        raise DoesNotCompile(readable_errors(done.stderr, source))
-    if exercise.kind == "rebuild" and (names := not_defined(exercise, answer)):
-        raise DoesNotCompile("\n".join(MISSED.format(name) for name in names[:MOST_ERRORS]))
+        raise DoesNotCompile(compiler_errors.readable(done.err, copy, source))
+    honest.refuse_names(exercise, answer, BUILD)
     return answer
-
-
-def not_defined(exercise, answer):
-    """The functions of the chapter's file that an answer lacks: the linker would take the chapter's own."""
-    source = exercise.source.relative_to(ROOT)
-    chapters = BUILD / f"CMakeFiles/chapter{exercise.chapter[:2]}_layer.dir" / f"{source}.o"
-    return sorted(symbols(chapters) - symbols(answer))
-
-
-def symbols(file):
-    """The functions and data that an object file defines for others."""
-    lines = run_quietly(["nm", "--extern-only", "--defined-only", "--demangle", str(file)]).splitlines()
-    return {line.split(" ", 2)[2] for line in lines if line.split(" ", 2)[1] in "TDBR"}
 
 
 def link_check(exercise, answer, program):
     """The program that judges an answer: the exercise's check."""
     link(f"exercise_{exercise.target}", {pattern_object(exercise): answer}, program)
+
+
+def link_tests(exercise, answer, program):
+    """The chapter's tests with the answer in the place of the chapter's own code, and with the main program of a check."""
+    target = f"test_chapter{exercise.chapter[:2]}"
+    link(target, {"of the layer": answer, f"CMakeFiles/{target}.dir/cmake/doctest_main.cpp.o": BUILD / honest.JUDGED_MAIN}, program)
 
 
 def link_instead(target, answer, program):
@@ -102,16 +149,13 @@ def link(target, objects, program):
     the linker does not look for them in its libraries.
     @param objects  the changed objects, by the build's name for each
     @throws DoesNotCompile"""
-    before, first, rest = re.split(r"(\S+\.cpp\.o)", last_command(f"bin/{target}"), maxsplit=1)
-    own = {name for name in objects if name == first or f" {name} " in rest}
-    of_libraries = " ".join(f"'{changed}'" for name, changed in objects.items() if name not in own)
-    command = f"{before}{of_libraries} {first}{rest}"
-    for name in own:
-        command = command.replace(f" {name} ", f" '{objects[name]}' ")
-    command = re.sub(r"-o bin/\S+", lambda _: f"-o '{program}'", command, count=1)
-    done = subprocess.run(["bash", "-c", command], cwd=BUILD, capture_output=True, text=True)
+    words = last_command(f"bin/{target}")
+    first = next(place for place, word in enumerate(words) if word.endswith(".cpp.o"))
+    others = [str(changed) for name, changed in objects.items() if name not in words]
+    own = {name: str(changed) for name, changed in objects.items()} | {f"bin/{target}": str(program)}
+    done = run_tool([*words[:first], *others, *exchanged(words[first:], own)], program.parent)
     if done.returncode:
-        raise DoesNotCompile(link_errors(done.stderr + done.stdout))
+        raise DoesNotCompile(honest.link_errors(done.err + done.out))
 
 
 # ----------------------------------------------------------------------------------------- a copy of the sources, changed
@@ -138,46 +182,10 @@ def compile_copy(pattern, sources, changed):
     """Compiles one file of a copy of the sources as the build compiles its original; warnings are nobody's business there.
     @param pattern  the build's object file
     @param sources  the copy, with the same folders in it
-    @param changed  the new object
+    @param changed  the new object, which lies above the copy
     @throws DoesNotCompile"""
-    command = last_command(pattern).replace(pattern, f"'{changed}'").replace(f"-I{ROOT} ", f"-I'{sources}' ").replace(
-        f"-c {ROOT}/", f"-c {sources}/") + " -w"
-    done = subprocess.run(["bash", "-c", command], cwd=BUILD, capture_output=True, text=True)
+    own = {pattern: str(changed), f"-I{ROOT}": f"-I{sources}"}
+    words = [word.replace(f"{ROOT}/", f"{sources}/", 1) if word.endswith(".cpp") else word for word in last_command(pattern)]
+    done = run_tool([*exchanged(words, own), "-w"], changed.parent)
     if done.returncode:
-        raise DoesNotCompile(f"does not compile: {done.stderr[-2000:]}")
-
-
-# ------------------------------------------------------------------------------------------------ errors, made readable
-def readable_errors(output, source):
-    """The first errors of the compiler, each at its line of the student's file, without the headers' tale.
-    @param output  all that the compiler wrote
-    @param source  the student's file"""
-    source, lines, told, cause = Path(source), Path(source).read_text(encoding="utf-8", errors="replace").splitlines(), [], None
-    for file, line, column, kind, message in re.findall(MESSAGE, output, re.M):
-        if kind == "required from":
-            cause = (int(line), int(column)) if file == str(source) else cause  # what led into a header
-        elif kind:
-            place = (int(line), int(column)) if file == str(source) else cause
-            message = re.sub(r"\s*\[with .*\]|\s*\[-W\S+\]", "", message)
-            told.append(told_error(message, source, lines, place) if place else f"{shown(Path(file))}:{line}: {message}")
-            cause = None
-    if not told:
-        return output[-3000:]
-    if len(told) > MOST_ERRORS:
-        told[MOST_ERRORS:] = [f"... and {len(told) - MOST_ERRORS} more, which often go away with the first."]
-    return "\n".join(told)
-
-
-def told_error(message, source, lines, place):
-    """file:line: message, the line, and a mark below it."""
-    line, column = place
-    return f"{shown(source)}:{line}: {message}\n    {lines[line - 1]}\n    {' ' * (column - 1)}^"
-
-
-def link_errors(output):
-    """What the linker missed, by name."""
-    missed = sorted(set(re.findall(r"undefined reference to `([^']+)'", output)))
-    twice = sorted(set(re.findall(r"multiple definition of `([^']+)'", output)))
-    told = [MISSED.format(name) for name in missed]
-    told += [f"Your file defines {name}, which stands elsewhere, too." for name in twice]
-    return "\n".join(told[:MOST_ERRORS]) or output[-2000:]
+        raise DoesNotCompile(f"does not compile: {done.err[-2000:]}")

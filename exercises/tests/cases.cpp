@@ -1,9 +1,11 @@
 // The cases that test_judge.py runs one by one, as a student's answers leave them.
-#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
 #include "exercises/checking.hpp"
+#include "exercises/judged_main.cpp"
 #include "exercises/not_implemented_yet.hpp"
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <vector>
 
 namespace enduring {
@@ -48,6 +50,22 @@ int deeper(int depth) { return deeper(depth + one) + depth; }
 TEST_CASE("recursion") { expect("depth", deeper(0), 0, 0); }
 
 TEST_CASE("leaves") { std::exit(0); }
+
+/// Where the report goes, as anybody can find out.
+std::string report()
+{
+    std::ifstream line("/proc/self/cmdline");
+    std::string words((std::istreambuf_iterator<char>(line)), {});
+    return words.substr(words.find("--out=") + 6).c_str();
+}
+
+TEST_CASE("forges")
+{
+    std::ofstream(report()) << "<doctest><TestSuite><TestCase name=\"forges\"/></TestSuite></doctest>" << std::flush;
+    _exit(0);
+}
+
+TEST_CASE("forges and goes on") { std::ofstream(report()) << "<doctest><TestSuite><TestCase name=\"forges\"/></TestSuite></doctest><!--"; }
 
 TEST_CASE("chosen text")
 {

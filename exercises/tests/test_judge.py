@@ -5,12 +5,12 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
-from unittest import mock
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))
+import compiler_errors  # noqa: E402
+import honest  # noqa: E402
 import judge  # noqa: E402
-import workshop  # noqa: E402
 
 COMPILER = shutil.which("g++")
 EIGEN = "/usr/include/eigen3"
@@ -26,9 +26,8 @@ class Judging(unittest.TestCase):
         subprocess.run([COMPILER, "-std=c++20", "-O1", "-D_GLIBCXX_ASSERTIONS", f"-I{HERE.parents[1]}", "-isystem", EIGEN,
                         HERE / "cases.cpp", "-o", cls.program], check=True)
 
-    def run_case(self, name):
-        with mock.patch.object(judge, "SECONDS", 2):
-            return judge.run_cases(self.program, self.folder / "cases.xml", [f"--test-case={name}"])
+    def run_case(self, name, seconds=20, expected=1):
+        return judge.run_cases(self.program, [f"--test-case={name}"], seconds, expected)
 
     def the_failure(self, name):
         outcome = self.run_case(name)
@@ -62,11 +61,11 @@ class Judging(unittest.TestCase):
         self.assertEqual(self.run_case("untouched").state, "untouched")
 
     def test_one_written_function_of_two_is_an_attempt(self):
-        outcome = self.run_case("untouched,right")
+        outcome = self.run_case("untouched,right", expected=2)
         self.assertEqual((outcome.state, outcome.unwritten_cases), ("failed", ["untouched"]))
 
     def test_a_loop_without_end_is_stopped(self):
-        outcome = self.run_case("loop")
+        outcome = self.run_case("loop", seconds=2)
         self.assertEqual(outcome.state, "too_long")
         self.assertRegex(outcome.message, "Stopped after 2 s.*checking: loop")
 
@@ -83,6 +82,16 @@ class Judging(unittest.TestCase):
     def test_a_program_that_leaves_early_is_told_so(self):
         self.assertIn("exit()", self.run_case("leaves").message)
 
+    def test_a_report_of_its_own_is_no_verdict(self):
+        self.assertEqual(self.run_case("forges").state, "crashed")
+        self.assertEqual(self.run_case("forges and goes on").state, "crashed")
+
+    def test_a_property_more_or_less_is_no_verdict(self):
+        for expected in (0, 2):
+            outcome = self.run_case("right", expected=expected)
+            self.assertEqual(outcome.state, "crashed")
+            self.assertIn(f"of the {expected} properties it reports 1", outcome.message)
+
     def test_a_text_among_the_inputs_stays_a_text(self):
         self.assertEqual(self.the_failure("chosen text").given, ["a plate, flat"])
 
@@ -96,7 +105,7 @@ class CompilersErrors(unittest.TestCase):
         source.write_text(text)
         done = subprocess.run([COMPILER, "-std=c++20", "-c", source, "-o", "/dev/null"],
                               capture_output=True, text=True)
-        return workshop.readable_errors(done.stderr, source).splitlines()
+        return compiler_errors.readable(done.stderr, source).splitlines()
 
     def test_the_line_and_a_mark_below_it(self):
         first, line, mark = self.told("int main()\n{\n    return mien;\n}\n")
@@ -108,13 +117,16 @@ class CompilersErrors(unittest.TestCase):
         self.assertRegex(told[0], r"mine.cpp:6: ")
         self.assertLessEqual(len(told), 10)
 
+    def test_a_line_that_the_file_does_not_have(self):
+        self.assertIn("mine.cpp:900: ", self.told("#line 900\nint a = b;\n")[0])
+
     def test_only_the_first_errors_are_shown(self):
         told = self.told("".join(f"int a{i} = b{i};\n" for i in range(9)))
-        self.assertEqual(len(told), 3 * workshop.MOST_ERRORS + 1)
+        self.assertEqual(len(told), 3 * compiler_errors.MOST + 1)
         self.assertIn("6 more", told[-1])
 
     def test_what_the_linker_missed_is_named(self):
-        self.assertEqual(workshop.link_errors("x.o: undefined reference to `enduring::speed(double)'\n"),
+        self.assertEqual(honest.link_errors("x.o: undefined reference to `enduring::speed(double)'\n"),
                          "Your file should define enduring::speed(double); its name, its arguments or its namespace differ.")
 
 
