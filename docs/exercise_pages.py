@@ -67,7 +67,7 @@ def exercise_page(root, folder, exercises):
             yield from listing(root, header, header.read_text(encoding="utf-8"))
         if exercise.kind == "rebuild":
             yield from [catalogue.CLOSE_THE_PAGE, ""]
-        yield from [f"Your file is `{catalogue.shown(exercise.stub)}`; `./course check {exercise.number}` judges it.", ""]
+        yield from [f"Your file is `{catalogue.shown(exercise.answer)}` (`./course exercise {exercise.number}` lays it there); `./course check {exercise.number}` judges it.", ""]
         yield from expected(exercise)
         yield from hints(exercise.hints, 1)
 

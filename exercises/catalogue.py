@@ -65,8 +65,19 @@ class Exercise:
 
     @property
     def stub(self):
-        """The file that a student edits."""
+        """What a student starts from."""
         return ROOT / "exercises" / self.chapter / f"{self.name}.cpp"
+
+    @property
+    def answer(self):
+        """Where a student writes: in a folder that the course's repository leaves alone."""
+        return ROOT / "answers" / self.chapter / f"{self.name}.cpp"
+
+    @property
+    def attempt(self):
+        """What is judged: the answer, or where that is not begun the stub, if somebody has written in it."""
+        begun = self.answer.is_file() and not self.untouched(self.answer)
+        return self.answer if begun or self.answer.is_file() and self.untouched(self.stub) else self.stub
 
     @property
     def check(self):
@@ -83,10 +94,10 @@ class Exercise:
         return stub_of(self.source.read_text(encoding="utf-8"), self)
 
     def untouched(self, path=None):
-        path = path or self.stub
+        path = path or self.attempt
         if not path.is_file():
             raise CatalogueError(f"{shown(path)} is gone; `git checkout {shown(path)}` brings the stub back")
-        return path.read_text(encoding="utf-8", errors="replace") == self.stub_text()
+        return path.read_text(encoding="utf-8-sig", errors="replace") == self.stub_text()
 
     def missing_functions(self):
         """The definitions, with their bodies, of the functions the student writes."""

@@ -2,6 +2,7 @@
 """The commands of ./course about exercises: check, exercise, hint, solution, prove and grade."""
 import argparse
 import sys
+import zipfile
 from pathlib import Path
 
 import grade
@@ -22,6 +23,12 @@ def chosen(exercises, word):
         numbers = ", ".join(exercise.number for exercise in exercises)
         stop(f"there is no exercise {word}. There are: {numbers}")
     return found
+
+
+def all_chosen(exercises, words):
+    """The exercises that some words name; all for none."""
+    found = {exercise.number: exercise for word in words or [None] for exercise in chosen(exercises, word)}
+    return sorted(found.values(), key=lambda exercise: exercise.order)
 
 
 def one(exercises, word):
@@ -48,10 +55,20 @@ def prove_layers(options):
     return prove.prove_layers(layers.part_of(versions, options.part) if options.part else versions, options.renew) or bool(lacks)
 
 
+def grade_class(exercises, options):
+    """One table, and what else was asked for."""
+    if not options.folder.is_dir() and not zipfile.is_zipfile(options.folder):
+        stop(f"{options.folder} is not a folder, and no zip file")
+    out = options.csv or (options.folder / "grades.csv" if options.folder.is_dir() else options.folder.with_suffix(".csv"))
+    rows = grade.grade(all_chosen(exercises, options.numbers), options.folder, out, options.one)
+    grade.tell(rows, out)
+    return 0
+
+
 def arguments():
     parser = argparse.ArgumentParser(prog="./course", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
-    commands.add_parser("check", help="judge the attempts").add_argument("number", nargs="?", metavar="N[.M]")
+    commands.add_parser("check", help="judge the attempts").add_argument("numbers", nargs="*", metavar="N[.M]")
     for name, what in (("exercise", "an exercise's text"), ("hint", "one hint more"), ("solution", "the solution")):
         commands.add_parser(name, help=what).add_argument("number", metavar="N.M")
     commands.choices["solution"].add_argument("--second", action="store_true", help="the other solution, where there is one")
@@ -61,8 +78,10 @@ def arguments():
     proof.add_argument("--layers", action="store_true", help="prove the layers instead: wrong versions that their tests have to notice")
     proof.add_argument("--part", metavar="K/N", help="of the layers' wrong versions, the K-th of N parts")
     grades = commands.add_parser("grade", help="grade a class")
-    grades.add_argument("folder", type=Path, help="holds one folder for each student")
-    grades.add_argument("--csv", type=Path, metavar="FILE", help="where the table goes (default: FOLDER/grades.csv)")
+    grades.add_argument("folder", type=Path, help="holds a folder, a zip file or files NAME_2_title.cpp for each student; may be a zip file")
+    grades.add_argument("numbers", nargs="*", metavar="N[.M]", help="which exercises (default: all)")
+    grades.add_argument("--one", action="store_true", help="FOLDER is the work of one student, not of a class")
+    grades.add_argument("--csv", type=Path, metavar="FILE", help="where the table goes (default: FOLDER/grades.csv); rows in it that still hold stay")
     return parser.parse_args()
 
 
@@ -70,8 +89,7 @@ def main():
     options = arguments()
     exercises = all_exercises()
     if options.command == "check":
-        chosen_ones = chosen(exercises, options.number)
-        return student.check(chosen_ones, named="." in (options.number or ""))
+        return student.check(all_chosen(exercises, options.numbers), named=any("." in number for number in options.numbers))
     if options.command == "exercise":
         return student.show_text(one(exercises, options.number))
     if options.command == "hint":
@@ -82,9 +100,7 @@ def main():
         return prove_layers(options)
     if options.command == "prove":
         return prove.prove(chosen(exercises, options.number), options.renew)
-    if not options.folder.is_dir():
-        stop(f"{options.folder} is not a folder")
-    return grade.grade(exercises, options.folder, options.csv or options.folder / "grades.csv")
+    return grade_class(exercises, options)
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 import hashlib
 import json
 
+from alone import alone
 from catalogue import ROOT
 
 PLACE = ROOT / "exercises/.progress.json"
@@ -11,6 +12,9 @@ class Progress:
     """The list, read when made and written with each change. A damaged list is begun anew."""
 
     def __init__(self):
+        self.read()
+
+    def read(self):
         try:
             self.entries = json.loads(PLACE.read_text(encoding="utf-8"))
         except (OSError, ValueError):
@@ -32,11 +36,14 @@ class Progress:
         return self.hints_shown(exercise)
 
     def change(self, exercise, key, value):
-        self.entries.setdefault(exercise.number, {})[key] = value
-        part = PLACE.with_suffix(".part")
-        part.write_text(json.dumps(self.entries, indent=1, sort_keys=True) + "\n", encoding="utf-8")
-        part.replace(PLACE)
+        """Changes one entry of the list as it is now: another command may have changed others."""
+        with alone(ROOT / "build/exercises"):
+            self.read()
+            self.entries.setdefault(exercise.number, {})[key] = value
+            part = PLACE.with_suffix(".part")
+            part.write_text(json.dumps(self.entries, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+            part.replace(PLACE)
 
 
 def fingerprint(exercise):
-    return hashlib.sha256(exercise.stub.read_bytes() + exercise.check.read_bytes()).hexdigest()[:16]
+    return hashlib.sha256(exercise.attempt.read_bytes() + exercise.check.read_bytes()).hexdigest()[:16]

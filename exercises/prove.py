@@ -49,7 +49,7 @@ def prove_layers(versions, renew):
 def write_stub(exercise):
     """Whether the stub was written for the first time: then the build has to be configured again."""
     first = not exercise.stub.is_file()
-    if first or not exercise.untouched():
+    if first or not exercise.untouched(exercise.stub):
         exercise.stub.write_text(exercise.stub_text(), encoding="utf-8")
         print(f"written: {shown(exercise.stub)}")
     return first
@@ -57,7 +57,7 @@ def write_stub(exercise):
 
 def shape_faults(exercise):
     """What can be said without running anything."""
-    if not exercise.untouched():
+    if not exercise.untouched(exercise.stub):
         yield f"{exercise.number}: {shown(exercise.stub)} is not what its source makes (./course prove {exercise.number} --renew)"
     lines = exercise.missing_lines()
     if not FEWEST_LINES <= lines <= MOST_LINES:

@@ -1,6 +1,7 @@
 """What a student types: check, hint and solution."""
 import os
 import re
+import shutil
 import tempfile
 import textwrap
 from concurrent.futures import ThreadPoolExecutor
@@ -8,6 +9,7 @@ from pathlib import Path
 
 import beside
 import workshop
+from alone import alone
 from catalogue import CLOSE_THE_PAGE, KINDS, all_exercises, shown
 from judge import NOT_IMPLEMENTED, THREW, judge
 from progress import Progress
@@ -19,29 +21,42 @@ JUDGED_MUTANTS = {}  # outcomes by the exercise's number and the mutant's name
 
 def check(exercises, named):
     """Judges the attempts among these exercises and says what is next.
-    @param named  whether the student named one exercise: then it is judged even where it held before
-    @return the exit status: 0 unless an attempt does not hold"""
+    @param named  whether the student named single exercises: then they are judged even where they held before
+    @return the exit status: 0 when all of these exercises are right"""
     progress = Progress()
     touched = [exercise for exercise in exercises if not exercise.untouched()]
     to_judge = [exercise for exercise in touched if named or not progress.holds(exercise)]
     if to_judge:
         workshop.prepare(to_judge)
-    wrong = None
-    for exercise in to_judge:
-        with workshop.alone(workshop.WORK / exercise.number):
-            outcome = judge(exercise, exercise.stub, workshop.WORK / exercise.number)
-            progress.note(exercise, outcome.state == "passed")
-            if outcome.state != "passed":
-                wrong = exercise, outcome
-                break
-            tell_right(exercise, outcome)
+    wrong = next((found for exercise in to_judge if (found := judge_attempt(exercise, progress))), None)
     if wrong:
         tell_wrong(*wrong)
     if not named:
         tell_list(exercises, progress, wrong)
     if not wrong:
         tell_next(exercises, progress, named)
-    return 1 if wrong and wrong[1].state != "untouched" else 0
+    return 0 if all(progress.holds(exercise) for exercise in exercises) else 1
+
+
+def judge_attempt(exercise, progress):
+    """Judges one attempt, and tells of a right one.
+    @return (exercise, Outcome) of a wrong one, else nothing"""
+    folder = workshop.WORK / exercise.number
+    with alone(folder, f"judging {exercise.number}"):
+        outcome = judge(exercise, exercise.attempt, folder)
+        progress.note(exercise, outcome.state == "passed")
+        if outcome.state != "passed":
+            return exercise, outcome
+        tell_right(exercise, outcome)
+    return None
+
+
+def file_of(exercise):
+    """The student's file, as it is typed; the stub is laid there when there is none yet."""
+    if not exercise.answer.is_file() and exercise.untouched(exercise.stub):
+        exercise.answer.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(exercise.stub, exercise.answer)
+    return shown(exercise.attempt)
 
 
 def tell_right(exercise, outcome):
@@ -72,7 +87,7 @@ def tell_wrong(exercise, outcome):
         if len(failed) > MOST_FAILURES:
             print("\n  nor do these hold:", *failed[MOST_FAILURES:], sep="\n    ")
         tell_misconceptions(exercise, outcome)
-    print(f"\nYour file: {shown(exercise.stub)}    A hint: ./course hint {exercise.number}")
+    print(f"\nYour file: {file_of(exercise)}    A hint: ./course hint {exercise.number}")
 
 
 def tell_failure(failure):
@@ -154,7 +169,7 @@ def tell_next(exercises, progress, named):
     print(f"\n{count}Next: {exercise.number} {exercise.title} "
           f"({KINDS[exercise.kind]}; {exercise.minutes} minutes, difficulty {exercise.difficulty} of 3)")
     print(textwrap.fill(" ".join(exercise.goal.split()), 100, initial_indent="   ", subsequent_indent="   "))
-    print(f"   Its text: ./course exercise {exercise.number}    Your file: {shown(exercise.stub)}\n"
+    print(f"   Its text: ./course exercise {exercise.number}    Your file: {file_of(exercise)}\n"
           f"   When you have written something: ./course check {exercise.number}")
 
 
@@ -168,7 +183,7 @@ def show_text(exercise):
         print("\nWhat a right answer prints is shown here once you have begun: first your prediction.")
     else:
         print(f"\nA right answer prints:\n{textwrap.indent(exercise.expected.strip(), '   ')}")
-    print(f"\nYour file: {shown(exercise.stub)}    Judge it: ./course check {exercise.number}    A hint: ./course hint {exercise.number}")
+    print(f"\nYour file: {file_of(exercise)}    Judge it: ./course check {exercise.number}    A hint: ./course hint {exercise.number}")
 
 
 def hint(exercise):

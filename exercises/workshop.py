@@ -1,17 +1,16 @@
 """Compiles and links one answer: a student's file, a solution or a mutant, by the commands of the build folder, without a shell."""
-import fcntl
 import functools
 import os
 import re
 import shlex
 import subprocess
 import sys
-from contextlib import contextmanager
 from pathlib import Path
 
 import compiler_errors
 import honest
 import sandbox
+from alone import alone
 from catalogue import ROOT
 from honest import DoesNotCompile
 
@@ -22,19 +21,6 @@ TOOLS = sandbox.Limits(seconds=300, memory=6 << 30, output=8 << 20)
 
 class NotBuilt(Exception):
     """What stands around the answer could not be built; the message is the build's."""
-
-
-@contextmanager
-def alone(folder):
-    """One at a time, of all that run at once: who comes second waits."""
-    folder.mkdir(parents=True, exist_ok=True)
-    with (folder / ".lock").open("w") as lock:
-        try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            print(f"Another command is at work in {folder.name}; waiting for it.", file=sys.stderr, flush=True)
-            fcntl.flock(lock, fcntl.LOCK_EX)
-        yield
 
 
 def prepare(exercises, reconfigure=False):
@@ -54,7 +40,7 @@ def prepare(exercises, reconfigure=False):
 def build(targets):
     """Builds targets, and says how much there is to do, if there is something."""
     command = ["cmake", "--build", str(BUILD), "--parallel", str(os.cpu_count()), "--target", *sorted(targets)]
-    with alone(BUILD), subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace") as running:
+    with alone(BUILD, "building"), subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace") as running:
         lines, told = [], False
         for line in running.stdout:
             lines.append(line)
