@@ -80,6 +80,11 @@ class Exercise:
         return self.answer if begun or self.answer.is_file() and self.untouched(self.stub) else self.stub
 
     @property
+    def kept_stub(self):
+        """In a handout, which has no solutions, what the stub was."""
+        return self.stub.with_suffix(".stub")
+
+    @property
     def check(self):
         return ROOT / "exercises" / self.chapter / f"{self.name}.check.cpp"
 
@@ -91,6 +96,8 @@ class Exercise:
 
     def stub_text(self):
         """What the student starts from."""
+        if self.kept_stub.is_file():
+            return self.kept_stub.read_text(encoding="utf-8")
         return stub_of(self.source.read_text(encoding="utf-8"), self)
 
     def untouched(self, path=None):
@@ -98,6 +105,11 @@ class Exercise:
         if not path.is_file():
             raise CatalogueError(f"{shown(path)} is gone; `git checkout {shown(path)}` brings the stub back")
         return path.read_text(encoding="utf-8-sig", errors="replace") == self.stub_text()
+
+    def holds_answer(self, path):
+        """Whether a file is no stub, new or old: some body in it is written."""
+        placeholder = f'not_implemented_yet("{self.number}");'
+        return path.read_text(encoding="utf-8-sig", errors="replace").count(placeholder) < self.stub_text().count(placeholder)
 
     def missing_functions(self):
         """The definitions, with their bodies, of the functions the student writes."""
@@ -182,7 +194,7 @@ def read(path):
         raise fault("difficulty is 1 to 3, and there are three hints")
     chapter, name = path.parent.name, path.stem
     entries["source"] = ROOT / entries.get("source", f"solutions/{chapter}/{name}.cpp")
-    if not entries["source"].is_file():
+    if not entries["source"].is_file() and not path.with_suffix(".stub").is_file():
         raise fault(f"there is no {shown(entries['source'])}")
     number = f"{int(chapter[:2])}.{int(name.split('_')[0])}"
     return Exercise(number=number, chapter=chapter, name=name, mutants=mutants_of(chapter, name), **entries)

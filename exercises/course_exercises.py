@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
-"""The commands of ./course about exercises: check, exercise, hint, solution, prove and grade."""
+"""The commands of ./course about exercises: check, exercise, hint, solution, update, prove, grade and handout."""
 import argparse
 import sys
 import zipfile
 from pathlib import Path
 
+import exports
 import grade
+import handout
 import layers
 import prove
 import student
+import update
 import workshop
-from catalogue import CatalogueError, all_exercises
+from catalogue import ROOT, CatalogueError, all_exercises
 
 
 def chosen(exercises, word):
@@ -60,8 +63,20 @@ def grade_class(exercises, options):
     if not options.folder.is_dir() and not zipfile.is_zipfile(options.folder):
         stop(f"{options.folder} is not a folder, and no zip file")
     out = options.csv or (options.folder / "grades.csv" if options.folder.is_dir() else options.folder.with_suffix(".csv"))
-    rows = grade.grade(all_chosen(exercises, options.numbers), options.folder, out, options.one)
+    rows = grade.grade(all_chosen(exercises, options.numbers), options.folder, out, options.one or options.gradescope is not None)
     grade.tell(rows, out)
+    if options.gradescope:
+        options.gradescope.write_text(exports.gradescope(rows), encoding="utf-8")
+    if options.junit:
+        options.junit.write_text(exports.junit(rows), encoding="utf-8", errors="replace")
+    if options.summary:
+        with options.summary.open("a", encoding="utf-8", errors="replace") as page:
+            page.write(exports.summary(rows))
+    if options.moodle:
+        text, without = exports.moodle(rows)
+        options.moodle.write_text(text, encoding="utf-8", errors="replace", newline="")
+        if without:
+            print(f"Not in {options.moodle}, for their folders are not named as Moodle's download names them: {', '.join(without)}")
     return 0
 
 
@@ -82,6 +97,12 @@ def arguments():
     grades.add_argument("numbers", nargs="*", metavar="N[.M]", help="which exercises (default: all)")
     grades.add_argument("--one", action="store_true", help="FOLDER is the work of one student, not of a class")
     grades.add_argument("--csv", type=Path, metavar="FILE", help="where the table goes (default: FOLDER/grades.csv); rows in it that still hold stay")
+    grades.add_argument("--gradescope", type=Path, metavar="FILE", help="Gradescope's results.json; FOLDER is the work of one student")
+    grades.add_argument("--junit", type=Path, metavar="FILE", help="JUnit XML: a suite for each student")
+    grades.add_argument("--moodle", type=Path, metavar="FILE", help="Moodle's offline grading worksheet (CSV)")
+    grades.add_argument("--summary", type=Path, metavar="FILE", help="a table in Markdown, behind what is in FILE")
+    commands.add_parser("handout", help="a student repository without solutions").add_argument("folder", type=Path, metavar="DIR")
+    commands.add_parser("update", help="the new course; answers stay").add_argument("origin", nargs="?", metavar="URL", help="a new handout (default: git pull)")
     return parser.parse_args()
 
 
@@ -94,6 +115,12 @@ def main():
         return student.show_text(one(exercises, options.number))
     if options.command == "hint":
         return student.hint(one(exercises, options.number))
+    if options.command == "handout":
+        return handout.handout(exercises, options.folder)
+    if options.command == "update":
+        return update.update(exercises, options.origin)
+    if options.command in ("solution", "prove") and not (ROOT / "solutions").is_dir():
+        stop("the solutions are with your teacher")
     if options.command == "solution":
         return student.solution(one(exercises, options.number), options.second)
     if options.command == "prove" and options.layers:
@@ -106,7 +133,7 @@ def main():
 if __name__ == "__main__":
     try:
         sys.exit(main())
-    except (CatalogueError, workshop.NotBuilt) as error:
+    except (CatalogueError, workshop.NotBuilt, handout.CannotHandOut, update.CannotUpdate) as error:
         stop(error)
     except KeyboardInterrupt:
         sys.exit(130)

@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import beside
 import layers
+import update
 import workshop
 from catalogue import FEWEST_MUTANTS, shown
 from judge import judge
@@ -50,6 +51,8 @@ def write_stub(exercise):
     """Whether the stub was written for the first time: then the build has to be configured again."""
     first = not exercise.stub.is_file()
     if first or not exercise.untouched(exercise.stub):
+        if not first and exercise.holds_answer(exercise.stub):
+            print(update.keep_answer(exercise))
         exercise.stub.write_text(exercise.stub_text(), encoding="utf-8")
         print(f"written: {shown(exercise.stub)}")
     return first
@@ -58,7 +61,9 @@ def write_stub(exercise):
 def shape_faults(exercise):
     """What can be said without running anything."""
     if not exercise.untouched(exercise.stub):
-        yield f"{exercise.number}: {shown(exercise.stub)} is not what its source makes (./course prove {exercise.number} --renew)"
+        yield f"{exercise.number}: {shown(exercise.stub)} " + (
+            f"holds an answer (./course update keeps it as {shown(exercise.answer)})" if exercise.holds_answer(exercise.stub)
+            else f"is not what its source makes (./course prove {exercise.number} --renew)")
     lines = exercise.missing_lines()
     if not FEWEST_LINES <= lines <= MOST_LINES:
         yield f"{exercise.number}: {lines} lines are missing, and should be {FEWEST_LINES} to {MOST_LINES}"
