@@ -26,15 +26,25 @@ std::string in_words(const Parts&... parts)
 
 /// A value as a student reads it: six digits, vectors in brackets, and no zero with a sign.
 template <class Value>
-std::string readable(const Value& value)
+std::string readable(const Value& value, int digits = 6)
 {
     std::ostringstream text;
-    text.precision(6);
+    text.precision(digits);
     if constexpr (std::is_arithmetic_v<Value>)
         text << value + Value{};
     else
-        text << '(' << (value.array() + 0.0).matrix().transpose().format(Eigen::IOFormat(6, Eigen::DontAlignCols, ", ", "; ")) << ')';
+        text << '(' << (value.array() + 0.0).matrix().transpose().format(Eigen::IOFormat(digits, Eigen::DontAlignCols, ", ", "; ")) << ')';
     return text.str();
+}
+
+/// "expected 0.9 m, got 0.8 m", with more digits where six do not tell the two apart.
+template <class Got, class Expected>
+std::string told_apart(const Got& got, const Expected& expected, const std::string& unit)
+{
+    int digits = 6;
+    while (digits < 17 && readable(got, digits) == readable(expected, digits))
+        ++digits;
+    return "expected " + readable(expected, digits) + unit + ", got " + readable(got, digits) + unit;
 }
 
 /// Checks one number or vector, and says what it is when it is wrong: "impulse on p: expected 0.24 N s, got -0.24 N s".
@@ -48,16 +58,16 @@ template <class Got, class Expected>
 void expect(const std::string& what, const Got& got, const Expected& expected, double tolerance, const std::string& unit = "")
 {
     bool right;
-    std::string message;
+    std::string message = what + ": ";
     const std::string behind = unit.empty() ? "" : " " + unit;
     if constexpr (std::is_arithmetic_v<Expected>) {
         right = std::abs(static_cast<double>(got) - static_cast<double>(expected)) <= tolerance;
-        message = what + ": expected " + readable(expected) + behind + ", got " + readable(got) + behind;
+        message += told_apart(got, expected, behind);
     } else {
         const auto got_plain = got.eval();
         const auto expected_plain = expected.eval();
         right = (got_plain - expected_plain).norm() <= tolerance;
-        message = what + ": expected " + readable(expected_plain) + behind + ", got " + readable(got_plain) + behind;
+        message += told_apart(got_plain, expected_plain, behind);
     }
     CHECK_MESSAGE(right, message);
 }

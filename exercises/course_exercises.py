@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The commands of ./course about exercises: check, exercise, hint, solution, update, prove, grade and handout."""
 import argparse
+import random
 import sys
 import zipfile
 from pathlib import Path
@@ -12,6 +13,7 @@ import layers
 import prove
 import student
 import update
+import variants
 import workshop
 from catalogue import ROOT, CatalogueError, all_exercises
 
@@ -63,7 +65,8 @@ def grade_class(exercises, options):
     if not options.folder.is_dir() and not zipfile.is_zipfile(options.folder):
         stop(f"{options.folder} is not a folder, and no zip file")
     out = options.csv or (options.folder / "grades.csv" if options.folder.is_dir() else options.folder.with_suffix(".csv"))
-    rows = grade.grade(all_chosen(exercises, options.numbers), options.folder, out, options.one or options.gradescope is not None)
+    chosen_ones = [variants.with_hidden(exercise, options.hidden) if options.hidden else exercise for exercise in all_chosen(exercises, options.numbers)]
+    rows = grade.grade(chosen_ones, options.folder, out, options.one or options.gradescope is not None)
     grade.tell(rows, out)
     if options.gradescope:
         options.gradescope.write_text(exports.gradescope(rows), encoding="utf-8")
@@ -101,7 +104,11 @@ def arguments():
     grades.add_argument("--junit", type=Path, metavar="FILE", help="JUnit XML: a suite for each student")
     grades.add_argument("--moodle", type=Path, metavar="FILE", help="Moodle's offline grading worksheet (CSV)")
     grades.add_argument("--summary", type=Path, metavar="FILE", help="a table in Markdown, behind what is in FILE")
-    commands.add_parser("handout", help="a student repository without solutions").add_argument("folder", type=Path, metavar="DIR")
+    grades.add_argument("--hidden", type=Path, metavar="DIR", help="checks of your own, in the place of the course's: NN_name/M_title.check.cpp")
+    for_students = commands.add_parser("handout", help="a student repository without solutions")
+    for_students.add_argument("folder", type=Path, metavar="DIR")
+    for_students.add_argument("--hidden", type=Path, metavar="DIR", help="write hidden checks there: other numbers, other seeds")
+    for_students.add_argument("--seed", type=int, default=None, help="of the hidden checks (default: by chance)")
     commands.add_parser("update", help="the new course; answers stay").add_argument("origin", nargs="?", metavar="URL", help="a new handout (default: git pull)")
     return parser.parse_args()
 
@@ -116,7 +123,10 @@ def main():
     if options.command == "hint":
         return student.hint(one(exercises, options.number))
     if options.command == "handout":
-        return handout.handout(exercises, options.folder)
+        handout.handout(exercises, options.folder)
+        if options.hidden:
+            variants.write_variants(exercises, options.hidden, random.randrange(10**6) if options.seed is None else options.seed)
+        return 0
     if options.command == "update":
         return update.update(exercises, options.origin)
     if options.command in ("solution", "prove") and not (ROOT / "solutions").is_dir():
@@ -131,6 +141,8 @@ def main():
 
 
 if __name__ == "__main__":
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="replace")  # a terminal with another encoding shows "?" and goes on
     try:
         sys.exit(main())
     except (CatalogueError, workshop.NotBuilt, handout.CannotHandOut, update.CannotUpdate) as error:

@@ -13,10 +13,11 @@ from alone import alone
 from catalogue import CLOSE_THE_PAGE, KINDS, all_exercises, shown
 from judge import NOT_IMPLEMENTED, THREW, judge
 from progress import Progress
+from terminal import plain, readable_here
 
 MOST_FAILURES = 3
 MUTANT_JUDGES = ThreadPoolExecutor(os.cpu_count())  # one for all answers: a class is graded by as many threads again
-JUDGED_MUTANTS = {}  # outcomes by the exercise's number and the mutant's name
+JUDGED_MUTANTS = {}  # outcomes by the check and the mutant's name
 
 
 def check(exercises, named):
@@ -133,7 +134,7 @@ def told(outcome):
 
 def judge_mutant(exercise, mutant):
     """The same for every answer, so a class's wrong answers ask for each mutant once."""
-    key = exercise.number, mutant.name
+    key = exercise.check, mutant.name
     if key not in JUDGED_MUTANTS:
         with tempfile.TemporaryDirectory() as scratch:
             source = Path(scratch) / f"{exercise.name}.cpp"
@@ -206,8 +207,3 @@ def solution(exercise, second):
     print(f"\nThe file: {shown(path)}{other}")
     return 0
 
-
-def plain(text):
-    """The book's Markdown for a terminal: formulas keep their TeX between dollars, links their words."""
-    text = re.sub(r"\\f[$]", "$", re.sub(r"\\f\[|\\f\]", "$$", text.strip()))
-    return re.sub(r'\\ref \w+(?: "([^"]*)")?', lambda found: found[1] or "the book", text)

@@ -1,5 +1,6 @@
 """Compiles and links one answer: a student's file, a solution or a mutant, by the commands of the build folder, without a shell."""
 import functools
+import hashlib
 import os
 import re
 import shlex
@@ -59,12 +60,12 @@ def run_quietly(command):
     return done.stdout
 
 
-def run_tool(words, folder):
+def run_tool(words, folder, readable=()):
     """The compiler or the linker, which see the course and write into one folder.
     @return sandbox.Finished"""
     cache = compilers_cache()
     environment = {"CCACHE_DIR": cache, "CCACHE_TEMPDIR": f"{cache}/tmp"} if cache else {}
-    return sandbox.run(words, BUILD, readable=[ROOT, BUILD], writable=[folder, *environment.values()][:2], limits=TOOLS, environment=environment)
+    return sandbox.run(words, BUILD, readable=[ROOT, BUILD, *readable], writable=[folder, *environment.values()][:2], limits=TOOLS, environment=environment)
 
 
 @functools.cache
@@ -115,8 +116,31 @@ def compile_answer(exercise, source, folder):
 
 
 def link_check(exercise, answer, program):
-    """The program that judges an answer: the exercise's check."""
-    link(f"exercise_{exercise.target}", {pattern_object(exercise): answer}, program)
+    """The program that judges an answer: the exercise's check, or a hidden one."""
+    objects = {pattern_object(exercise): answer}
+    if exercise.hidden:
+        objects[check_object(exercise)] = compile_hidden_check(exercise)
+    link(f"exercise_{exercise.target}", objects, program)
+
+
+def check_object(exercise):
+    return f"CMakeFiles/check_{exercise.target}.dir/exercises/{exercise.chapter}/{exercise.name}.check.cpp.o"
+
+
+def compile_hidden_check(exercise):
+    """The object file of a teacher's check, compiled once for all answers.
+    @throws NotBuilt"""
+    folder = WORK / "hidden" / hashlib.sha256(exercise.hidden.read_bytes()).hexdigest()[:16]
+    with alone(folder):
+        made = folder / f"{exercise.target}.o"
+        if not made.is_file():
+            pattern, part = check_object(exercise), folder / f"{exercise.target}.part.o"
+            words = exchanged(last_command(pattern), {str(exercise.published_check): str(exercise.hidden), pattern: str(part)})
+            done = run_tool(words, folder, [exercise.hidden])
+            if done.returncode:
+                raise NotBuilt(f"{exercise.hidden} does not compile:\n{done.err[-2000:]}")
+            part.replace(made)
+    return made
 
 
 def link_tests(exercise, answer, program):

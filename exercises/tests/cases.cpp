@@ -27,6 +27,10 @@ TEST_CASE("wrong number")
 
 TEST_CASE("wrong vector") { expect("push", Vec3(1, 2, 3), Vec3(1, 2, 4), 1e-9, "N s"); }
 
+TEST_CASE("close number") { expect("speed", 0.9 + 3e-9, 0.9, 1e-12, "m/s"); }
+
+TEST_CASE("close vector") { expect("push", Vec3(1, 2, 3.00000001), Vec3(1, 2, 3), 1e-12, "N s"); }
+
 TEST_CASE("not a number") { expect("speed", std::nan(""), 9.81, 1e9, "m/s"); }
 
 TEST_CASE("wrong sentence") { expect_that("the sun rises", false); }

@@ -45,6 +45,10 @@ class Judging(unittest.TestCase):
     def test_a_wrong_vector_is_told_in_brackets(self):
         self.assertEqual(self.the_failure("wrong vector").message, "push: expected (1, 2, 4) N s, got (1, 2, 3) N s")
 
+    def test_the_digits_that_differ_are_told(self):
+        self.assertEqual(self.the_failure("close number").message, "speed: expected 0.9 m/s, got 0.900000003 m/s")
+        self.assertEqual(self.the_failure("close vector").message, "push: expected (1, 2, 3) N s, got (1, 2, 3.00000001) N s")
+
     def test_not_a_number_is_never_right(self):
         self.assertIn("got nan m/s", self.the_failure("not a number").message)
 

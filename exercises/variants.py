@@ -1,0 +1,100 @@
+"""Hidden checks: the course's with other numbers and seeds. Numbers are changed only where the solution still passes and every known wrong
+answer is still rejected.
+
+Changed are the numbers that a check names (`const double mass = 0.3`), the lists that it goes through, and its seeds. Numbers inside of
+its sentences are not: what a hidden check says is for the teacher.
+"""
+import random
+import re
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+import workshop
+from catalogue import ROOT
+from judge import judge
+
+NUMBER = r"(?<![\w.])\d+(?:\.\d*)?(?:e[+-]?\d+)?(?![\w.])"
+NAMED = re.compile(rf"\bconst double [^;{{}}]*;|for \(const double \w+ : \{{([^}}]*)\}}\)")
+DECLARED = re.compile(rf"= *({NUMBER}) *(?=[,;])|(?<=[{{,]) *({NUMBER}) *(?=[}},])")
+SEED = re.compile(r"\bmt19937(?:_64)? \w+\((\d+)\)|\bunsigned seed = (\d+); seed <= (\d+)")
+HEAD = "// A hidden variant of exercises/{}: other numbers, other seeds (from {}). Its sentences still tell the published ones.\n"
+
+
+def sites(text):
+    """(kind, spans) of each number that may change: kind is "number" or "seed"; the two ends of a range of seeds move together."""
+    found = [("number", [match.span(group)]) for named in NAMED.finditer(text)
+             for match in DECLARED.finditer(text, named.start(), named.end()) for group in (1, 2) if match[group]]
+    found += [("seed", [match.span(group) for group in (1, 2, 3) if match[group]]) for match in SEED.finditer(text)]
+    return sorted(found, key=lambda site: site[1])
+
+
+def varied(text, seed, chosen=None):
+    """The text with its numbers changed, each by up to a fifth, and its seeds moved.
+    @param chosen  only these of the sites"""
+    dice, changes = random.Random(seed), []
+    shift = dice.randrange(1000, 1000000)
+    for i, (kind, spans) in enumerate(sites(text)):
+        factor = 1 + dice.choice((-1, 1)) * dice.uniform(0.05, 0.2)
+        changes += [(span, kind, factor) for span in spans if chosen is None or i in chosen]
+    for (first, last), kind, factor in reversed(changes):
+        new = str(int(text[first:last]) + shift) if kind == "seed" else repr(float(f"{float(text[first:last]) * factor:.3g}"))
+        text = text[:first] + new + text[last:]
+    return text
+
+
+def write_variant(exercise, folder, seed):
+    """Writes the hidden check of an exercise, where there is a number to change.
+    @return how many were changed"""
+    text = exercise.check.read_text(encoding="utf-8")
+    kept = list(range(len(sites(text))))
+    if kept and not bites(exercise, varied(text, seed, kept)):
+        kept = [i for i in kept if passes(exercise, exercise.source, varied(text, seed, {i}))]
+        if kept and not bites(exercise, varied(text, seed, kept)):
+            return 0
+    if not kept:
+        return 0
+    path = folder / exercise.chapter / exercise.check.name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(HEAD.format(exercise.check.relative_to(ROOT / "exercises"), seed) + varied(text, seed, kept), encoding="utf-8")
+    return len(kept)
+
+
+def bites(exercise, text):
+    """Whether the solution passes this check, and no wrong answer does."""
+    if not passes(exercise, exercise.source, text):
+        return False
+    with tempfile.TemporaryDirectory(prefix="enduring_") as scratch:
+        for mutant in exercise.mutants:
+            source = Path(scratch) / f"{mutant.name}.cpp"
+            source.write_text(exercise.mutated(mutant), encoding="utf-8")
+            if passes(exercise, source, text):
+                return False
+    return True
+
+
+def passes(exercise, source, text):
+    """Whether an answer passes this check."""
+    with tempfile.TemporaryDirectory(prefix="enduring_") as scratch:
+        hidden = Path(scratch) / exercise.check.name
+        hidden.write_text(text, encoding="utf-8")
+        return judge(replace(exercise, hidden=hidden), source, Path(scratch) / "work", chapters_tests=False).state == "passed"
+
+
+def write_variants(exercises, folder, seed):
+    """Writes the hidden checks of all exercises and says which have none."""
+    workshop.prepare(exercises)
+    without = []
+    for exercise in exercises:
+        count = write_variant(exercise, folder, seed)
+        print(f"  {exercise.number}: {count} numbers changed" if count else f"  {exercise.number}: none", flush=True)
+        without += [] if count else [exercise.number]
+    print(f"\nHidden checks: {folder}. Keep them to yourself; ./course grade FOLDER --hidden {folder}")
+    if without:
+        print(f"Without one, for they name no number that can change alone: {', '.join(without)}. Write yours there, as NN_name/M_title.check.cpp.")
+
+
+def with_hidden(exercise, folder):
+    """The exercise, judged by the hidden check where there is one."""
+    hidden = folder / exercise.chapter / exercise.check.name
+    return replace(exercise, hidden=hidden.resolve()) if hidden.is_file() else exercise
