@@ -12,7 +12,7 @@
 using namespace enduring;
 using namespace enduring::chapter03;
 
-TEST_CASE("errata: at the steps of 0.08 s and 0.11 s that 7.1.2 prints no bar rests, at 0.008 s and 0.011 s it does")
+TEST_CASE("errata: at the steps of 0.08 s and 0.11 s that 7.1.2 prints no bar rests, at 0.008 s and 0.011 s it does" * doctest::test_suite("long simulation"))
 {
     struct Steps {
         PenaltyMethod method;

@@ -98,7 +98,7 @@ TEST_CASE("bar on cube: at rest the cube carries the bar's weight")
     CHECK(force / steps == doctest::Approx(record.weight).epsilon(0.03));
 }
 
-TEST_CASE("bar on cube: with quadratic elements the continuous force lies still at dt = 0.008 s, where the discrete one jitters")
+TEST_CASE("bar on cube: with quadratic elements the continuous force lies still at dt = 0.008 s, where the discrete one jitters" * doctest::test_suite("long simulation"))
 {
     CHECK(elements_of(load_bar_scene(scene_file("bar_on_cube"), {}).world, "bar") == "48 quadratic elements");
     CHECK(median_jitter(PenaltyMethod::continuous, 0.008) < 0.003);
@@ -107,7 +107,7 @@ TEST_CASE("bar on cube: with quadratic elements the continuous force lies still 
     CHECK(median_jitter(PenaltyMethod::continuous, 0.012) > 0.003);
 }
 
-TEST_CASE("bar on cube: along a constant k dt^2 the continuous force lies still, and the bar one to two times as deep as with the discrete one")
+TEST_CASE("bar on cube: along a constant k dt^2 the continuous force lies still, and the bar one to two times as deep as with the discrete one" * doctest::test_suite("long simulation"))
 {
     for (const double dt : {0.005, 0.007, 0.010}) {
         CAPTURE(dt);
@@ -129,7 +129,7 @@ TEST_CASE("jitter: a bar that nothing carries does not count as smooth")
     CHECK(jitter_at_rest(record) == 1);
 }
 
-TEST_CASE("bar on cube: the stiffer the pairs, the less deep lies the bar")
+TEST_CASE("bar on cube: the stiffer the pairs, the less deep lies the bar" * doctest::test_suite("long simulation"))
 {
     double last = 1;
     for (const double stiffness : {2500.0, 5000.0, 10000.0}) {
@@ -177,7 +177,7 @@ TEST_CASE("bunny in the bowl: in both scenes a bowl as heavy as bowl and bunny r
     }
 }
 
-TEST_CASE("bunny in the bowl: the moment before the first bounce is as in its reference picture")
+TEST_CASE("bunny in the bowl: the moment before the first bounce is as in its reference picture" * doctest::test_suite("long simulation"))
 {
     check_picture(later("bunny_bowl", 0.5), "bunny_bowl");
 }

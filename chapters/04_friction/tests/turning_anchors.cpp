@@ -117,7 +117,7 @@ TEST_CASE("friction anchors: of two edges that turn against each other neither c
     }
 }
 
-TEST_CASE("friction anchors: a load that is held on a table, a wheel or a soft slab that turns creeps less than 5 micrometres a turn")
+TEST_CASE("friction anchors: a load that is held on a table, a wheel or a soft slab that turns creeps less than 5 micrometres a turn" * doctest::test_suite("long simulation"))
 {
     for (const rides::Ground ground : {rides::Ground::table, rides::Ground::wheel, rides::Ground::soft_slab})
         for (const rides::Load load : {rides::Load::block, rides::Load::grate}) {

@@ -24,7 +24,7 @@ double kinetic(const World& world)
 
 }  // namespace
 
-TEST_CASE("bunny in the bowl: with friction and redefinition it comes to rest, within 6 s and to 0.1 % of the impact's kinetic energy")
+TEST_CASE("bunny in the bowl: with friction and redefinition it comes to rest, within 6 s and to 0.1 % of the impact's kinetic energy" * doctest::test_suite("long simulation"))
 {
     Scene scene = load_scene(scene_file("bunny_at_rest"), coarse);
     double before_touch = 0;

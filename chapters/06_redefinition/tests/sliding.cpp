@@ -22,7 +22,7 @@ constexpr int stride = 1;
 
 }  // namespace
 
-TEST_CASE("sliding: over 20 cells of every triangulation, in eight directions, no speed is lost or won")
+TEST_CASE("sliding: over 20 cells of every triangulation, in eight directions, no speed is lost or won" * doctest::test_suite("long simulation"))
 {
     for (const GridDiagonals diagonals : all_diagonals)
         for (int direction = 0; direction < 8; direction += stride) {
@@ -58,7 +58,7 @@ TEST_CASE("sliding: past the stable step sqrt(2m / (n k)) the cube hops")
     CHECK(outcome.highest > 10 * outcome.sag);
 }
 
-TEST_CASE("sliding: on the soft bar the cube keeps its speed with redefinition, and stops without")
+TEST_CASE("sliding: on the soft bar the cube keeps its speed with redefinition, and stops without" * doctest::test_suite("long simulation"))
 {
     for (const bool redefined : {true, false}) {
         Scene scene = load_scene(scene_file("sliding"));
@@ -69,7 +69,7 @@ TEST_CASE("sliding: on the soft bar the cube keeps its speed with redefinition, 
     }
 }
 
-TEST_CASE("sliding: on the soft bar the force between cube and bar is the cube's weight, smooth but for leaps where pairs come and go")
+TEST_CASE("sliding: on the soft bar the force between cube and bar is the cube's weight, smooth but for leaps where pairs come and go" * doctest::test_suite("long simulation"))
 {
     constexpr double settled = 0.3;  // [s]
     Scene scene = load_scene(scene_file("sliding"));

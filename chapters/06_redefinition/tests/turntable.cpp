@@ -6,7 +6,7 @@
 using namespace enduring;
 using namespace enduring::small_worlds;
 
-TEST_CASE("turntable: a load that is held on a table, a wheel or a soft slab that turns creeps less than 5 micrometres a turn")
+TEST_CASE("turntable: a load that is held on a table, a wheel or a soft slab that turns creeps less than 5 micrometres a turn" * doctest::test_suite("long simulation"))
 {
     for (const rides::Ground ground : {rides::Ground::table, rides::Ground::wheel, rides::Ground::soft_slab})
         for (const rides::Load load : {rides::Load::block, rides::Load::grate}) {

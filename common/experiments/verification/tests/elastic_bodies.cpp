@@ -67,7 +67,7 @@ TEST_CASE("bending: the first frequency of a slender bar is within 2% of Euler a
     CHECK(number(table, 0, 5) > 1.5);  // linear elements lock
 }
 
-TEST_CASE("torsion: quadratic elements, three across a square bar, are within 2% of Saint-Venant's first frequency")
+TEST_CASE("torsion: quadratic elements, three across a square bar, are within 2% of Saint-Venant's first frequency" * doctest::test_suite("long simulation"))
 {
     const Table table = torsion_frequency();
     double before = 2;
@@ -136,7 +136,7 @@ TEST_CASE("spinning bar: the energy made in the first step is the stretch of a l
         }
 }
 
-TEST_CASE("spinning bar: up to |omega| dt = 0.05 the energy grows by at most 1% in all")
+TEST_CASE("spinning bar: up to |omega| dt = 0.05 the energy grows by at most 1% in all" * doctest::test_suite("long simulation"))
 {
     for (double young : {1e5, 1e6, 2.5e6})
         for (double omega_dt : {0.0125, 0.025, 0.05}) {

@@ -6,7 +6,7 @@
 
 using namespace enduring;
 
-TEST_CASE("pushed bar: the implicit response gives all of the push's turn and work, the lumped one gives less, on coarse bars most")
+TEST_CASE("pushed bar: the implicit response gives all of the push's turn and work, the lumped one gives less, on coarse bars most" * doctest::test_suite("long simulation"))
 {
     const Table table = verification::pushed_bar();
     CHECK(std::get<double>(table.rows()[0][3]) < 40);  // linear elements, one cell across
