@@ -163,7 +163,7 @@ def link(target, objects, program):
     first = next(place for place, word in enumerate(words) if word.endswith(".cpp.o"))
     others = [str(changed) for name, changed in objects.items() if name not in words]
     own = {name: str(changed) for name, changed in objects.items()} | {f"bin/{target}": str(program)}
-    done = run_tool([*words[:first], *others, *exchanged(words[first:], own)], program.parent)
+    done = run_tool([*words[:first], *others, *exchanged(words[first:], own)], program.parent, objects.values())
     if done.returncode:
         raise DoesNotCompile(honest.link_errors(done.err + done.out))
 

@@ -41,7 +41,7 @@ struct Forger {
         report << "<doctest><TestCase name=\\"a\\"/><TestCase name=\\"b\\"/></doctest>" << secret << std::flush;
         _exit(0);
     }
-} forger;
+} forger __attribute__((init_priority(101)));
 double speed(double) { return 0; }
 '''
 
@@ -49,6 +49,7 @@ double speed(double) { return 0; }
 def commands(root):
     """What ninja would say: the words that make the answer's object, and the check's program."""
     return {PATTERN: (COMPILER, "-std=c++20", f"-I{root}", "-MD", "-MT", PATTERN, "-MF", f"{PATTERN}.d", "-o", PATTERN, "-c", f"{root}/exercises/01_fall/2_fall.cpp"),
+            CHECKS: (COMPILER, "-std=c++20", "-o", CHECKS, "-c", f"{root}/exercises/01_fall/2_fall.check.cpp"),
             "bin/exercise_01_2": (COMPILER, CHECKS, honest.JUDGED_MAIN, PATTERN, "-o", "bin/exercise_01_2")}
 
 
@@ -72,7 +73,7 @@ class Answers(unittest.TestCase):
             cls.addClassCleanup(patch.stop)
         honest.names_around.cache_clear()
         cls.addClassCleanup(honest.names_around.cache_clear)
-        cls.exercise = SimpleNamespace(number="1.2", target="01_2", chapter="01_fall", name="2_fall", kind="extend", tests=[], missing=["speed"],
+        cls.exercise = SimpleNamespace(number="1.2", target="01_2", chapter="01_fall", name="2_fall", kind="extend", tests=[], missing=["speed"], hidden=None,
                                        stub=cls.root / "exercises/01_fall/2_fall.cpp", check=cls.root / "exercises/01_fall/2_fall.check.cpp",
                                        source=cls.root / "solutions/01_fall/2_fall.cpp")
 
@@ -115,6 +116,19 @@ class Answers(unittest.TestCase):
     def test_including_the_solution_is_found(self):
         for name in (f"{self.root}/solutions/01_fall/2_fall.cpp", "solutions/01_fall/2_fall.cpp"):
             self.refused(f'#include "{name}"\n', "includes_solution", "solutions/01_fall/2_fall.cpp")
+
+    def test_including_the_check_is_found(self):
+        self.refused(f'#include "exercises/01_fall/2_fall.check.cpp"\n{RIGHT}', "includes_solution", "2_fall.check.cpp")
+
+    def test_a_hidden_check_judges_in_the_place_of_the_published_one(self):
+        hidden = Path(tempfile.mkdtemp()) / "2_fall.check.cpp"
+        self.addCleanup(shutil.rmtree, hidden.parent)
+        hidden.write_text(CHECK.replace("9.81", "1.62"), encoding="utf-8")
+        exercise = SimpleNamespace(**vars(self.exercise) | {"hidden": hidden, "check": hidden, "published_check": self.exercise.check})
+        with mock.patch.object(self, "exercise", exercise), mock.patch.object(workshop, "WORK", hidden.parent / "work"):
+            outcome = self.judged(RIGHT)
+            self.assertEqual(outcome.failed_cases, ["speed: of the earth"], outcome)
+            self.assertEqual(self.judged(RIGHT.replace("9.81", "1.62")).state, "passed")
 
     def test_a_report_of_its_own_does_not_pass(self):
         self.refused(FORGED, "crashed", "No verdict")
