@@ -4,15 +4,17 @@ answer is still rejected.
 Changed are the numbers that a check names (`const double mass = 0.3`), the lists that it goes through, and its seeds. Numbers inside of
 its sentences are not: what a hidden check says is for the teacher.
 """
+import os
 import random
 import re
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
 import workshop
 from catalogue import ROOT
-from judge import judge
+from judge import properties_of, run_cases
 
 NUMBER = r"(?<![\w.])\d+(?:\.\d*)?(?:e[+-]?\d+)?(?![\w.])"
 NAMED = re.compile(rf"\bconst double [^;{{}}]*;|for \(const double \w+ : \{{([^}}]*)\}}\)")
@@ -48,37 +50,43 @@ def write_variant(exercise, folder, seed):
     @return how many were changed"""
     text = exercise.check.read_text(encoding="utf-8")
     kept = list(range(len(sites(text))))
-    if kept and not bites(exercise, varied(text, seed, kept)):
-        kept = [i for i in kept if passes(exercise, exercise.source, varied(text, seed, {i}))]
-        if kept and not bites(exercise, varied(text, seed, kept)):
-            return 0
-    if not kept:
-        return 0
-    path = folder / exercise.chapter / exercise.check.name
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(HEAD.format(exercise.check.relative_to(ROOT / "exercises"), seed) + varied(text, seed, kept), encoding="utf-8")
+    with tempfile.TemporaryDirectory(prefix="enduring_") as scratch:
+        answers = compiled(exercise, Path(scratch)) if kept else []
+        if kept and not bites(exercise, answers, varied(text, seed, kept)):
+            kept = [i for i in kept if passes(exercise, answers[0], varied(text, seed, {i}))]
+            if not bites(exercise, answers, varied(text, seed, kept)):
+                return 0
+    if kept:
+        path = folder / exercise.chapter / exercise.check.name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(HEAD.format(exercise.check.relative_to(ROOT / "exercises"), seed) + varied(text, seed, kept), encoding="utf-8")
     return len(kept)
 
 
-def bites(exercise, text):
+def compiled(exercise, folder):
+    """The object files of the solution and of the known wrong answers."""
+    texts = [exercise.source.read_text(encoding="utf-8"), *map(exercise.mutated, exercise.mutants)]
+    for i, text in enumerate(texts):
+        (folder / f"{i}.cpp").write_text(text, encoding="utf-8")
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(lambda i: workshop.compile_answer(exercise, folder / f"{i}.cpp", folder / str(i)), range(len(texts))))
+
+
+def bites(exercise, answers, text):
     """Whether the solution passes this check, and no wrong answer does."""
-    if not passes(exercise, exercise.source, text):
+    return passes(exercise, answers[0], text) and not any(passes(exercise, wrong, text) for wrong in answers[1:])
+
+
+def passes(exercise, answer, text):
+    """Whether an answer passes this check; none does where it does not compile."""
+    hidden = answer.with_name(exercise.check.name)
+    hidden.write_text(text, encoding="utf-8")
+    judged_by_it = replace(exercise, hidden=hidden)
+    try:
+        workshop.link_check(judged_by_it, answer, answer.with_name("check"))
+    except (workshop.DoesNotCompile, workshop.NotBuilt):
         return False
-    with tempfile.TemporaryDirectory(prefix="enduring_") as scratch:
-        for mutant in exercise.mutants:
-            source = Path(scratch) / f"{mutant.name}.cpp"
-            source.write_text(exercise.mutated(mutant), encoding="utf-8")
-            if passes(exercise, source, text):
-                return False
-    return True
-
-
-def passes(exercise, source, text):
-    """Whether an answer passes this check."""
-    with tempfile.TemporaryDirectory(prefix="enduring_") as scratch:
-        hidden = Path(scratch) / exercise.check.name
-        hidden.write_text(text, encoding="utf-8")
-        return judge(replace(exercise, hidden=hidden), source, Path(scratch) / "work", chapters_tests=False).state == "passed"
+    return run_cases(answer.with_name("check"), expected=properties_of(judged_by_it)).state == "passed"
 
 
 def write_variants(exercises, folder, seed):

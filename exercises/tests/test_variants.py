@@ -13,7 +13,6 @@ sys.path.insert(0, str(HERE.parent))
 sys.path.insert(0, str(HERE))
 import catalogue  # noqa: E402
 import variants  # noqa: E402
-from judge import Outcome  # noqa: E402
 from test_catalogue import Folder  # noqa: E402
 
 CHECK = """TEST_CASE("fall: half")
@@ -62,10 +61,9 @@ class Written(unittest.TestCase):
 
     def write(self, passes):
         """@param passes  whether an answer passes a check, both by their text"""
-        def judge(exercise, source, folder, chapters_tests):
-            return Outcome("passed" if passes(Path(source).read_text(), exercise.check.read_text()) else "failed")
-
-        with mock.patch.object(variants, "judge", judge), mock.patch.object(variants.workshop, "prepare"), redirect_stdout(io.StringIO()) as told:
+        texts = [self.exercise.source.read_text(), *map(self.exercise.mutated, self.exercise.mutants)]
+        with mock.patch.object(variants, "compiled", return_value=texts), mock.patch.object(variants.workshop, "prepare"), \
+                mock.patch.object(variants, "passes", lambda exercise, answer, check: passes(answer, check)), redirect_stdout(io.StringIO()) as told:
             variants.write_variants([self.exercise], self.hidden, 5)
         self.told = told.getvalue()
         return list(self.hidden.rglob("*.cpp"))
