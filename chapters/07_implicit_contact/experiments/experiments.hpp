@@ -1,0 +1,11 @@
+#pragma once
+
+#include "common/experiments/report/chapter_program.hpp"
+
+namespace enduring::chapter07 {
+
+void implicit_map(const RunOptions& options, Report& report);
+void ring(const RunOptions& options, Report& report);
+void free_bounce(const RunOptions& options, Report& report);
+
+}  // namespace enduring::chapter07

@@ -1,0 +1,60 @@
+#include "chapters/07_implicit_contact/implicit_particle.hpp"
+
+#include "chapters/07_implicit_contact/weighted_impulse.hpp"
+
+#include <algorithm>
+
+namespace enduring {
+namespace {
+
+//! [find_way]
+/// The velocity w of the way that charges what makes it: inertia (w - free_way) = I(w).
+///
+/// I falls with w and is convex, so the difference of both sides rises and is concave. Newton's method then climbs from the
+/// free way, where the ground has not pushed yet, towards the answer and never passes it: no guess, no damping, no failure.
+double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem, int& newton_steps)
+{
+    const double k = problem.stiffness, dt = problem.dt;
+    for (double way = free_way;; ++newton_steps) {
+        const auto [impulse, slope] = weighted_impulse(height, height + dt * way, problem.centre, k, dt);
+        const double next = way - (inertia * (way - free_way) - impulse) / (inertia - dt * slope);
+        if (!(next > way))
+            return way;  // at the answer, as nearly as numbers of this length tell
+        way = next;
+    }
+}
+//! [find_way]
+
+}  // namespace
+
+//! [step]
+ParticleState step(const ParticleState& state, const ImplicitParticle& problem, int* newton_steps)
+{
+    const auto& [mass, k, gravity, centre, update, dt] = problem;
+    const double free_velocity = state.velocity - gravity * dt;
+    const bool by_mean = update == PositionUpdate::mean_velocity;
+    // Half the change of velocity shows in the mean, so the way is twice as hard to turn.
+    const double free_way = by_mean ? 0.5 * (state.velocity + free_velocity) : free_velocity;
+    int count = 0;
+    const double way = find_way(state.height, free_way, by_mean ? 2 * mass : mass, problem, count);
+    if (newton_steps != nullptr)
+        *newton_steps = count;
+    return {state.height + dt * way, by_mean ? 2 * way - state.velocity : way};
+}
+//! [step]
+
+ParticleState simulate(ParticleState state, const ImplicitParticle& problem, int steps)
+{
+    for (int i = 0; i < steps; ++i)
+        state = step(state, problem);
+    return state;
+}
+
+double energy(const ParticleState& state, const ImplicitParticle& problem)
+{
+    const auto& [height, velocity] = state;
+    const double depth = std::min(0.0, height);
+    return 0.5 * problem.mass * velocity * velocity + problem.mass * problem.gravity * height + 0.5 * problem.stiffness * depth * depth;
+}
+
+}  // namespace enduring
