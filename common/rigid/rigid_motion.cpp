@@ -86,8 +86,12 @@ Pose RigidMotion::predicted_pose(double dt) const
 //! [apply_impulse]
 void RigidMotion::apply_impulse(const Vec3& impulse, const Vec3& point)
 {
-    const Vec3 turning = (point - centre()).cross(impulse);
-    velocity_ += impulse / mass_;
+    apply_momentum(impulse, (point - centre()).cross(impulse));
+}
+
+void RigidMotion::apply_momentum(const Vec3& momentum, const Vec3& turning)
+{
+    velocity_ += momentum / mass_;
     angular_velocity_ += inverse_inertia_ * turning;
     spin_momentum_ += turning;
 }

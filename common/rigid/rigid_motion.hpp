@@ -35,6 +35,8 @@ public:
     Pose predicted_pose(double dt) const;
     /// Adds an impulse [N s] at a point [m] of the world, with its lever from the committed pose (thesis 3.9 to 3.12).
     void apply_impulse(const Vec3& impulse, const Vec3& point);
+    /// The same by its effect: a momentum [N s] and an angular momentum about the centre [N m s].
+    void apply_momentum(const Vec3& momentum, const Vec3& turning);
     /// The predicted pose becomes the pose.
     void commit(double dt);
 

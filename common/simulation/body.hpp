@@ -3,6 +3,8 @@
 #include "common/geometry/surface_topology.hpp"
 #include "common/geometry/vector.hpp"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -22,6 +24,12 @@ struct Energy {
 struct Push {
     int vertex;
     double weight;  ///< not negative
+};
+
+/// How a surface vertex moves with its body's coordinates in contact: its velocity is `rate` times those from `first` on.
+struct VertexMotion {
+    int first = 0;
+    Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 6> rate{3, 0};
 };
 
 /// The one face that static, rigid and deformable bodies show to the contact code: surface vertices that move
@@ -92,6 +100,18 @@ public:
     /// The same question answered better by a body whose parts hang together, if it can: a bound on what all `pushes` change
     /// at a vertex together, each weight's worth of impulse in its own worst direction [1/kg]; infinite where it knows none.
     virtual double response_bound(int, std::span<const Push>) const { return std::numeric_limits<double>::infinity(); }
+
+    /// For a solver that treats all bodies as one: the velocities that contact can change, as a few coordinates. A rigid body's are the
+    /// velocity of its centre and its angular velocity; what does not move has none.
+    ///
+    /// @param touched  the vertices that are in contact, each once
+    /// @return         mass matrix A of the coordinates, so that an impulse P on them changes them by A^-1 P
+    virtual Eigen::MatrixXd contact_mass(std::span<const int> /*touched*/) const { return {}; }
+    /// How touched[index] moves with them.
+    /// @param tau  moment of the step whose lever counts, in [0, 1]
+    virtual VertexMotion contact_motion(std::span<const int> /*touched*/, std::size_t /*index*/, double /*tau*/) const { return {}; }
+    /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
+    virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/) {}
 
     virtual bool is_static() const { return false; }
     virtual double mass() const = 0;                                  ///< [kg]; 0 for a static body

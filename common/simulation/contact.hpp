@@ -36,6 +36,9 @@ struct Contact {
     Vec3 friction = Vec3::Zero();  ///< friction impulse on A in this step [N s]
     Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m]
     double slip = 0;               ///< speed at which friction lets go in this step [m/s], 0 while it holds
+    double stiffness = 0;          ///< k of a pair that is given its own [N/m]; 0 before that
+    double slack = 0;              ///< depth at which the spring of such a pair is slack [m]
+    double load = 0;               ///< normal force that such a pair carried at the end of the last step [N]
     ContactCategory category = ContactCategory::unknown;
     ContactState state = ContactState::waiting;
     bool resolved = false;  ///< separated in this step, whatever its state: seen by the probes, gone with the next

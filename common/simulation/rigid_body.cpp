@@ -20,6 +20,7 @@ RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProper
 void RigidBody::predict(const Vec3& gravity, double dt)
 {
     motion_.predict(gravity, dt);
+    free_orientation_t1_ = motion_.predicted_pose(dt).orientation;
     update_prediction(dt);
 }
 
@@ -45,6 +46,31 @@ void RigidBody::apply_impulse(int vertex, const Vec3& impulse) { motion_.apply_i
 Vec3 RigidBody::velocity(int vertex) const { return motion_.velocity_at(start_of(vertex)); }
 
 Mat3 RigidBody::inverse_mass(int vertex) const { return motion_.inverse_mass_at(start_of(vertex)); }
+
+Eigen::MatrixXd RigidBody::contact_mass(std::span<const int>) const
+{
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(6, 6);
+    mass.topLeftCorner<3, 3>().diagonal().setConstant(motion_.mass());
+    mass.bottomRightCorner<3, 3>() = motion_.inverse_inertia().inverse();
+    return mass;
+}
+
+// The free end's orientation, not the predicted one: all impulses of a step have one lever, however often they are mended.
+VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t index, double tau) const
+{
+    const Vec3& point = body_points_[static_cast<std::size_t>(touched[index])];
+    const Vec3 r = lerp(motion_.pose().orientation * point, free_orientation_t1_ * point, tau);
+    VertexMotion motion;
+    motion.rate.resize(3, 6);
+    motion.rate.leftCols<3>().setIdentity();
+    motion.rate.rightCols<3>() << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;  // omega x r
+    return motion;
+}
+
+void RigidBody::apply_contact_impulse(std::span<const int>, const Eigen::VectorXd& impulse)
+{
+    motion_.apply_momentum(impulse.head<3>(), impulse.tail<3>());
+}
 
 void RigidBody::begin_trial()
 {

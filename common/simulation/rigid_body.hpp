@@ -27,6 +27,10 @@ public:
     Vec3 velocity(int vertex) const override;
     Mat3 inverse_mass(int vertex) const override;
 
+    Eigen::MatrixXd contact_mass(std::span<const int> touched) const override;
+    VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
+    void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
+
     void begin_trial() override;
     void try_impulse(int vertex, const Vec3& impulse) override;
     Vec3 tried_velocity(int vertex) const override;
@@ -49,6 +53,7 @@ private:
 
     RigidMotion motion_;
     Trial trial_{};
+    Quaternion free_orientation_t1_ = Quaternion::Identity();  ///< at the end of the step, before any contact
     std::vector<Vec3> body_points_;  ///< surface vertices in body coordinates [m]
 };
 

@@ -1,0 +1,180 @@
+#include "chapters/07_implicit_contact/contact_problem.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace enduring {
+namespace {
+
+using Eigen::VectorXd;
+
+VectorXd times_mass(const ContactProblem& problem, const VectorXd& x)
+{
+    VectorXd product(x.size());
+    for (const BodyBlock& block : problem.blocks)
+        product.segment(block.first, block.mass.rows()).noalias() = block.mass * x.segment(block.first, block.mass.rows());
+    return product;
+}
+
+/// Its length in the norm of A^-1.
+double speed_of(const ContactProblem& problem, const VectorXd& momentum)
+{
+    double squared = 0;
+    for (const BodyBlock& block : problem.blocks)
+        squared += block.factor.matrixL().solve(momentum.segment(block.first, block.mass.rows())).squaredNorm();
+    return std::sqrt(squared);
+}
+
+/// What the pairs answer to a change, all impulses as momentum of the coordinates.
+struct Answers {
+    VectorXd total, missing;  ///< all; without what acts already
+};
+
+Answers answers_to(const ContactProblem& problem, const VectorXd& change)
+{
+    Answers answers{VectorXd::Zero(problem.size), VectorXd::Zero(problem.size)};
+    for (const PairRow& row : problem.rows) {
+        const PairAnswer made = answer(row.law, row.velocity_after(change), problem.step);
+        const Vec3 impulse = made.normal_impulse + made.friction;
+        row.add_impulse(impulse, answers.total);
+        row.add_impulse(impulse - row.acting, answers.missing);
+    }
+    return answers;
+}
+
+double residual_from(const ContactProblem& problem, const VectorXd& gradient, const VectorXd& total, double least_speed)
+{
+    return speed_of(problem, gradient) / std::max(least_speed, speed_of(problem, total));
+}
+
+//! [hessian]
+/// A + J^T S J, S the stiffening of each pair.
+Eigen::SparseMatrix<double> hessian(const ContactProblem& problem, const VectorXd& change)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    const auto add = [&](int row, int column, const auto& block) {
+        for (Eigen::Index j = 0; j < block.cols(); ++j)
+            for (Eigen::Index i = 0; i < block.rows(); ++i)
+                entries.emplace_back(row + static_cast<int>(i), column + static_cast<int>(j), block(i, j));
+    };
+    for (const BodyBlock& block : problem.blocks)
+        add(block.first, block.first, block.mass);
+    for (const PairRow& row : problem.rows) {
+        const Mat3 stiffening = answer(row.law, row.velocity_after(change), problem.step).stiffening;
+        for (int i = 0; i < row.part_count; ++i)
+            for (int j = 0; j < row.part_count; ++j) {
+                const VertexMotion &one = row.parts[static_cast<std::size_t>(i)], &other = row.parts[static_cast<std::size_t>(j)];
+                add(one.first, other.first, (one.rate.transpose() * stiffening * other.rate).eval());
+            }
+    }
+    Eigen::SparseMatrix<double> matrix(problem.size, problem.size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+//! [hessian]
+
+//! [line_search]
+/// How far to go along a direction: to where the slope of the objective, which only rises, has nearly reached zero.
+double step_length(const ContactProblem& problem, const VectorXd& change, const VectorXd& direction)
+{
+    const VectorXd mass_direction = times_mass(problem, direction);
+    const auto slope_at = [&](double t) {
+        double slope = mass_direction.dot(change + t * direction);
+        for (const PairRow& row : problem.rows) {
+            const PairAnswer made = answer(row.law, row.velocity_after(change + t * direction), problem.step);
+            slope -= row.rate_of(direction).dot(made.normal_impulse + made.friction - row.acting);
+        }
+        return slope;
+    };
+    const double enough = 0.1 * std::abs(slope_at(0));
+    double low = 0, high = 1, slope_high = slope_at(high);
+    while (slope_high < -enough && high < 64) {
+        low = high;
+        high *= 2;
+        slope_high = slope_at(high);
+    }
+    if (std::abs(slope_high) <= enough)
+        return high;
+    double slope_low = slope_at(low);
+    for (int i = 0; i < 60; ++i) {
+        // The secant's place, kept off the ends, where the slope bends sharply.
+        const double secant = low - slope_low * (high - low) / (slope_high - slope_low), margin = 0.1 * (high - low);
+        const double middle = std::clamp(secant, low + margin, high - margin), slope = slope_at(middle);
+        if (std::abs(slope) <= enough)
+            return middle;
+        (slope < 0 ? low : high) = middle;
+        (slope < 0 ? slope_low : slope_high) = slope;
+    }
+    return low;
+}
+//! [line_search]
+
+}  // namespace
+
+Vec3 PairRow::rate_of(const VectorXd& change) const
+{
+    Vec3 rate = Vec3::Zero();
+    for (int i = 0; i < part_count; ++i) {
+        const VertexMotion& part = parts[static_cast<std::size_t>(i)];
+        rate.noalias() += part.rate * change.segment(part.first, part.rate.cols());
+    }
+    return rate;
+}
+
+Vec3 PairRow::velocity_after(const VectorXd& change) const { return velocity + rate_of(change); }
+
+void PairRow::add_impulse(const Vec3& impulse, VectorXd& sum) const
+{
+    for (int i = 0; i < part_count; ++i) {
+        const VertexMotion& part = parts[static_cast<std::size_t>(i)];
+        sum.segment(part.first, part.rate.cols()).noalias() += part.rate.transpose() * impulse;
+    }
+}
+
+Mat3 PairRow::response(const std::vector<BodyBlock>& blocks, int size) const
+{
+    Mat3 response;
+    for (int axis = 0; axis < 3; ++axis) {
+        VectorXd momentum = VectorXd::Zero(size);
+        add_impulse(Vec3::Unit(axis), momentum);
+        for (const BodyBlock& block : blocks) {
+            auto part = momentum.segment(block.first, block.mass.rows());
+            part = block.factor.solve(part).eval();
+        }
+        response.col(axis) = rate_of(momentum);
+    }
+    return response;
+}
+
+double residual_of(const ContactProblem& problem, const VectorXd& change, double least_speed)
+{
+    const Answers answers = answers_to(problem, change);
+    return residual_from(problem, times_mass(problem, change) - answers.missing, answers.total, least_speed);
+}
+
+//! [solve]
+ProblemSolution solve(const ContactProblem& problem, double tolerance, double least_speed, int most_steps)
+{
+    ProblemSolution solution;
+    solution.change = VectorXd::Zero(problem.size);
+    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor;
+    for (;; ++solution.newton_steps) {
+        const Answers answers = answers_to(problem, solution.change);
+        const VectorXd gradient = times_mass(problem, solution.change) - answers.missing;
+        solution.residual = residual_from(problem, gradient, answers.total, least_speed);
+        solution.converged = solution.residual <= tolerance;
+        if (solution.converged || solution.newton_steps == most_steps)
+            return solution;
+        const Eigen::SparseMatrix<double> matrix = hessian(problem, solution.change);
+        if (solution.newton_steps == 0)
+            factor.analyzePattern(matrix);
+        factor.factorize(matrix);
+        const VectorXd direction = factor.solve(-gradient);
+        solution.change += step_length(problem, solution.change, direction) * direction;
+    }
+}
+//! [solve]
+
+}  // namespace enduring

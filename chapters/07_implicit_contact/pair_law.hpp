@@ -1,0 +1,32 @@
+#pragma once
+
+#include "common/geometry/vector.hpp"
+
+namespace enduring {
+
+/// What a pair answers to its motion in one step. Its normal stands still, and the limit of its friction is known beforehand, so
+/// its impulse is the slope of a convex potential of the velocity of p against q.
+struct PairLaw {
+    Vec3 normal = Vec3::UnitY();     ///< unit length, out of B
+    double depth_t0 = 0;             ///< at the start of the step, from where its spring is slack [m]
+    double stiffness = 0;            ///< k, along the normal and along the surface [N/m]
+    Vec3 stretch = Vec3::Zero();     ///< of its friction at the start of the step, along the surface [m]
+    double friction_limit = 0;       ///< largest impulse along the surface [N s]
+};
+
+/// What all pairs share.
+struct StepLaw {
+    double centre = 1;  ///< of the weight over the step, in [1/2, 1]
+    double dt = 0.01;   ///< [s]
+};
+
+struct PairAnswer {
+    Vec3 normal_impulse, friction;  ///< on p [N s]
+    Mat3 stiffening;                ///< minus the derivative of their sum by the velocity, positive semidefinite [kg]
+    bool slips = false;
+};
+
+/// @param velocity  of p against q over the step [m/s]
+PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
+
+}  // namespace enduring
