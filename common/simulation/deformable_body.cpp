@@ -2,6 +2,8 @@
 
 #include "common/geometry/surface_extraction.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <utility>
 
 namespace enduring {
@@ -88,6 +90,46 @@ Mat3 DeformableBody::inverse_mass(int vertex) const
     if (impulse_response_ == ImpulseResponse::implicit && elastic_.factorisations() > 0)
         return vertex_response_.block(vertex, vertex);
     return embedding_.inverse_mass(vertex, elastic_.inverse_masses()) * Mat3::Identity();
+}
+
+/// Velocity change at u per impulse at v [1/kg].
+Mat3 DeformableBody::response_between(int u, int v) const
+{
+    if (impulse_response_ == ImpulseResponse::implicit)
+        return vertex_response_.block(u, v);
+    double shared = 0;
+    for (const auto& [node, weight] : embedding_.nodes_of(u))
+        for (const auto& [other, other_weight] : embedding_.nodes_of(v))
+            shared += node == other ? weight * other_weight * elastic_.inverse_masses()[node] : 0;
+    return shared * Mat3::Identity();
+}
+
+Eigen::MatrixXd DeformableBody::contact_mass(std::span<const int> touched) const
+{
+    // Learned in other positions of the elements, the blocks need not belong to a positive matrix: a part of the diagonal on
+    // top makes it one, and the vertices a little softer than they are.
+    constexpr double softening = 0.05;
+    const auto size = static_cast<Eigen::Index>(3 * touched.size());
+    Eigen::MatrixXd response(size, size);
+    for (std::size_t i = 0; i < touched.size(); ++i)
+        for (std::size_t j = 0; j < touched.size(); ++j)
+            response.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)) = response_between(touched[i], touched[j]);
+    response.diagonal() *= 1 + softening;
+    return response.llt().solve(Eigen::MatrixXd::Identity(size, size));
+}
+
+VertexMotion DeformableBody::contact_motion(std::span<const int>, std::size_t index, double) const
+{
+    VertexMotion motion;
+    motion.first = static_cast<int>(3 * index);
+    motion.rate = Mat3::Identity();
+    return motion;
+}
+
+void DeformableBody::apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse)
+{
+    for (std::size_t i = 0; i < touched.size(); ++i)
+        apply_impulse(touched[i], impulse.segment<3>(static_cast<Eigen::Index>(3 * i)));
 }
 
 void DeformableBody::begin_trial()

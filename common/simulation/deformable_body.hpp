@@ -48,6 +48,13 @@ public:
     /// vertex's nodes alone.
     Mat3 inverse_mass(int vertex) const override;
 
+    /// One coordinate for each component of the velocity of each touched vertex. The implicit response's blocks are the learned ones,
+    /// turned with their elements, so the mass is an approximation, made stiffer than it is nowhere: a solver has to look at what its
+    /// impulses really did.
+    Eigen::MatrixXd contact_mass(std::span<const int> touched) const override;
+    VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
+    void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
+
     void begin_trial() override;
     void try_impulse(int vertex, const Vec3& impulse) override;
     Vec3 tried_velocity(int vertex) const override;
@@ -68,6 +75,8 @@ public:
 private:
     DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh, SurfaceEmbedding embedding,
                    const DeformableSettings& settings);
+
+    Mat3 response_between(int u, int v) const;
 
     ElasticBody elastic_;
     SurfaceEmbedding embedding_;
