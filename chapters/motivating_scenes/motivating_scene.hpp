@@ -39,7 +39,7 @@ struct MotivatingScene {
     Bound bound;
     double limit;
     std::string reason;    ///< why the line is there
-    std::string expected;  ///< of the chapters 1 to 6 in order: 'p' passes, 'f' fails
+    std::string expected;  ///< of the chapters 1 to 7 in order: 'p' passes, 'f' fails
     Gauge::Reading reading;
     std::vector<double> moments;  ///< worth a picture [s], ascending; the ledger shows the last
 };

@@ -6,6 +6,7 @@
 #include "chapters/04_friction/solver.hpp"
 #include "chapters/05_categorisation/solver.hpp"
 #include "chapters/06_redefinition/solver.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
 #include "common/input/input_error.hpp"
 
 namespace enduring::solvers {
@@ -19,7 +20,8 @@ Solver chapter_solver(int chapter, const ContactParameters& parameters)
     case 4: return chapter04_solver(parameters);
     case 5: return chapter05_solver(parameters);
     case 6: return chapter06_solver(parameters);
-    default: throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to 6 have");
+    case 7: return chapter07_solver(parameters);
+    default: throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to 7 have");
     }
 }
 

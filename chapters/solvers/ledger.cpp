@@ -34,7 +34,7 @@ Table all_cells(const std::vector<LedgerCell>& cells)
 /// A row a scene, a column a chapter.
 Table page_of(const std::vector<LedgerCell>& cells)
 {
-    Table table({"scene", "measured", "passes_if", "1", "2", "3", "4", "5", "6"});
+    Table table({"scene", "measured", "passes_if", "1", "2", "3", "4", "5", "6", "7"});
     std::map<const MotivatingScene*, std::vector<Cell>> rows;
     for (const LedgerCell& cell : cells) {
         std::vector<Cell>& row = rows[cell.scene];

@@ -9,7 +9,7 @@ using namespace motivating;
 /// One cell of the failure ledger: a scene under one chapter's solver.
 struct LedgerCell {
     const MotivatingScene* scene;
-    int chapter;  ///< 1 to 6
+    int chapter;  ///< 1 to 7
     Outcome outcome;
 
     bool passed() const { return passes(*scene, outcome.value); }

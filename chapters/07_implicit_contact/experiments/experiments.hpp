@@ -7,5 +7,7 @@ namespace enduring::chapter07 {
 void implicit_map(const RunOptions& options, Report& report);
 void ring(const RunOptions& options, Report& report);
 void free_bounce(const RunOptions& options, Report& report);
+void stack(const RunOptions& options, Report& report);
+void slope(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter07

@@ -11,7 +11,7 @@ namespace {
 using Pair = std::pair<std::string_view, std::string_view>;
 
 /// The units that tables use; a unit of several parts stands before the one that it ends with.
-constexpr std::array<Pair, 17> units{{{"_n_per_m", "N/m"}, {"_m_per_s", "m/s"}, {"_percent", "%"}, {"_deg", "°"},
+constexpr std::array<Pair, 18> units{{{"_n_per_m", "N/m"}, {"_um_per_s", "µm/s"}, {"_m_per_s", "m/s"}, {"_percent", "%"}, {"_deg", "°"},
     {"_kg", "kg"}, {"_hz", "Hz"}, {"_pa", "Pa"}, {"_kn", "kN"}, {"_n", "N"}, {"_j", "J"}, {"_mm", "mm"}, {"_m", "m"},
     {"_um", "µm"}, {"_ms", "ms"}, {"_us", "µs"}, {"_ns", "ns"}, {"_s", "s"}}};
 

@@ -1,0 +1,92 @@
+#include "chapters/07_implicit_contact/experiments/pile.hpp"
+
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/energy.hpp"
+#include "common/simulation/rigid_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace enduring::chapter07 {
+namespace {
+
+std::unique_ptr<Body> body_of(const Box& box, const std::string& name)
+{
+    SurfaceMesh mesh = enduring::box(Vec3::Ones());
+    const Eigen::AngleAxisd turn(box.turn_deg * std::numbers::pi / 180, Vec3::UnitY());
+    for (Vec3& vertex : mesh.vertices)
+        vertex = box.centre + turn * vertex;
+    return std::make_unique<RigidBody>(name, mesh, with_mass(mass_properties(mesh, 1000), box.mass));
+}
+
+double deepest(const World& world, const Contacts& contacts)
+{
+    double depth = 0;
+    for (const Contact& contact : contacts)
+        if (!contact.held())
+            depth = std::min(depth, contact_geometry(world, contact, 1).depth);
+    return -depth;
+}
+
+}  // namespace
+
+Scene scene_of(const std::vector<Box>& boxes, double dt, double slope_deg, double mu_s, double mu_d)
+{
+    Scene scene;
+    scene.dt = dt;
+    scene.contact.friction = MassSplitting{.mu_s = mu_s, .mu_d = mu_d};
+    const double slope = slope_deg * std::numbers::pi / 180;
+    scene.world.gravity = 9.81 * Vec3(-std::sin(slope), -std::cos(slope), 0);
+    scene.world.planes.push_back({"ground"});
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        scene.world.bodies.push_back(body_of(boxes[i], "box " + std::to_string(i + 1)));
+    return scene;
+}
+
+std::vector<Box> stack_of(int n, double first_mass, double last_mass, double turn_deg)
+{
+    std::vector<Box> boxes;
+    for (int i = 0; i < n; ++i)
+        boxes.push_back({i == 0 ? first_mass : i == n - 1 ? last_mass : 10, Vec3(0, 0.5 + i, 0), turn_deg * i});
+    return boxes;
+}
+
+void SolveStatistics::add(const SolveRecord& record)
+{
+    ++solves;
+    unconverged += !record.converged;
+    most_newton_steps = std::max(most_newton_steps, record.newton_steps);
+    worst_residual = std::max(worst_residual, record.residual);
+}
+
+PileOutcome watch(Scene& scene, double duration)
+{
+    PileOutcome outcome;
+    ImplicitSettings settings;
+    settings.record = [&](const SolveRecord& record) {
+        outcome.solves.add(record);
+        outcome.newton_steps_at_rest = record.newton_steps;
+    };
+    const Solver solver = chapter07_solver(scene.contact, settings);
+    World& world = scene.world;
+    Contacts contacts;
+    const double first = total_energy(world).total();
+    const int steps = static_cast<int>(std::lround(duration / scene.dt));
+    std::vector<Vec3> at_half_time;
+    for (int i = 0; i < steps; ++i) {
+        if (i == steps / 2)
+            for (const auto& body : world.bodies)
+                at_half_time.push_back(body->centre());
+        advance(world, contacts, solver, scene.dt);
+        outcome.energy_gain_j = std::max(outcome.energy_gain_j, total_energy(world).total() - first);
+    }
+    outcome.deepest_mm = 1000 * deepest(world, contacts);
+    for (std::size_t body = 0; body < at_half_time.size(); ++body)
+        outcome.drift_um_per_s = std::max(outcome.drift_um_per_s, 1e6 * (world.bodies[body]->centre() - at_half_time[body]).norm() / (0.5 * duration));
+    return outcome;
+}
+
+}  // namespace enduring::chapter07

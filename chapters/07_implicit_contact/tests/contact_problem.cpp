@@ -1,0 +1,96 @@
+#include "chapters/07_implicit_contact/contact_problem.hpp"
+
+#include "chapters/07_implicit_contact/implicit_particle.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+using namespace enduring;
+
+namespace {
+
+/// Bodies of three coordinates each, and pairs between random ones of them, one of three against nothing that moves.
+ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiffness)
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+    ContactProblem problem;
+    problem.step = {0.5 + 0.5 * (seed % 3) / 2, 0.01};
+    for (int i = 0; i < bodies; ++i) {
+        BodyBlock block{problem.size, std::exp(3 * normal(random)) * Mat3::Identity()};
+        block.factor.compute(block.mass);
+        problem.blocks.push_back(block);
+        problem.size += 3;
+    }
+    for (int i = 0; i < pairs; ++i) {
+        PairRow row;
+        row.law.normal = vector().normalized();
+        row.law.depth_t0 = 0.01 * normal(random);
+        row.law.stiffness = stiffness * std::exp(normal(random));
+        row.law.friction_limit = std::abs(normal(random));
+        row.velocity = vector();
+        const int one = static_cast<int>(random() % static_cast<unsigned>(bodies)), other = (one + 1) % bodies;
+        row.parts[0] = {3 * one, Mat3::Identity()};
+        row.parts[1] = {3 * other, -Mat3::Identity()};
+        row.part_count = i % 3 == 0 ? 1 : 2;
+        problem.rows.push_back(row);
+    }
+    return problem;
+}
+
+}  // namespace
+
+TEST_CASE("contact problem: one particle on a plane moves as the implicit particle does")
+{
+    for (const double h : {0.1, 16.0, 1000.0})
+        for (const double height : {0.01, 0.0, -0.02}) {
+            ImplicitParticle particle{2, h * 2 / (0.01 * 0.01), 9.81, 2.0 / 3, PositionUpdate::end_velocity, 0.01};
+            const ParticleState expected = step({height, -1.5}, particle);
+
+            ContactProblem problem;
+            problem.step = {particle.centre, particle.dt};
+            BodyBlock block{0, 2 * Mat3::Identity()};
+            block.factor.compute(block.mass);
+            problem.blocks.push_back(block);
+            problem.size = 3;
+            PairRow row;
+            row.law.depth_t0 = height;
+            row.law.stiffness = particle.stiffness;
+            row.velocity = Vec3(0, -1.5 - 9.81 * particle.dt, 0);
+            row.parts[0] = {0, Mat3::Identity()};
+            row.part_count = 1;
+            problem.rows.push_back(row);
+            const ProblemSolution solution = solve(problem, 1e-12, 1e-9);
+            CHECK(solution.converged);
+            CHECK(row.velocity_after(solution.change).y() == doctest::Approx(expected.velocity).epsilon(1e-9));
+        }
+}
+
+TEST_CASE("contact problem: every random one is solved, whatever the stiffness and the masses")
+{
+    for (unsigned seed = 0; seed < 60; ++seed)
+        for (const double stiffness : {1e2, 1e5, 1e8}) {
+            const ContactProblem problem = random_problem(seed, 3 + static_cast<int>(seed % 10), 20 + static_cast<int>(seed), stiffness);
+            const ProblemSolution solution = solve(problem, 1e-8, 1e-9);
+            CAPTURE(seed);
+            CAPTURE(stiffness);
+            CHECK(solution.converged);
+            CHECK(residual_of(problem, solution.change, 1e-9) <= 1e-8);
+            CHECK(solution.newton_steps <= 60);
+        }
+}
+
+TEST_CASE("contact problem: impulses that act already are not given twice")
+{
+    ContactProblem problem = random_problem(4, 5, 20, 1e4);
+    const ProblemSolution first = solve(problem, 1e-12, 1e-9);
+    for (PairRow& row : problem.rows) {
+        const PairAnswer made = answer(row.law, row.velocity_after(first.change), problem.step);
+        row.acting = made.normal_impulse + made.friction;
+        row.velocity = row.velocity_after(first.change);
+    }
+    CHECK(residual_of(problem, Eigen::VectorXd::Zero(problem.size), 1e-9) <= 1e-10);
+    CHECK(solve(problem, 1e-9, 1e-9).newton_steps == 0);
+}

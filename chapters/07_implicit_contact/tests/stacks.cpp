@@ -1,0 +1,94 @@
+#include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "chapters/07_implicit_contact/pair_memory.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "common/simulation/rigid_body.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace enduring;
+using namespace enduring::chapter07;
+
+TEST_CASE("stack: ten cubes stand, each joint within a tenth of a millimetre, and gain no energy")
+{
+    for (const double dt : {0.01, 1.0 / 60}) {
+        Scene scene = scene_of(stack_of(10), dt);
+        const PileOutcome outcome = watch(scene, 3);
+        CHECK(outcome.deepest_mm < 0.1);
+        CHECK(outcome.deepest_mm > 0.001);
+        CHECK(outcome.drift_um_per_s < 1);
+        CHECK(outcome.energy_gain_j <= 1e-9);
+        CHECK(outcome.newton_steps_at_rest <= 2);
+        CHECK(scene.world.bodies.back()->centre().y() == doctest::Approx(9.5).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("stack: a ton on a kilogram and a kilogram on a ton rest alike")
+{
+    for (const auto& [below, above] : {std::pair(1.0, 1000.0), std::pair(1000.0, 1.0)}) {
+        Scene scene = scene_of(stack_of(2, below, above), 0.01);
+        const PileOutcome outcome = watch(scene, 2);
+        CHECK(outcome.deepest_mm < 0.1);
+        CHECK(outcome.drift_um_per_s < 1);
+        CHECK(outcome.energy_gain_j <= 1e-9);
+        CHECK(outcome.solves.unconverged == 0);
+    }
+}
+
+TEST_CASE("slope: a cube holds 1 % above tan and slides 1 % below, at every angle")
+{
+    for (const double angle : {5.0, 30.0})
+        for (const double part : {0.99, 1.01}) {
+            const double mu = part * std::tan(angle * 3.14159265358979 / 180);
+            Scene scene = scene_of({{10, Vec3(0, 0.5, 0), 0}}, 0.01, angle, mu, mu);
+            const Solver solver = chapter07_solver(scene.contact);
+            Contacts contacts;
+            for (int i = 0; i < 100; ++i)
+                advance(scene.world, contacts, solver, scene.dt);
+            CHECK((std::abs(scene.world.bodies[0]->centre().x()) < 1e-4) == (part > 1));
+        }
+}
+
+TEST_CASE("pair memory: a stiffness that changes changes no force, and its slack fades")
+{
+    const StiffnessChoice choice;
+    Contact contact;
+    adapt_stiffness(contact, 0.01, 2, choice, 0.01);
+    CHECK(contact.stiffness == doctest::Approx(100 * 2 / 1e-4));
+    CHECK(contact.slack == 0);
+    const double before = contact.stiffness, depth = -1e-3, force = -before * depth;
+    contact.load = force;
+    adapt_stiffness(contact, depth, 0, StiffnessChoice{100, 1e-5, 1}, 0.01);
+    CHECK(contact.stiffness > before);
+    CHECK(-contact.stiffness * (depth - contact.slack) == doctest::Approx(force));
+    const double slack = contact.slack;
+    for (int i = 0; i < 50; ++i)
+        adapt_stiffness(contact, 1e-6, 0, choice, 0.01);
+    CHECK(std::abs(contact.slack) < 0.01 * std::abs(slack));
+}
+
+TEST_CASE("pair memory: a pair that is born inside pushes nobody, one from outside at its full depth")
+{
+    Contact inside, outside;
+    adapt_stiffness(inside, -0.02, 1, {}, 0.01);
+    adapt_stiffness(outside, 0.003, 1, {}, 0.01);
+    CHECK(inside.slack == -0.02);
+    CHECK(outside.slack == 0);
+}
+
+TEST_CASE("rigid coordinates: the same impulse at a vertex changes the body as its own impulse does, with the lever of the start")
+{
+    const Scene one = scene_of(stack_of(1), 0.01), other = scene_of(stack_of(1), 0.01);
+    auto& mine = dynamic_cast<RigidBody&>(*one.world.bodies[0]);
+    auto& its = dynamic_cast<RigidBody&>(*other.world.bodies[0]);
+    const std::vector<int> touched{3};
+    const Vec3 impulse(0.3, -2, 1);
+    const VertexMotion motion = mine.contact_motion(touched, 0, 0);
+    mine.apply_contact_impulse(touched, motion.rate.transpose() * impulse);
+    its.apply_impulse(3, impulse);
+    CHECK((mine.velocity(3) - its.velocity(3)).norm() <= 1e-14);
+    CHECK((mine.motion().angular_velocity() - its.motion().angular_velocity()).norm() <= 1e-14);
+    const Eigen::MatrixXd response = motion.rate * mine.contact_mass(touched).inverse() * motion.rate.transpose();
+    CHECK((response - mine.inverse_mass(3)).norm() <= 1e-12);
+}
