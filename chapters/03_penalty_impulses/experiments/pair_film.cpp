@@ -19,7 +19,7 @@ void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
 
 PairFilm::PairFilm(const Scene& scene, std::vector<double> times, Report& report, const std::string& name, bool quick)
     : strip_file_(report.file(name + ".png")), strip_(scene, std::move(times), mark_pairs, 560, 400),
-      clip_(scene, report.file(name + ".webp"), quick ? 3 : 20)
+      clip_(scene, report.file(name + ".mp4"), quick ? 3 : 20)
 {
 }
 

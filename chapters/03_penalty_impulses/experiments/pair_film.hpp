@@ -8,7 +8,7 @@
 
 namespace enduring::chapter03 {
 
-/// Pictures of a run: NAME.png, some moments with the pairs of features marked, and NAME.webp, the whole.
+/// Pictures of a run: NAME.png, some moments with the pairs of features marked, and NAME.mp4, the whole.
 class PairFilm {
 public:
     /// @param times  of the strip's pictures [s], ascending

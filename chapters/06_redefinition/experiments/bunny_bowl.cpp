@@ -115,7 +115,7 @@ void come_to_rest(const RunOptions& options, const std::filesystem::path& file, 
     Scene scene = load_scene(file);
     RestProbe rest(scene.contact.stiffness);
     StripProbe strip(scene, {0.0, 0.36, 0.5, 0.9, 1.7, scene.duration}, mark_feature_pairs, 560, 400);
-    ClipProbe clip(scene, report.file("bunny_bowl.webp"), options.quick ? 2 : 20);
+    ClipProbe clip(scene, report.file("bunny_bowl.mp4"), options.quick ? 2 : 20);
     const RunResult result = run(scene, chapter06_solver(scene.contact), {&rest, &strip, &clip});
     write_png(strip.all(3), report.file("bunny_bowl.png"));
     clip.finish();
