@@ -6,6 +6,25 @@
 #include <algorithm>
 
 namespace enduring {
+namespace {
+
+/// The velocity w of the way that charges what makes it: inertia (w - free_way) = I(w).
+///
+/// I falls with w and is convex, so the difference of both sides rises and is concave. Newton's method then climbs from the
+/// free way, where the ground has not pushed yet, towards the answer and never passes it: no guess, no damping, no failure.
+double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem, int& newton_steps)
+{
+    const double k = problem.stiffness, dt = problem.dt;
+    for (double way = free_way;; ++newton_steps) {
+        const auto [impulse, slope] = weighted_impulse(height, height + dt * way, problem.centre, k, dt);
+        const double next = way - (inertia * (way - free_way) - impulse) / (inertia - dt * slope);
+        if (!(next > way))
+            return way;  // at the answer, as nearly as numbers of this length tell
+        way = next;
+    }
+}
+
+}  // namespace
 
 ParticleState step(const ParticleState& state, const ImplicitParticle& problem, int* newton_steps)
 {
