@@ -104,11 +104,10 @@ public:
     /// For a solver that treats all bodies as one: the velocities that contact can change, as a few coordinates. A rigid body's are the
     /// velocity of its centre and its angular velocity; what does not move has none.
     ///
-    /// @param touched  the vertices that are in contact, each once
-    /// @return         mass matrix A of the coordinates, so that an impulse P on them changes them by A^-1 P
+    /// They belong to `touched`, the vertices in contact, each once. Returns the mass matrix A of the coordinates: an impulse P on them
+    /// changes them by A^-1 P.
     virtual Eigen::MatrixXd contact_mass(std::span<const int> /*touched*/) const { return {}; }
-    /// How touched[index] moves with them.
-    /// @param tau  moment of the step whose lever counts, in [0, 1]
+    /// How touched[index] moves with them. The last argument is the moment of the step whose lever counts, in [0, 1].
     virtual VertexMotion contact_motion(std::span<const int> /*touched*/, std::size_t /*index*/, double /*tau*/) const { return {}; }
     /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
     virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/) {}
