@@ -27,7 +27,7 @@ expect 2 'unknown option: --frob' run --frob
 expect 2 "unknown word: 'word'" test word
 expect 2 '--list means nothing here' test --list
 expect 2 '--quick means nothing here' bench --quick
-expect 2 'unknown label: chapter09' sanitize chapter09
+expect 2 'there is no chapter 97' sanitize 97
 expect 2 '--live means nothing here' run --live
 expect 2 'holds no tables' compare "$scratch" "$scratch"
 
