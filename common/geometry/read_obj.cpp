@@ -84,7 +84,7 @@ Vec3 doubled_area(const std::vector<int>& corners, const std::vector<Vec3>& x)
 bool is_ear(const Face& ear, const std::vector<int>& corners, const Vec3& normal, const std::vector<Vec3>& x)
 {
     const auto left_of = [&](int from, int to, const Vec3& p) { return (x[to] - x[from]).cross(p - x[from]).dot(normal); };
-    const auto [a, b, c] = ear;
+    const int a = ear[0], b = ear[1], c = ear[2];  // no structured binding: clang 14 captures none
     if (!(left_of(a, b, x[c]) > 0))
         return false;
     return std::none_of(corners.begin(), corners.end(), [&](int other) {

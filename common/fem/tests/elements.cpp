@@ -213,6 +213,20 @@ TEST_CASE("elements: an inverted, flat or curved element is refused by its numbe
     CHECK(message_of([&] { ElasticMesh{TetrahedralMesh{}}; }) != "no error");
 }
 
+TEST_CASE("elements: a pulled bar grows by its stress over Young's modulus and thins by Poisson's ratio of that")
+{
+    for (const double poisson : {-0.5, 0.0, 0.3, 0.49}) {
+        CAPTURE(poisson);
+        const double young = 2e5, stress = 30;
+        const Eigen::Matrix<double, 6, 6> hooke = hooke_matrix(lame_constants({.young = young, .poisson = poisson}));
+        const double along = stress / young, across = -poisson * along;
+        Eigen::Matrix<double, 6, 1> strain, pull;
+        strain << along, across, across, 0, 0, 0;
+        pull << stress, 0, 0, 0, 0, 0;
+        CHECK((hooke * strain - pull).norm() <= 1e-12 * stress);
+    }
+}
+
 TEST_CASE("elements: a material constant outside its range is refused by name")
 {
     const double nan = std::nan("");
