@@ -43,15 +43,15 @@ Solver chapter02_solver(const ContactParameters& parameters)
     const auto search = std::make_shared<CandidateSearch>();
     Solver solver = chapter01_solver(parameters);
     solver.name = "chapter 2";
-    solver.append(StepStage::detect, {"broad phase", [search](World& world, Contacts&, double) {
+    solver.append(StepStage::detect, "broad phase", [search](World& world, Contacts&, double) {
         search->find_candidates(world);
-    }});
-    solver.append(StepStage::detect, {"queries", [search](World& world, Contacts& contacts, double) {
+    });
+    solver.append(StepStage::detect, "queries", [search](World& world, Contacts& contacts, double) {
         const std::size_t first_new = contacts.size();
         append_pairs(world, *search, vertex_meets_face, edge_meets_edge, contacts);
         for (std::size_t i = first_new; i < contacts.size(); ++i)
             contacts[i].hold(true);  // no layer answers them yet
-    }});
+    });
     return solver;
 }
 //! [solver]

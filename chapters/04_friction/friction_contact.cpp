@@ -85,12 +85,12 @@ void add_friction(Solver& solver, const FrictionParameters& friction)
 {
     if (std::holds_alternative<NoFriction>(friction))
         return;
-    solver.append(StepStage::respond, {"friction", [friction](World& world, Contacts& contacts, double dt) {
+    solver.append(StepStage::respond, "friction", [friction](World& world, Contacts& contacts, double dt) {
         compute_friction_impulses(world, contacts, friction, dt);
-    }});
-    solver.append(StepStage::finish, {"move friction anchors", [friction](World& world, Contacts& contacts, double dt) {
+    });
+    solver.append(StepStage::finish, "move friction anchors", [friction](World& world, Contacts& contacts, double dt) {
         move_friction_anchors(world, contacts, friction, dt);
-    }});
+    });
 }
 //! [add_friction]
 

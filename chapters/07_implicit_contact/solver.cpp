@@ -25,12 +25,12 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     frictionless.friction = NoFriction{};
     Solver solver = chapter06_solver(frictionless);
     solver.name = "chapter 7";
-    solver.replace("impulses", {"answer all pairs", [settings](World& world, Contacts& contacts, double dt) {
+    solver.replace("impulses", "answer all pairs", [settings](World& world, Contacts& contacts, double dt) {
         answer_all_pairs(world, contacts, settings, dt);
-    }});
-    solver.append(StepStage::finish, {"remember pairs", [](World& world, Contacts& contacts, double dt) {
+    });
+    solver.append(StepStage::finish, "remember pairs", [](World& world, Contacts& contacts, double dt) {
         remember_pairs(world, contacts, dt);
-    }});
+    });
     return solver;
 }
 //! [solver]

@@ -109,6 +109,21 @@ void Solver::replace(const std::string& called, Pass pass)
     lists_[list][index] = std::move(pass);
 }
 
+void Solver::append(StepStage stage, std::string pass, Pass::Function run)
+{
+    append(stage, Pass{std::move(pass), std::move(run)});
+}
+
+void Solver::insert_before(const std::string& called, std::string pass, Pass::Function run)
+{
+    insert_before(called, Pass{std::move(pass), std::move(run)});
+}
+
+void Solver::replace(const std::string& called, std::string pass, Pass::Function run)
+{
+    replace(called, Pass{std::move(pass), std::move(run)});
+}
+
 void Solver::remove(const std::string& called)
 {
     const auto [list, index] = place_of(called);

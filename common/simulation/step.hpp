@@ -32,8 +32,10 @@ struct World {
 
 /// A layer of the course works as a pass: a plain function over the world and the one list of contacts.
 struct Pass {
+    using Function = std::function<void(World&, Contacts&, double dt)>;
+
     std::string name;  ///< names its row in the timing tables
-    std::function<void(World&, Contacts&, double dt)> run;
+    Function run;
 };
 
 /// When in a step a pass runs.
@@ -61,10 +63,14 @@ public:
     const std::vector<Pass>& passes(StepStage stage) const { return lists_[static_cast<std::size_t>(stage)]; }
     const Pass& pass(const std::string& called) const;
 
-    void append(StepStage stage, Pass pass);                      ///< behind all others of its stage
+    void append(StepStage stage, Pass pass);  ///< behind all others of its stage
     void insert_before(const std::string& called, Pass pass);
-    void replace(const std::string& called, Pass pass);           ///< it may have the same name
+    void replace(const std::string& called, Pass pass);  ///< it may have the same name
     void remove(const std::string& called);
+
+    void append(StepStage stage, std::string pass, Pass::Function run);
+    void insert_before(const std::string& called, std::string pass, Pass::Function run);
+    void replace(const std::string& called, std::string pass, Pass::Function run);
 
 private:
     using Place = std::pair<std::size_t, std::size_t>;  ///< list, and index into it

@@ -77,7 +77,7 @@ Solver watching_solver(const ContactParameters& parameters, std::vector<double>&
 {
     Solver solver = chapter01_solver(parameters);
     const auto note = [&falls](World& world, Contacts& contacts, double dt) { falls = predicted_falls(world, contacts, dt); };
-    solver.insert_before("push out of planes", {"note the predicted falls", note});
+    solver.insert_before("push out of planes", "note the predicted falls", note);
     return solver;
 }
 //! [watching_solver]

@@ -26,7 +26,7 @@ RecordedQueries record_queries(const std::string& scene_name, int detections)
     CandidateSearch search;
     RecordedQueries queries;
     Solver solver = chapter01_solver(scene.contact);
-    solver.append(StepStage::detect, {"record", [&](World& world, Contacts&, double) { record(world, search, queries); }});
+    solver.append(StepStage::detect, "record", [&](World& world, Contacts&, double) { record(world, search, queries); });
     run(scene, solver, {}, {std::nullopt, [&](const World&, const Contacts&) { return queries.detections >= detections; }});
     return queries;
 }

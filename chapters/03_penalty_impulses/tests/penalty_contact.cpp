@@ -90,7 +90,7 @@ TEST_CASE("penalty contact: impulses of every pair of bodies keep the momentum, 
             Solver solver = chapter03_solver({method, 200});
             // Stands in for the solver's last pass and looks at momenta on both sides of it.
             int pushed = 0;
-            solver.replace("impulses", {"impulses", [&](World& w, Contacts& c, double dt) {
+            solver.replace("impulses", "impulses", [&](World& w, Contacts& c, double dt) {
                 Contacts fresh;
                 for (Contact& contact : c)
                     if (!contact.answered()) {
@@ -103,7 +103,7 @@ TEST_CASE("penalty contact: impulses of every pair of bodies keep the momentum, 
                 pushed += static_cast<int>(fresh.size());
                 CHECK((linear_momentum(w) - linear).norm() < 1e-13 * (1 + linear.norm()));
                 CHECK((angular_momentum(w) - angular - angular_defect(w, fresh)).norm() < 1e-12);
-            }});
+            });
             for (int step = 0; step < 25; ++step)
                 advance(world, contacts, solver, 0.01);
             CHECK(pushed > 20);
@@ -271,10 +271,10 @@ TEST_CASE("penalty contact: the worked step gets the numbers of the stand-ins fr
 {
     WorkedStep by_hand = worked_step(), ours = worked_step();
     Solver solver = worked_step_solver(ours.stiffness);
-    solver.replace("resolve", {"resolve", [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); }});
-    solver.replace("respond", {"respond", [k = ours.stiffness](World& world, Contacts& contacts, double dt) {
+    solver.replace("resolve", "resolve", [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); });
+    solver.replace("respond", "respond", [k = ours.stiffness](World& world, Contacts& contacts, double dt) {
         push_apart(world, contacts, continuous_penalty, k, dt);
-    }});
+    });
     const auto expected = record_step(by_hand.world, by_hand.contacts, worked_step_solver(by_hand.stiffness), by_hand.dt);
     const auto found = record_step(ours.world, ours.contacts, solver, ours.dt);
     REQUIRE(found.size() == expected.size());

@@ -24,14 +24,14 @@ Solver solver_that(HookedPairs treatment, EdgeRule rule, const ContactParameters
 {
     Solver solver = chapter05_solver(parameters);
     solver.name = "chapter 5, hooked pairs treated";
-    solver.replace("categorise", {"categorise", [rule, treatment](World& world, Contacts& contacts, double) {
+    solver.replace("categorise", "categorise", [rule, treatment](World& world, Contacts& contacts, double) {
         label_contacts(world, contacts, rule);
         treat(contacts, treatment);
-    }});
-    solver.replace("categorise new", {"categorise new", [rule, treatment](World& world, Contacts& contacts, double) {
+    });
+    solver.replace("categorise new", "categorise new", [rule, treatment](World& world, Contacts& contacts, double) {
         label_new_contacts(world, contacts, rule);
         treat(contacts, treatment);
-    }});
+    });
     return solver;
 }
 

@@ -107,8 +107,8 @@ LabelCounts count_labels(const TruthScene& truth, double share, EdgeRule rule)
     LabelCounts counts;
     const auto audit = std::make_shared<LabelAudit>(truth, counts);
     Solver solver = solver_that(truth.treatment, rule, scene.contact);
-    solver.append(StepStage::refresh, {"audit", [audit](World& world, Contacts& contacts, double) { audit->enduring(world, contacts); }});
-    solver.append(StepStage::detect, {"audit new", [audit](World& world, Contacts& contacts, double) { audit->appended(world, contacts); }});
+    solver.append(StepStage::refresh, "audit", [audit](World& world, Contacts& contacts, double) { audit->enduring(world, contacts); });
+    solver.append(StepStage::detect, "audit new", [audit](World& world, Contacts& contacts, double) { audit->appended(world, contacts); });
     run(scene, solver);
     return counts;
 }

@@ -32,12 +32,12 @@ Solver discrete_solver(const ContactParameters& parameters)
     const auto detection = std::make_shared<DiscreteDetection>();
     Solver solver = chapter01_solver(parameters);
     solver.name = "discrete";
-    solver.append(StepStage::detect, {"closest points", [detection](World& world, Contacts& contacts, double) {
+    solver.append(StepStage::detect, "closest points", [detection](World& world, Contacts& contacts, double) {
         detection->update_inside_vertices(world, contacts);
-    }});
-    solver.replace("push out of planes", {"impulses", [stiffness = parameters.stiffness](World& world, Contacts& contacts, double dt) {
+    });
+    solver.replace("push out of planes", "impulses", [stiffness = parameters.stiffness](World& world, Contacts& contacts, double dt) {
         push_to_closest_points(world, contacts, stiffness, dt);
-    }});
+    });
     return solver;
 }
 

@@ -49,7 +49,7 @@ LeverCost cost_of_levers(double dt, double speed)
     LeverCost cost;
     Solver solver = chapter06_solver({PenaltyMethod::continuous, 20000});
     // First of all: what comes later in this list may resolve pairs that have pushed.
-    solver.insert_before("resolve vertices", {"levers", [&cost](World& in, Contacts& contacts, double) { add_levers(in, contacts, cost); }});
+    solver.insert_before("resolve vertices", "levers", [&cost](World& in, Contacts& contacts, double) { add_levers(in, contacts, cost); });
     Contacts contacts;
     const Vec3 before = angular_momentum(world);
     for (double time = 0; time < 0.1; time += dt)

@@ -43,7 +43,7 @@ Solver solver_without(Omission omission, const ContactParameters& parameters)
     case Omission::none:
         break;
     case Omission::all_edge_pairs:
-        solver.append(StepStage::detect, {"drop edge pairs", drop_edge_pairs});
+        solver.append(StepStage::detect, "drop edge pairs", drop_edge_pairs);
         [[fallthrough]];
     case Omission::edge_handover:
         solver.remove("edge pairs of redefinitions");
@@ -52,8 +52,8 @@ Solver solver_without(Omission omission, const ContactParameters& parameters)
         solver.remove("edge pairs of exits");
         break;
     case Omission::hooked_are_held:
-        solver.append(StepStage::refresh, {"push hooked", push_hooked});
-        solver.append(StepStage::detect, {"push new hooked", push_hooked});
+        solver.append(StepStage::refresh, "push hooked", push_hooked);
+        solver.append(StepStage::detect, "push new hooked", push_hooked);
     }
     return solver;
 }

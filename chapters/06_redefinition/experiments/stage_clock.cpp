@@ -117,15 +117,15 @@ PairTimes time_stages(Scene& scene, int steps, int from)
         work(edge_edge);
     };
     Solver solver = passes.layer;
-    solver.insert_before("resolve planes", {"clock what endures", [&](World& world, Contacts& contacts, double dt) {
+    solver.insert_before("resolve planes", "clock what endures", [&](World& world, Contacts& contacts, double dt) {
         both(world, [&](StageClock& clock) { clock.at_the_start(world, contacts, dt); });
-    }});
-    solver.insert_before("impulses", {"clock the response", [&](World& world, Contacts& contacts, double dt) {
+    });
+    solver.insert_before("impulses", "clock the response", [&](World& world, Contacts& contacts, double dt) {
         both(world, [&](StageClock& clock) { clock.before_the_response(world, contacts, dt); });
-    }});
-    solver.insert_before("resolve vertices", {"clock the resolution", [&](World& world, Contacts& contacts, double dt) {
+    });
+    solver.insert_before("resolve vertices", "clock the resolution", [&](World& world, Contacts& contacts, double dt) {
         both(world, [&](StageClock& clock) { clock.at_the_end(world, contacts, dt); });
-    }});
+    });
     RunLimits limits;
     limits.steps = steps;
     run(scene, solver, {}, limits);

@@ -48,7 +48,7 @@ TEST_CASE("solver: a name gives its pass, and what replaces it runs in its place
 {
     Solver changed = solver();
     int runs = 0;
-    changed.replace("c", {"c", [&](World&, Contacts&, double) { ++runs; }});
+    changed.replace("c", "c", [&](World&, Contacts&, double) { ++runs; });
     World world;
     Contacts contacts;
     changed.pass("c").run(world, contacts, 0.1);

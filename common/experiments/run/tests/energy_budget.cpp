@@ -32,14 +32,14 @@ Solver ground_solver(const ContactParameters& contact)
 {
     Solver solver;
     solver.name = "springs";
-    solver.append(StepStage::detect, {"all vertices", [](World& world, Contacts& contacts, double) {
+    solver.append(StepStage::detect, "all vertices", [](World& world, Contacts& contacts, double) {
         for (int vertex = static_cast<int>(contacts.size()); vertex < world.bodies[0]->surface().vertex_count(); ++vertex)
             contacts.push_back({ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}});
-    }});
-    solver.append(StepStage::respond, {"springs", [contact](World& world, Contacts& contacts, double dt) {
+    });
+    solver.append(StepStage::respond, "springs", [contact](World& world, Contacts& contacts, double dt) {
         for (Contact& pair : contacts)
             pair.impulse = -contact.stiffness * dt * std::min(0.0, contact_geometry(world, pair, 1).depth) * Vec3::UnitY();
-    }});
+    });
     return solver;
 }
 
@@ -47,12 +47,12 @@ Solver ground_solver(const ContactParameters& contact)
 Solver kick(double factor)
 {
     Solver solver;
-    solver.append(StepStage::refresh, {"kick", [factor](World& world, Contacts&, double) {
+    solver.append(StepStage::refresh, "kick", [factor](World& world, Contacts&, double) {
         Body& body = *world.bodies[0];
         for (int vertex = 0; world.step == 9 && vertex < body.surface().vertex_count(); ++vertex)
             body.apply_impulse(vertex, (factor - 1) * body.mass() / 3 * body.velocity(vertex));
         body.update_prediction(0.1);
-    }});
+    });
     return solver;
 }
 
