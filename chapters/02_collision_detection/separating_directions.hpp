@@ -60,8 +60,10 @@ struct Signs {
 
     void add(int sign)
     {
-        some_negative |= sign < 0, some_positive |= sign > 0;
-        all_negative &= sign < 0, all_positive &= sign > 0;
+        some_negative |= (sign < 0);
+        some_positive |= (sign > 0);
+        all_negative &= (sign < 0);
+        all_positive &= (sign > 0);
     }
     bool all_agree() const { return all_negative || all_positive; }
     bool some_disagree() const { return some_negative && some_positive; }

@@ -20,9 +20,11 @@ Vec3 integral_of_product(const Bernstein<double, 3>& depth, const Bernstein<Vec3
 {
     const auto& [d0, d1, d2, d3] = depth.coefficients;
     const auto& [n0, n1, n2] = normal.coefficients;
+    // clang-format off
     return ((10 * d0 + 6 * d1 + 3 * d2 + d3) * n0
             + (4 * d0 + 6 * d1 + 6 * d2 + 4 * d3) * n1
             + (d0 + 3 * d1 + 6 * d2 + 10 * d3) * n2) / 60;
+    // clang-format on
 }
 //! [integral_of_product]
 

@@ -26,7 +26,7 @@ std::vector<BenchmarkPair> pairs(Situation situation)
     const auto small = [&] { return Vec3(0.02 * (unit(generator) - 0.5) * Vec3(1, 0.1, 1)); };
     const double before = situation == Situation::entering || situation == Situation::outside ? 0.01 : -0.01;
     const double after = situation == Situation::leaving || situation == Situation::outside ? 0.01 : -0.01;
-    std::vector<BenchmarkPair> result(64)  /* fits the first cache */;
+    std::vector<BenchmarkPair> result(64);  // fits the first cache
     for (BenchmarkPair& pair : result) {
         const double w1 = 0.5 * unit(generator), w2 = 0.5 * unit(generator), w0 = 1 - w1 - w2;
         for (auto* x : {&pair.t0, &pair.t1}) {
