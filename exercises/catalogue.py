@@ -118,12 +118,12 @@ class Exercise:
 
     def missing_functions(self):
         """The definitions, with their bodies, of the functions the student writes."""
-        lines = self.source.read_text(encoding="utf-8").splitlines()
+        lines = opened(self.source.read_text(encoding="utf-8"), self)
         return ["\n".join(lines[first:last + 1]) for first, _, last in definitions(lines, self)]
 
     def missing_lines(self):
         """How many lines the student writes: without blank lines and the outer braces."""
-        lines = self.source.read_text(encoding="utf-8").splitlines()
+        lines = opened(self.source.read_text(encoding="utf-8"), self)
         return sum(1 for _, begin, end in definitions(lines, self) for line in lines[begin + 1:end] if line.strip())
 
     def mutated(self, mutant):
@@ -138,6 +138,12 @@ class Exercise:
 def shown(path):
     """A path as a reader types it."""
     return str(path.relative_to(ROOT) if path.is_relative_to(ROOT) else path)
+
+
+def opened(text, exercise):
+    """The lines of a source; a missing function of one line is opened: its body gets a line of its own."""
+    names = "|".join(re.escape(name) for name in exercise.missing)
+    return re.sub(rf"^([A-Za-z\[].*\b(?:{names})\(.*\)) \{{ (.*) \}}$", r"\1\n{\n    \2\n}", text, flags=re.M).splitlines()
 
 
 def definitions(lines, exercise):
@@ -169,7 +175,7 @@ def body_after(lines, first):
 def stub_of(text, exercise):
     """The source with the missing bodies and the marks of the book's listings taken out, and the include that the
     placeholder needs."""
-    lines = [line for line in text.splitlines() if not re.fullmatch(r"//!? \[\w+\]", line)]
+    lines = [line for line in opened(text, exercise) if not re.fullmatch(r"//!? \[\w+\]", line)]
     for _, begin, end in reversed(definitions(lines, exercise)):
         lines[begin + 1:end] = [f'    not_implemented_yet("{exercise.number}");']
     includes = [i for i, line in enumerate(lines) if line.startswith('#include "')]
