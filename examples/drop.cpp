@@ -1,4 +1,5 @@
-// A ball falls to the ground: load a scene, take a chapter's solver, step it, and print the height of the ball.
+// A ball falls to the ground: load a scene, take a chapter's solver,
+// step it, and print the height of the ball.
 #include "chapters/06_redefinition/solver.hpp"
 #include "common/scenes/scene.hpp"
 

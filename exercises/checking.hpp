@@ -10,7 +10,8 @@
 #include <string>
 #include <type_traits>
 
-/// The input of the expectations that follow in this scope; shown when one of them fails. Takes values and texts.
+/// The input of the expectations that follow in this scope; shown when
+/// one of them fails. Takes values and texts.
 #define given(...) INFO(enduring::in_words(__VA_ARGS__))
 
 namespace enduring {
@@ -33,7 +34,12 @@ std::string readable(const Value& value, int digits = 6)
     if constexpr (std::is_arithmetic_v<Value>)
         text << value + Value{};
     else
-        text << '(' << (value.array() + 0.0).matrix().transpose().format(Eigen::IOFormat(digits, Eigen::DontAlignCols, ", ", "; ")) << ')';
+        text << '('
+             << (value.array() + 0.0)
+                    .matrix()
+                    .transpose()
+                    .format(Eigen::IOFormat(digits, Eigen::DontAlignCols, ", ", "; "))
+             << ')';
     return text.str();
 }
 
@@ -47,7 +53,8 @@ std::string told_apart(const Got& got, const Expected& expected, const std::stri
     return "expected " + readable(expected, digits) + unit + ", got " + readable(got, digits) + unit;
 }
 
-/// Checks one number or vector, and says what it is when it is wrong: "impulse on p: expected 0.24 N s, got -0.24 N s".
+/// Checks one number or vector, and says what it is when it is wrong:
+/// "impulse on p: expected 0.24 N s, got -0.24 N s".
 ///
 /// @param what       the property or quantity
 /// @param got        what the exercise returned
@@ -55,7 +62,8 @@ std::string told_apart(const Got& got, const Expected& expected, const std::stri
 /// @param tolerance  largest distance of the two, in the same unit
 /// @param unit       as in "N s"; empty for a pure number
 template <class Got, class Expected>
-void expect(const std::string& what, const Got& got, const Expected& expected, double tolerance, const std::string& unit = "")
+void expect(const std::string& what, const Got& got, const Expected& expected, double tolerance,
+            const std::string& unit = "")
 {
     bool right;
     std::string message = what + ": ";

@@ -1,12 +1,13 @@
-// The main program of a check. A verdict counts only when the judge's secret ends the report, and the secret is taken in before any
-// line of an answer can run: an answer that writes a report of its own, or leaves by exit(0), has none.
+// The main program of a check. A verdict counts only when the judge's secret ends the
+// report, and the secret is taken in before any line of an answer can run: an answer that
+// writes a report of its own, or leaves by exit(0), has none.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 
-#include <cstring>
 #include <fcntl.h>
-#include <string>
 #include <unistd.h>
+#include <cstring>
+#include <string>
 
 namespace {
 
@@ -20,7 +21,8 @@ std::size_t length = 0;
 {
     for (; *environment; ++environment)
         if (std::strcmp(*environment, asked) == 0)
-            for (ssize_t count = 1; count > 0 && length < longest; length += static_cast<std::size_t>(count > 0 ? count : 0))
+            for (ssize_t count = 1; count > 0 && length < longest;
+                 length += static_cast<std::size_t>(count > 0 ? count : 0))
                 count = read(STDIN_FILENO, secret + length, longest - length);
 }
 

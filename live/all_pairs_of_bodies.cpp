@@ -2,7 +2,8 @@
 
 namespace enduring {
 
-/// In place of Bullet's tree, which is no library for the browser here: a live figure has two bodies or three.
+/// In place of Bullet's tree, which is no library for the browser
+/// here: a live figure has two bodies or three.
 std::vector<OverlappingBodies> overlapping_bodies(std::span<const SweptBox> boxes)
 {
     std::vector<OverlappingBodies> pairs;

@@ -13,7 +13,8 @@ Numbers circle(double opening_deg)
     for (int lean = -180; lean < 180; ++lean) {
         const double angle = lean * std::numbers::pi / 180;
         const Vec3 normal(-std::sin(angle), std::cos(angle), 0);
-        result.push_back(can_touch(wedge, normal) + 2 * average_says_regular(wedge, normal) + 4 * span_says_regular(wedge, normal));
+        result.push_back(can_touch(wedge, normal) + 2 * average_says_regular(wedge, normal) +
+                         4 * span_says_regular(wedge, normal));
     }
     return result;
 }

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-/// What the book's live figures ask of the chapters. Plain numbers in and out, so that a page can draw them and a test can
-/// compare them; each list begins with its fixed entries, as its comment says.
+/// What the book's live figures ask of the chapters. Plain numbers in and out, so that a page can draw them
+/// and a test can compare them; each list begins with its fixed entries, as its comment says.
 namespace enduring::live {
 
 using Numbers = std::vector<double>;
@@ -15,23 +15,28 @@ Numbers stability(bool continuous, double dt, double stiffness, int steps);
 
 /// Chapters 2 and 3: the height of a vertex over a face, or of an edge over an edge, through the step.
 /// @param edges   two edges (a0 a1 b0 b1) in the place of a vertex and a face (v f0 f1 f2)
-/// @param points  of those four: all at the start of the step, then all at its end, three coordinates each [m]
-/// @return {time of the first touch, -1 for none, stage that settled it (0 signs, 1 doubles, 2 double-doubles), the four Bernstein
-///          coefficients of the height, its roots in [0, 1] ...}
+/// @param points  of those four: all at the start of the step, then all
+///     at its end, three coordinates each [m]
+/// @return {time of the first touch, -1 for none, stage that settled it (0 signs, 1 doubles, 2
+///          double-doubles), the four Bernstein coefficients of the height, its roots in [0, 1] ...}
 Numbers query(bool edges, const std::array<double, 24>& points);
 
-/// Chapter 3: the impulse under a depth that is given by its Bernstein coefficients, for a normal that does not turn.
-/// @return {CPF's integral of -depth over the parts inside, DPF's -depth(1) or 0, begin and end of each interval ...}
+/// Chapter 3: the impulse under a depth that is given by its Bernstein
+/// coefficients, for a normal that does not turn.
+/// @return {CPF's integral of -depth over the parts inside, DPF's -depth(1)
+///     or 0, begin and end of each interval ...}
 Numbers integral(double d0, double d1, double d2, double d3);
 
 /// Chapter 4: a block of 1 kg set down on a slope, one pair with an anchor.
 /// @param mass_splitting  mass-splitting friction in the place of the thesis' one
-/// @return {whether it never let go, largest friction over normal force, places along the slope [m] every 10 ms ...}
-Numbers slope(bool mass_splitting, double angle_deg, double mu_s, double mu_d, double damping, double seconds);
+/// @return {whether it never let go, largest friction over normal force,
+///     places along the slope [m] every 10 ms ...}
+Numbers slope(bool mass_splitting, double angle_deg, double mu_s, double mu_d, double damping,
+              double seconds);
 
 /// Chapter 5: the classification circle of a wedge that looks down.
-/// @return for each whole degree that the floor leans, from -180 to 179: 1 for a board that can touch, + 2 where the averaged normal says
-///         regular, + 4 where the span does
+/// @return for each whole degree that the floor leans, from -180 to 179: 1 for a board that can touch, + 2
+///         where the averaged normal says regular, + 4 where the span does
 Numbers circle(double opening_deg);
 
 /// Chapter 6: a cube that slides over triangles. One scene at a time.
@@ -39,8 +44,8 @@ Numbers circle(double opening_deg);
 void begin_sliding(int solver, double speed);
 
 /// Some steps of 10 ms.
-/// @return {time [s], speed along x [m/s], number of pairs, the cube's eight corners x y z, then for each pair x y z and 0 unknown, 1 regular,
-///          2 hooked, 3 held ...}
+/// @return {time [s], speed along x [m/s], number of pairs, the cube's eight corners x y z, then for each
+///          pair x y z and 0 unknown, 1 regular, 2 hooked, 3 held ...}
 Numbers slide_on(int steps);
 
 }  // namespace enduring::live

@@ -14,7 +14,8 @@ Vec3 point(const std::array<double, 24>& points, int i)
 
 PairInstant instant(bool edges, const std::array<double, 24>& points, int first)
 {
-    const PairVertices x{point(points, first), point(points, first + 1), point(points, first + 2), point(points, first + 3)};
+    const PairVertices x{point(points, first), point(points, first + 1), point(points, first + 2),
+                         point(points, first + 3)};
     return edges ? edge_edge_instant(x, 1) : vertex_face_instant(x);
 }
 
@@ -34,7 +35,8 @@ Numbers query(bool edges, const std::array<double, 24>& points)
     const auto [b0, b1, b2, b3] = penetration_depth(contact_normal(step), step).coefficients;
     const CertifiedAnswer found = answer(edges, points);
     Numbers result{found.time.value_or(-1), static_cast<double>(found.stage), b0, b1, b2, b3};
-    for (const double root : cubic_roots({b0, 3 * (b1 - b0), 3 * (b2 - 2 * b1 + b0), b3 - 3 * b2 + 3 * b1 - b0}, 1e-12))
+    for (const double root :
+         cubic_roots({b0, 3 * (b1 - b0), 3 * (b2 - 2 * b1 + b0), b3 - 3 * b2 + 3 * b1 - b0}, 1e-12))
         if (root >= 0 && root <= 1)
             result.push_back(root);
     return result;

@@ -29,7 +29,9 @@ double mark_of(const Contact& contact)
 {
     if (contact.held())
         return 3;
-    return contact.category == ContactCategory::hooked ? 2 : contact.category == ContactCategory::regular ? 1 : 0;
+    return contact.category == ContactCategory::hooked    ? 2
+           : contact.category == ContactCategory::regular ? 1
+                                                          : 0;
 }
 
 }  // namespace
@@ -39,12 +41,14 @@ void begin_sliding(int solver, double speed)
     sliding = std::make_unique<Sliding>();
     SurfaceMesh floor = plane_grid(8, 2, {12, 3});
     SurfaceTopology topology(static_cast<int>(floor.vertices.size()), floor.faces);
-    sliding->world.bodies.push_back(std::make_unique<StaticBody>("floor", std::move(topology), std::move(floor.vertices)));
+    sliding->world.bodies.push_back(
+        std::make_unique<StaticBody>("floor", std::move(topology), std::move(floor.vertices)));
     SurfaceMesh cube = box({1, 1, 1});
     for (Vec3& x : cube.vertices)
         x += Vec3(-3.37, 0.5, 0.11);
     const MassProperties properties = with_mass(mass_properties(cube, 1.0), 20.0);
-    sliding->world.bodies.push_back(std::make_unique<RigidBody>("cube", cube, properties, Vec3(speed, 0, 0), Vec3::Zero()));
+    sliding->world.bodies.push_back(
+        std::make_unique<RigidBody>("cube", cube, properties, Vec3(speed, 0, 0), Vec3::Zero()));
     ContactParameters parameters;
     parameters.stiffness = 5000;
     sliding->solver = solver == 6 ? chapter06_solver(parameters) : chapter05_solver(parameters);

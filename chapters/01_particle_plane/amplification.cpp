@@ -15,8 +15,7 @@ Eigen::Matrix2d amplification(PenaltyMethod method, double mass, double stiffnes
     const double h = stiffness * dt * dt / mass;
     const double ah = look_ahead(method) * h;
     Eigen::Matrix2d a;
-    a << 1 - h,  dt * (1 - ah),
-        -h / dt, 1 - ah;
+    a << 1 - h, dt * (1 - ah), -h / dt, 1 - ah;
     return a;
 }
 //! [amplification]

@@ -6,12 +6,13 @@
 
 namespace enduring {
 
-/// Where in the step a method finds the depth, for a particle that is inside throughout: 1 for DPF, which looks at the
-/// end, and 1/2 for CPF, whose mean of a linear depth is that in the middle. All of this chapter's numbers follow from it.
+/// Where in the step a method finds the depth, for a particle that is inside throughout: 1 for DPF, which
+/// looks at the end, and 1/2 for CPF, whose mean of a linear depth is that in the middle. All of this
+/// chapter's numbers follow from it.
 double look_ahead(PenaltyMethod method);
 
-/// The matrix A of one step for a particle that is inside the ground throughout: (x, v) of the step's end from those
-/// of its start, measured from rest, where gravity drops out (thesis 7.7 and 7.11).
+/// The matrix A of one step for a particle that is inside the ground throughout: (x, v) of the step's end
+/// from those of its start, measured from rest, where gravity drops out (thesis 7.7 and 7.11).
 Eigen::Matrix2d amplification(PenaltyMethod method, double mass, double stiffness, double dt);
 
 /// Largest modulus of an eigenvalue of a 2x2 matrix.
@@ -25,7 +26,8 @@ double critical_step(PenaltyMethod method, double mass, double stiffness);
 struct Decay {
     double per_step = 0;           ///< rho, factor on the amplitude a step
     double steps_per_contact = 0;  ///< pi / theta, half a swing
-    double per_contact = 0;        ///< rho^(pi/theta): an estimate of how much of its speed a bounce gives back
+    /// rho^(pi/theta): an estimate of how much of its speed a bounce gives back
+    double per_contact = 0;
 };
 
 /// @throws std::domain_error  the eigenvalues are real: nothing swings

@@ -34,7 +34,8 @@ void push_apart(const World& world, Contacts& contacts, const NormalLaw& law, do
 {
     for (Contact& contact : contacts)
         if (contact.waiting())
-            contact.impulse = law(pair_step(world, contact), contact.start, pair_stiffness(world, contact, stiffness), dt);
+            contact.impulse = law(pair_step(world, contact), contact.start,
+                                  pair_stiffness(world, contact, stiffness), dt);
 }
 //! [respond]
 

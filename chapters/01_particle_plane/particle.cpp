@@ -39,7 +39,8 @@ double resting_height(const ParticleProblem& problem)
         return static_height + fall;
     if (static_height + fall / 2 <= 0)
         return static_height + fall / 2;
-    return fall * (1 - std::sqrt(-2 * static_height / fall));  // it dips in only during the last part of the step
+    // it dips in only during the last part of the step
+    return fall * (1 - std::sqrt(-2 * static_height / fall));
 }
 //! [resting_height]
 

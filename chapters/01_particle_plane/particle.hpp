@@ -7,11 +7,11 @@ namespace enduring {
 
 /// A particle above the plane y = 0 that the ground pushes back with a penalty force.
 struct ParticleProblem {
-    double mass = 1;                                         ///< [kg]
-    double stiffness = 100;                                  ///< k [N/m]
-    double gravity = 9.81;                                   ///< g, downwards [m/s^2]
+    double mass = 1;         ///< [kg]
+    double stiffness = 100;  ///< k [N/m]
+    double gravity = 9.81;   ///< g, downwards [m/s^2]
     PenaltyMethod method = PenaltyMethod::continuous;
-    double dt = 0.01;                                        ///< length of a step [s]
+    double dt = 0.01;  ///< length of a step [s]
 };
 
 struct ParticleState {

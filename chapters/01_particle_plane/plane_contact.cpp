@@ -15,13 +15,13 @@ struct PlaneStep {
 PlaneStep plane_step(const Body& body, int vertex, const Plane& plane)
 {
     const auto v = static_cast<std::size_t>(vertex);
-    return {plane.normal.dot(body.positions_t0()[v] - plane.point), plane.normal.dot(body.positions_t1()[v] - plane.point)};
+    return {plane.normal.dot(body.positions_t0()[v] - plane.point),
+            plane.normal.dot(body.positions_t1()[v] - plane.point)};
 }
 
 PlaneStep plane_step(const World& world, const Contact& contact)
 {
-    return plane_step(*world.bodies[contact.body_a], contact.feature_a,
-                      world.planes[contact.body_b]);
+    return plane_step(*world.bodies[contact.body_a], contact.feature_a, world.planes[contact.body_b]);
 }
 
 /// Which vertices of a body already have a contact with a plane.

@@ -27,8 +27,8 @@ std::optional<PlaneInterval> find_plane_interval(double depth_t0, double depth_t
 /// @see thesis (5.5) and (7.4)
 double discrete_plane_impulse(double depth_t1, double k, double dt);
 
-/// Continuous penalty impulse of a vertex in the ground: the force -k delta(tau), integrated over the part of the step
-/// in which the vertex is inside.
+/// Continuous penalty impulse of a vertex in the ground: the force -k delta(tau), integrated over the part of
+/// the step in which the vertex is inside.
 ///
 /// @param depth_t0, depth_t1  signed depth at both ends of the step [m], negative inside, linear in between
 /// @param k                   penalty stiffness [N/m], positive

@@ -38,7 +38,8 @@ double measured_critical_step(ParticleProblem problem, double low, double high, 
         return settles(problem, test);
     };
     if (!settles_at(low) || settles_at(high))
-        throw std::logic_error("the particle has to settle at the lower end of the bracket and not at the upper");
+        throw std::logic_error(
+            "the particle has to settle at the lower end of the bracket and not at the upper");
     while (high - low > relative_width * low) {
         const double middle = 0.5 * (low + high);
         (settles_at(middle) ? low : high) = middle;

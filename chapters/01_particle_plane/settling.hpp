@@ -20,11 +20,13 @@ std::vector<double> last_heights(const ParticleProblem& problem, const SettlingT
 /// Highest minus lowest of the watched heights [m].
 double last_swing(const ParticleProblem& problem, const SettlingTest& test = {});
 
-/// Does the particle come to rest? Asked instead of "does it blow up?": the ground never pulls, so an unstable contact
-/// throws the particle off, it falls back, and the motion stays bounded well above the critical step.
+/// Does the particle come to rest? Asked instead of "does it blow up?": the ground
+/// never pulls, so an unstable contact throws the particle off, it falls back, and the
+/// motion stays bounded well above the critical step.
 bool settles(const ParticleProblem& problem, const SettlingTest& test = {});
 
-/// The largest step [s] with which the particle settles, by bisection between one that does and one that does not.
+/// The largest step [s] with which the particle settles, by bisection
+/// between one that does and one that does not.
 /// @param relative_width  of the bracket at the end
 /// @throws std::logic_error  the bracket [low, high] does not hold the change from settling to not settling
 double measured_critical_step(ParticleProblem problem, double low, double high, double relative_width = 1e-4,

@@ -26,15 +26,18 @@ public:
             keys_.push_back(key_of(contact));
         std::sort(keys_.begin(), keys_.end());
     }
-    bool contain(const Contact& contact) const { return std::binary_search(keys_.begin(), keys_.end(), key_of(contact)); }
+    bool contain(const Contact& contact) const
+    {
+        return std::binary_search(keys_.begin(), keys_.end(), key_of(contact));
+    }
 
 private:
     std::vector<PairKey> keys_;
 };
 
 //! [append_pairs]
-/// Asks a query about every candidate that is not in the list yet, and appends those of which it says where and when they
-/// meet: an optional of what has `time`, `weights` and `orientation` as Contact has them.
+/// Asks a query about every candidate that is not in the list yet, and appends those of which it says where
+/// and when they meet: an optional of what has `time`, `weights` and `orientation` as Contact has them.
 /// @param search       after find_candidates for the present prediction
 /// @param vertex_face  query of a VertexFaceStep
 /// @param edge_edge    query of an EdgeEdgeStep, of the two surfaces and of the edges on them

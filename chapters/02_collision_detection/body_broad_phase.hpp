@@ -13,8 +13,8 @@ struct OverlappingBodies {
     auto operator<=>(const OverlappingBodies&) const = default;
 };
 
-/// The pairs of boxes that overlap, in ascending order. For many bodies, few of which are near each other, this takes
-/// O(n log n + pairs): Bullet's dynamic tree (btDbvt) is asked for every box as it grows.
+/// The pairs of boxes that overlap, in ascending order. For many bodies, few of which are near each other,
+/// this takes O(n log n + pairs): Bullet's dynamic tree (btDbvt) is asked for every box as it grows.
 /// @param boxes  one around each body over the step; one that is not finite (or holds nothing) overlaps none
 std::vector<OverlappingBodies> overlapping_bodies(std::span<const SweptBox> boxes);
 

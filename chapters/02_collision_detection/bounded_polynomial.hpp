@@ -9,13 +9,17 @@
 
 namespace enduring::certified {
 
-/// What one rounding costs in each number type, how deep the search may halve the step with it, and its steps in all.
-template <class Real> struct Precision;
-template <> struct Precision<double> {
+/// What one rounding costs in each number type, how deep the search may
+/// halve the step with it, and its steps in all.
+template <class Real>
+struct Precision;
+template <>
+struct Precision<double> {
     static constexpr double unit = 0x1p-53;
     static constexpr int deepest = 12, budget = 32;
 };
-template <> struct Precision<DoubleDouble> {
+template <>
+struct Precision<DoubleDouble> {
     static constexpr double unit = 0x1p-103;
     static constexpr int deepest = 64, budget = 128;
 };
@@ -27,14 +31,19 @@ constexpr double underflow = 0x1p-1000;
 constexpr double room = 1 + 0x1p-50;
 
 //! [bounded]
-/// +1 or -1 if all numbers between `low` and `high`, each off by at most `error`, certainly have that sign, else 0.
-inline int certain_sign(double low, double high, double error) { return low > error ? 1 : high < -error ? -1 : 0; }
+/// +1 or -1 if all numbers between `low` and `high`, each off by at most
+/// `error`, certainly have that sign, else 0.
+inline int certain_sign(double low, double high, double error)
+{
+    return low > error ? 1 : high < -error ? -1 : 0;
+}
 
-/// A polynomial on [0, 1] in Bernstein form, with a bound on how far each computed coefficient may be from the true one.
+/// A polynomial on [0, 1] in Bernstein form, with a bound on how far each
+/// computed coefficient may be from the true one.
 ///
-/// Between its ends the polynomial is a weighted mean of the coefficients. So if all of them lie beyond the error on one
-/// side of zero, the exact polynomial has that sign on the whole interval: one certain statement about infinitely many
-/// instants, from Degree + 1 comparisons.
+/// Between its ends the polynomial is a weighted mean of the coefficients. So if all of them lie beyond the
+/// error on one side of zero, the exact polynomial has that sign on the whole interval: one certain statement
+/// about infinitely many instants, from Degree + 1 comparisons.
 template <class Real, std::size_t Degree>
 struct BoundedPolynomial {
     std::array<Real, Degree + 1> c;
@@ -65,9 +74,11 @@ struct BoundedPolynomial {
 };
 //! [bounded]
 
-/// de Casteljau at 1/2: the coefficients of the same polynomial over [0, 1/2] and over [1/2, 1], each a new [0, 1].
+/// de Casteljau at 1/2: the coefficients of the same polynomial over [0,
+/// 1/2] and over [1/2, 1], each a new [0, 1].
 template <class Value, std::size_t Count>
-void halve(const std::array<Value, Count>& whole, std::array<Value, Count>& early, std::array<Value, Count>& late)
+void halve(const std::array<Value, Count>& whole, std::array<Value, Count>& early,
+           std::array<Value, Count>& late)
 {
     late = whole;
     early[0] = whole[0];
@@ -98,7 +109,8 @@ Value value_at(const std::array<Value, Count>& c, double s)
     return blossom<Real>(c, parameters);
 }
 
-/// The coefficients over [from, to], a part of [0, 1]: coefficient i is the blossom of i times `to` and else `from`.
+/// The coefficients over [from, to], a part of [0, 1]: coefficient i is
+/// the blossom of i times `to` and else `from`.
 template <class Real, class Value, std::size_t Count>
 std::array<Value, Count> part(const std::array<Value, Count>& c, double from, double to)
 {
@@ -113,11 +125,17 @@ std::array<Value, Count> part(const std::array<Value, Count>& c, double from, do
     return result;
 }
 
-/// What these cost: in each of `degree` rounds one rounding of the largest coefficient for a halving, five for a blossom.
-template <class Real> constexpr double halving_error(std::size_t degree, double size)
+/// What these cost: in each of `degree` rounds one rounding of the largest
+/// coefficient for a halving, five for a blossom.
+template <class Real>
+constexpr double halving_error(std::size_t degree, double size)
 {
     return Precision<Real>::unit * static_cast<double>(degree) * size;
 }
-template <class Real> constexpr double blossom_error(std::size_t degree, double size) { return 5 * halving_error<Real>(degree, size); }
+template <class Real>
+constexpr double blossom_error(std::size_t degree, double size)
+{
+    return 5 * halving_error<Real>(degree, size);
+}
 
 }  // namespace enduring::certified

@@ -33,7 +33,8 @@ void visit_all_pairs(const SurfaceStep& a, const SurfaceStep& b, Visit&& visit)
 /// The pairs whose swept boxes overlap, found by looking at every pair of boxes (thesis section 4.4).
 /// @param a, b  trees after a refit; only their boxes are used
 template <class Visit>
-void visit_boxed_pairs(const SurfaceStep& a, const FaceTree& boxes_a, const SurfaceStep& b, const FaceTree& boxes_b, Visit&& visit)
+void visit_boxed_pairs(const SurfaceStep& a, const FaceTree& boxes_a, const SurfaceStep& b,
+                       const FaceTree& boxes_b, Visit&& visit)
 {
     struct Filter {
         const FaceTree &a, &b;
@@ -74,12 +75,13 @@ void visit_owned_pairs(const FaceTree& a, int face_a, const FaceTree& b, int fac
                 visit.edge_edge(e, g);
 }
 
-/// The same pairs, found by descending both trees at once. A feature's box lies in its face's box, so none is lost, and
-/// each pair of features has one pair of faces that speaks for it, so none comes twice.
+/// The same pairs, found by descending both trees at once. A feature's box lies in its face's box, so none is
+/// lost, and each pair of features has one pair of faces that speaks for it, so none comes twice.
 template <class Visit>
 void visit_tree_pairs(const FaceTree& a, const FaceTree& b, Visit&& visit)
 {
-    FaceTree::overlapping_faces(a, b, [&](int face_a, int face_b) { visit_owned_pairs(a, face_a, b, face_b, visit); });
+    FaceTree::overlapping_faces(
+        a, b, [&](int face_a, int face_b) { visit_owned_pairs(a, face_a, b, face_b, visit); });
 }
 //! [owned_pairs]
 

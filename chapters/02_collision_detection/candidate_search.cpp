@@ -23,7 +23,9 @@ void CandidateSearch::build(const World& world)
 
 void CandidateSearch::find_candidates(const World& world)
 {
-    const auto same = [](const Body* mine, const std::unique_ptr<Body>& theirs) { return mine == theirs.get(); };
+    const auto same = [](const Body* mine, const std::unique_ptr<Body>& theirs) {
+        return mine == theirs.get();
+    };
     if (!std::equal(bodies_.begin(), bodies_.end(), world.bodies.begin(), world.bodies.end(), same))
         build(world);
     std::vector<SweptBox> boxes;

@@ -14,13 +14,14 @@ public:
     /// Boxes of this step, and from them the pairs of features to look at.
     void find_candidates(const World& world);
 
-    /// Pairs of bodies whose boxes overlap, and of which at least one can move: those whose features are looked at.
+    /// Pairs of bodies whose boxes overlap, and of which at least one can
+    /// move: those whose features are looked at.
     std::size_t body_pair_count() const { return body_pairs_.size(); }
     /// Pairs of features that the last find_candidates left for the query.
     std::size_t candidate_count() const;
 
-    /// Calls vertex_face(body_a, vertex, body_b, face) and edge_edge(body_a, edge_a, body_b, edge_b) for each of them, always
-    /// in the same order.
+    /// Calls vertex_face(body_a, vertex, body_b, face) and edge_edge(body_a, edge_a, body_b, edge_b) for each
+    /// of them, always in the same order.
     template <class VertexFace, class EdgeEdge>
     void visit_candidates(VertexFace&& vertex_face, EdgeEdge&& edge_edge) const
     {

@@ -16,14 +16,18 @@ constexpr double smallest_size = 0x1p-200, largest_size = 0x1p200;
 /// The step with every coordinate times 2^exponent.
 VertexFaceStep scaled(const VertexFaceStep& s, int exponent)
 {
-    const auto scale = [exponent](const Vec3& p) -> Vec3 { return p.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); }); };
+    const auto scale = [exponent](const Vec3& p) -> Vec3 {
+        return p.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+    };
     return {scale(s.v_t0), scale(s.f0_t0), scale(s.f1_t0), scale(s.f2_t0),
             scale(s.v_t1), scale(s.f0_t1), scale(s.f1_t1), scale(s.f2_t1)};
 }
 
 EdgeEdgeStep scaled(const EdgeEdgeStep& s, int exponent)
 {
-    const auto scale = [exponent](const Vec3& p) -> Vec3 { return p.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); }); };
+    const auto scale = [exponent](const Vec3& p) -> Vec3 {
+        return p.unaryExpr([exponent](double x) { return std::ldexp(x, exponent); });
+    };
     return {scale(s.ea0_t0), scale(s.ea1_t0), scale(s.eb0_t0), scale(s.eb1_t0),
             scale(s.ea0_t1), scale(s.ea1_t1), scale(s.eb0_t1), scale(s.eb1_t1)};
 }
@@ -86,11 +90,23 @@ void require_part_of_step(double from)
 
 }  // namespace
 
-CertifiedAnswer certified_answer(const VertexFaceStep& step) { return first_touch<VertexFaceDifferences>(step, 0); }
-CertifiedAnswer certified_answer(const EdgeEdgeStep& step) { return first_touch<EdgeEdgeDifferences>(step, 0); }
+CertifiedAnswer certified_answer(const VertexFaceStep& step)
+{
+    return first_touch<VertexFaceDifferences>(step, 0);
+}
+CertifiedAnswer certified_answer(const EdgeEdgeStep& step)
+{
+    return first_touch<EdgeEdgeDifferences>(step, 0);
+}
 
-std::optional<double> time_of_impact(const VertexFaceStep& step) { return first_touch<VertexFaceDifferences>(step, 0).time; }
-std::optional<double> time_of_impact(const EdgeEdgeStep& step) { return first_touch<EdgeEdgeDifferences>(step, 0).time; }
+std::optional<double> time_of_impact(const VertexFaceStep& step)
+{
+    return first_touch<VertexFaceDifferences>(step, 0).time;
+}
+std::optional<double> time_of_impact(const EdgeEdgeStep& step)
+{
+    return first_touch<EdgeEdgeDifferences>(step, 0).time;
+}
 
 std::optional<double> time_of_impact(const VertexFaceStep& step, double from)
 {

@@ -25,10 +25,12 @@ RealRoots monic_cubic_roots(double a, double b, double c)
 {
     const double shift = a / 3, p = (a * a - 3 * b) / 9, q = (a * (2 * a * a - 9 * b) + 27 * c) / 54;
     if (q * q < p * p * p) {  // three roots, in this order ascending: angle lies in [0, pi/3]
-        const double angle = std::acos(std::clamp(q / std::sqrt(p * p * p), -1.0, 1.0)) / 3, radius = -2 * std::sqrt(p);
+        const double angle = std::acos(std::clamp(q / std::sqrt(p * p * p), -1.0, 1.0)) / 3,
+                     radius = -2 * std::sqrt(p);
         const double turn = 2 * std::numbers::pi / 3;
         return {{radius * std::cos(angle) - shift, radius * std::cos(angle - turn) - shift,
-                 radius * std::cos(angle + turn) - shift}, 3};
+                 radius * std::cos(angle + turn) - shift},
+                3};
     }
     const double u = -std::copysign(std::cbrt(std::abs(q) + std::sqrt(q * q - p * p * p)), q);
     return {{u + (u == 0 ? 0 : p / u) - shift}, 1};
@@ -38,7 +40,8 @@ RealRoots monic_cubic_roots(double a, double b, double c)
 
 RealRoots cubic_roots(const std::array<double, 4>& c, double zero)
 {
-    const double negligible = zero * std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2]), std::abs(c[3])});
+    const double negligible = zero *
+                              std::max({std::abs(c[0]), std::abs(c[1]), std::abs(c[2]), std::abs(c[3])});
     if (std::abs(c[3]) > negligible)
         return monic_cubic_roots(c[2] / c[3], c[1] / c[3], c[0] / c[3]);
     if (std::abs(c[2]) > negligible)

@@ -4,11 +4,13 @@
 
 namespace enduring::certified {
 
-/// A number of about 106 bits, kept as the unevaluated sum of two doubles: hi is the sum rounded, lo what is left.
+/// A number of about 106 bits, kept as the unevaluated sum of two
+/// doubles: hi is the sum rounded, lo what is left.
 ///
-/// Every operation below has a relative error under 5 * 2^-106 as long as nothing overflows and no product falls under
-/// 2^-960 (Joldes, Muller, Popescu 2017: "Tight and rigorous error bounds for basic building blocks of double-word
-/// arithmetic", algorithms 6 and 10; products of doubles split as by Dekker 1971, so no fused multiply-add is needed).
+/// Every operation below has a relative error under 5 * 2^-106 as long as nothing overflows and no product
+/// falls under 2^-960 (Joldes, Muller, Popescu 2017: "Tight and rigorous error bounds for basic building
+/// blocks of double-word arithmetic", algorithms 6 and 10; products of doubles split as by Dekker 1971, so no
+/// fused multiply-add is needed).
 struct DoubleDouble {
     double hi = 0, lo = 0;
 

@@ -5,8 +5,9 @@
 namespace enduring {
 
 FaceTree::FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positions)
-    : leaf_of_face_(topology.faces().size()), vertex_boxes_(positions.size()), edge_boxes_(topology.edges().size()),
-      owned_vertices_(topology.faces().size()), owned_edges_(topology.faces().size())
+    : leaf_of_face_(topology.faces().size()), vertex_boxes_(positions.size()),
+      edge_boxes_(topology.edges().size()), owned_vertices_(topology.faces().size()),
+      owned_edges_(topology.faces().size())
 {
     const auto give = [](std::vector<Owned>& owners, int face, int feature) {
         Owned& owner = owners[face];
@@ -47,9 +48,10 @@ void FaceTree::build(std::span<int> faces, std::span<const Vec3> middles)
     (bounds.high - bounds.low).maxCoeff(&axis);
 
     const std::size_t half = faces.size() / 2;
-    std::nth_element(faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(half), faces.end(), [&](int f, int g) {
-        return middle(f)[axis] != middle(g)[axis] ? middle(f)[axis] < middle(g)[axis] : f < g;
-    });
+    std::nth_element(
+        faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(half), faces.end(), [&](int f, int g) {
+            return middle(f)[axis] != middle(g)[axis] ? middle(f)[axis] < middle(g)[axis] : f < g;
+        });
     build(faces.first(half), middles);
     nodes_[node].second_child = static_cast<int>(nodes_.size());
     build(faces.subspan(half), middles);

@@ -7,11 +7,12 @@
 
 namespace enduring {
 
-/// A binary tree of boxes over the faces of one surface. Its shape is made once, from where the faces lie at first;
-/// each step only refits the boxes. That stays good as long as neighbours stay neighbours, which a body's do.
+/// A binary tree of boxes over the faces of one surface. Its shape is made once, from
+/// where the faces lie at first; each step only refits the boxes. That stays good as
+/// long as neighbours stay neighbours, which a body's do.
 ///
-/// Every vertex and every edge is owned by the first of its faces. A pair of faces then speaks for the features that the
-/// two own, and each pair of features has one pair of faces that speaks for it.
+/// Every vertex and every edge is owned by the first of its faces. A pair of faces then speaks for the
+/// features that the two own, and each pair of features has one pair of faces that speaks for it.
 class FaceTree {
 public:
     FaceTree() = default;
@@ -22,7 +23,8 @@ public:
     /// Boxes around this step, from the leaves to the root. No memory is taken.
     void refit(const SurfaceStep& surface);
 
-    /// Calls visit(face of a, face of b) for all pairs of faces whose boxes overlap, always in the same order.
+    /// Calls visit(face of a, face of b) for all pairs of faces whose
+    /// boxes overlap, always in the same order.
     template <class Visit>
     static void overlapping_faces(const FaceTree& a, const FaceTree& b, Visit&& visit)
     {
@@ -38,8 +40,8 @@ public:
             descend(0, box, visit);
     }
 
-    /// Calls visit(face) for the faces whose boxes are nearer to a point than the square root of `bound`, the nearer half of
-    /// the tree first. A visit may lower the bound: a search for the nearest face.
+    /// Calls visit(face) for the faces whose boxes are nearer to a point than the square root of `bound`, the
+    /// nearer half of the tree first. A visit may lower the bound: a search for the nearest face.
     /// @param bound  squared distance [m^2]
     template <class Visit>
     void visit_near(const Vec3& point, const double& bound, Visit&& visit) const
@@ -52,7 +54,10 @@ public:
     SweptBox box() const { return nodes_.empty() ? SweptBox::empty() : nodes_[0].box; }
     const SweptBox& vertex_box(int vertex) const { return vertex_boxes_[vertex]; }
     const SweptBox& edge_box(int edge) const { return edge_boxes_[edge]; }
-    const SweptBox& face_box(int face) const { return nodes_[leaf_of_face_[static_cast<std::size_t>(face)]].box; }
+    const SweptBox& face_box(int face) const
+    {
+        return nodes_[leaf_of_face_[static_cast<std::size_t>(face)]].box;
+    }
     std::span<const int> owned_vertices(int face) const { return owned(owned_vertices_, face); }
     std::span<const int> owned_edges(int face) const { return owned(owned_edges_, face); }
 

@@ -27,7 +27,8 @@ struct Bracket {
     double middle() const { return 0.5 * (low + high); }
     double secant() const { return low + width() * (value_low / (value_low - value_high)); }
 
-    /// Replaces one end by s; false if the sign there is not certain. A time outside the bracket changes nothing.
+    /// Replaces one end by s; false if the sign there is not certain. A
+    /// time outside the bracket changes nothing.
     bool narrow(double s)
     {
         if (s <= low || s >= high)
@@ -42,10 +43,11 @@ struct Bracket {
     }
 };
 
-/// Times at most `slack` apart on both sides of the only root of `height`, or nothing if rounding hides on which side
-/// of it a time lies, or `steps_left` runs out.
+/// Times at most `slack` apart on both sides of the only root of `height`, or nothing if rounding hides on
+/// which side of it a time lies, or `steps_left` runs out.
 template <class Real>
-std::optional<Bracket<Real>> bracket_root(const BoundedPolynomial<Real, 3>& height, double slack, int& steps_left)
+std::optional<Bracket<Real>> bracket_root(const BoundedPolynomial<Real, 3>& height, double slack,
+                                          int& steps_left)
 {
     Bracket<Real> bracket{height};
     while (bracket.width() > slack) {
@@ -71,8 +73,8 @@ struct Span {
 };
 
 //! [search]
-/// First contact within a span: most spans are settled at once; the others are narrowed to the only root of the
-/// height, or halved, earlier half first.
+/// First contact within a span: most spans are settled at once; the others are narrowed to the only root of
+/// the height, or halved, earlier half first.
 /// @param steps_left  what the whole query may still spend; it bounds its time
 template <class Real, std::size_t Corners>
 Touch first_touch(const SeparatingDirections<Real, Corners>& directions, const Span& span, int& steps_left)
@@ -82,7 +84,8 @@ Touch first_touch(const SeparatingDirections<Real, Corners>& directions, const S
     if (directions.height_changes_once()) {
         const double slack = std::min(time_of_impact_slack / span.width, 0x1p-20);
         if (const auto root = bracket_root(directions.height, slack, steps_left)) {
-            const Span narrow{span.start + span.width * root->low, span.width * root->width(), span.depth + cuts_of_a_zoom};
+            const Span narrow{span.start + span.width * root->low, span.width * root->width(),
+                              span.depth + cuts_of_a_zoom};
             if (const int within = directions.within_polygon(root->low, root->width()))
                 return {within > 0 ? Verdict::touch : Verdict::apart, narrow.start};
             steps_left -= cuts_of_a_zoom;

@@ -42,7 +42,8 @@ double size_of(std::initializer_list<Vec3> differences)
 
 std::array<double, 3> impact_weights(const VertexFaceStep& step, double tau)
 {
-    // Seen from the vertex, which becomes the origin. Differences first: far from the origin only they are precise.
+    // Seen from the vertex, which becomes the origin. Differences first:
+    // far from the origin only they are precise.
     std::array<Vec3, 3> f{at_time(step.f0_t0 - step.v_t0, step.f0_t1 - step.v_t1, tau),
                           at_time(step.f1_t0 - step.v_t0, step.f1_t1 - step.v_t1, tau),
                           at_time(step.f2_t0 - step.v_t0, step.f2_t1 - step.v_t1, tau)};
@@ -51,7 +52,8 @@ std::array<double, 3> impact_weights(const VertexFaceStep& step, double tau)
         corner /= size;
 
     const Vec3 normal = (f[1] - f[0]).cross(f[2] - f[0]);
-    const Vec3 inside(f[1].cross(f[2]).dot(normal), f[2].cross(f[0]).dot(normal), f[0].cross(f[1]).dot(normal));
+    const Vec3 inside(f[1].cross(f[2]).dot(normal), f[2].cross(f[0]).dot(normal),
+                      f[0].cross(f[1]).dot(normal));
     Closest<3> closest;
     if (inside.minCoeff() >= 0 && inside.sum() > 0) {
         const Vec3 w = inside / inside.sum();
@@ -73,7 +75,8 @@ std::array<double, 2> impact_weights(const EdgeEdgeStep& step, double tau)
     const auto seen_from_ea0 = [&](const Vec3& x_t0, const Vec3& x_t1) -> Vec3 {
         return at_time(x_t0 - step.ea0_t0, x_t1 - step.ea0_t1, tau);
     };
-    Vec3 a1 = seen_from_ea0(step.ea1_t0, step.ea1_t1), b0 = seen_from_ea0(step.eb0_t0, step.eb0_t1), b1 = seen_from_ea0(step.eb1_t0, step.eb1_t1);
+    Vec3 a1 = seen_from_ea0(step.ea1_t0, step.ea1_t1), b0 = seen_from_ea0(step.eb0_t0, step.eb0_t1),
+         b1 = seen_from_ea0(step.eb1_t0, step.eb1_t1);
     const double size = size_of({a1, b0, b1});
     a1 /= size, b0 /= size, b1 /= size;
     const Vec3 a0 = Vec3::Zero(), b = b1 - b0;
@@ -81,7 +84,8 @@ std::array<double, 2> impact_weights(const EdgeEdgeStep& step, double tau)
     Closest<2> closest;
     const auto offer = [&](double s, double t) { closest.offer({s, t}, (s * a1 - (b0 + t * b)).norm()); };
     const Vec3 normal = a1.cross(b);
-    const double s = b0.cross(b).dot(normal) / normal.squaredNorm(), t = b0.cross(a1).dot(normal) / normal.squaredNorm();
+    const double s = b0.cross(b).dot(normal) / normal.squaredNorm(),
+                 t = b0.cross(a1).dot(normal) / normal.squaredNorm();
     if (s >= 0 && s <= 1 && t >= 0 && t <= 1)
         offer(s, t);
     offer(0, weight_on_segment(a0, b0, b1));

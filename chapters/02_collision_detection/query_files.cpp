@@ -48,7 +48,8 @@ double quotient(std::string_view numerator, std::string_view denominator, const 
     const cpp_rational exact(integer(numerator, lines), den);
     const double value = exact.convert_to<double>();
     if (!std::isfinite(value) || cpp_rational(value) != exact)
-        lines.fail("the quotient of " + TextLines::quoted(numerator) + " and " + TextLines::quoted(denominator) + " is not a double");
+        lines.fail("the quotient of " + TextLines::quoted(numerator) + " and " +
+                   TextLines::quoted(denominator) + " is not a double");
     return value;
 }
 
@@ -67,7 +68,8 @@ void read_point(const TextLines& lines, FileQuery& query, std::size_t corner)
         lines.fail("expected num,den for x, y and z, and at most an answer: 6 or 7 fields, but there are " +
                    std::to_string(fields.size()));
     for (std::size_t axis = 0; axis < 3; ++axis)
-        query.points[corner][static_cast<Eigen::Index>(axis)] = quotient(fields[2 * axis], fields[2 * axis + 1], lines);
+        query.points[corner][static_cast<Eigen::Index>(axis)] = quotient(fields[2 * axis],
+                                                                         fields[2 * axis + 1], lines);
     const std::optional<bool> collides = fields.size() == 7 ? answer(fields[6], lines) : std::nullopt;
     if (corner > 0 && collides != query.collides)
         lines.fail("the answer differs from that on the query's first line");

@@ -19,9 +19,10 @@ struct FileQuery {
     EdgeEdgeStep edge_edge() const;
 };
 
-/// Reads queries with rational coordinates, the format of the public benchmark that came with Tight-Inclusion
-/// (Wang et al. 2021): 8 lines a query, one point a line, `num,den` for x, y and z, and then, if known, the answer
-/// 0 or 1, the same on all eight. Numerators and denominators are integers of any length whose quotient is a double.
+/// Reads queries with rational coordinates, the format of the public benchmark that came with
+/// Tight-Inclusion (Wang et al. 2021): 8 lines a query, one point a line, `num,den` for x, y
+/// and z, and then, if known, the answer 0 or 1, the same on all eight. Numerators and
+/// denominators are integers of any length whose quotient is a double.
 /// @throws InputError  "file:line: reason": no such file, a field missing or too many, not an integer, a zero
 ///                     denominator, a quotient that is no finite double, answers that differ, lines left over
 std::vector<FileQuery> read_queries(const std::filesystem::path& file);

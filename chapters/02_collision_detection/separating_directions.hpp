@@ -6,15 +6,25 @@
 namespace enduring::certified {
 
 /// The difference of two coordinates: rounded once in doubles, exact in double-doubles.
-template <class Real> Real difference(double a, double b);
-template <> inline double difference<double>(double a, double b) { return a - b; }
-template <> inline DoubleDouble difference<DoubleDouble>(double a, double b) { return two_difference(a, b); }
+template <class Real>
+Real difference(double a, double b);
+template <>
+inline double difference<double>(double a, double b)
+{
+    return a - b;
+}
+template <>
+inline DoubleDouble difference<DoubleDouble>(double a, double b)
+{
+    return two_difference(a, b);
+}
 
 template <class Real>
 MovingDifference<Real> difference(const Vec3& a_t0, const Vec3& b_t0, const Vec3& a_t1, const Vec3& b_t1)
 {
     const auto minus = [](const Vec3& a, const Vec3& b) {
-        return Triple<Real>{difference<Real>(a[0], b[0]), difference<Real>(a[1], b[1]), difference<Real>(a[2], b[2])};
+        return Triple<Real>{difference<Real>(a[0], b[0]), difference<Real>(a[1], b[1]),
+                            difference<Real>(a[2], b[2])};
     };
     const Triple<Real> start = minus(a_t0, b_t0), end = minus(a_t1, b_t1);
     const double size = std::max(largest(start), largest(end));
@@ -31,8 +41,7 @@ struct VertexFaceDifferences {
         : d0(difference<Real>(s.v_t0, s.f0_t0, s.v_t1, s.f0_t1)),
           d1(difference<Real>(s.v_t0, s.f1_t0, s.v_t1, s.f1_t1)),
           d2(difference<Real>(s.v_t0, s.f2_t0, s.v_t1, s.f2_t1))
-    {
-    }
+    {}
     double size() const { return std::max({d0.size, d1.size, d2.size}); }
 };
 
@@ -48,8 +57,7 @@ struct EdgeEdgeDifferences {
           d01(difference<Real>(s.ea0_t0, s.eb1_t0, s.ea0_t1, s.eb1_t1)),
           d10(difference<Real>(s.ea1_t0, s.eb0_t0, s.ea1_t1, s.eb0_t1)),
           d11(difference<Real>(s.ea1_t0, s.eb1_t0, s.ea1_t1, s.eb1_t1))
-    {
-    }
+    {}
     double size() const { return std::max({d00.size, d01.size, d10.size, d11.size}); }
 };
 //! [polygons]
@@ -71,10 +79,18 @@ struct Signs {
 
 /// Whether a sign is to hold over the whole interval, or at its start.
 struct Throughout {
-    template <class Polynomial> int operator()(const Polynomial& p) const { return p.sign(); }
+    template <class Polynomial>
+    int operator()(const Polynomial& p) const
+    {
+        return p.sign();
+    }
 };
 struct AtStart {
-    template <class Polynomial> int operator()(const Polynomial& p) const { return p.sign(0); }
+    template <class Polynomial>
+    int operator()(const Polynomial& p) const
+    {
+        return p.sign(0);
+    }
 };
 
 template <class Vectors, class Axis, class When>
@@ -91,7 +107,8 @@ Signs signs(const Vectors& vectors, Axis axis, const When& sign)
 ///
 /// The origin lies in the polygon at one instant if and only if
 ///   - `height`, the volume it spans with the polygon, is zero;
-///   - no two `sides` point in opposite directions: with height zero all are multiples of one normal, and the multiples
+///   - no two `sides` point in opposite directions: with height zero all are
+///     multiples of one normal, and the multiples
 ///     are the weights of the contact point;
 ///   - no axis has all corners strictly on one side of it.
 template <class Real, std::size_t Corners>
@@ -104,8 +121,8 @@ struct SeparatingDirections {
     template <class When>
     bool apart(const When& when) const
     {
-        return when(height) != 0 || apart_along(&Triple<Real>::x, when) || apart_along(&Triple<Real>::y, when) ||
-               apart_along(&Triple<Real>::z, when);
+        return when(height) != 0 || apart_along(&Triple<Real>::x, when) ||
+               apart_along(&Triple<Real>::y, when) || apart_along(&Triple<Real>::z, when);
     }
 
     /// Certainly the height vanishes exactly once in the interval, changing sign.
@@ -123,9 +140,12 @@ struct SeparatingDirections {
         for (std::size_t i = 0; i < Corners; ++i) {
             const auto& side = sides[i];
             // A quadratic changes at most by 4 sizes over the whole interval.
-            there[i] = {{value_at<Real>(side.c, time)}, side.size, side.error + blossom_error<Real>(2, side.size) + 4 * width * side.size};
+            there[i] = {{value_at<Real>(side.c, time)},
+                        side.size,
+                        side.error + blossom_error<Real>(2, side.size) + 4 * width * side.size};
         }
-        const std::array<Signs, 3> axes{signs(there, &Triple<Real>::x, Throughout{}), signs(there, &Triple<Real>::y, Throughout{}),
+        const std::array<Signs, 3> axes{signs(there, &Triple<Real>::x, Throughout{}),
+                                        signs(there, &Triple<Real>::y, Throughout{}),
                                         signs(there, &Triple<Real>::z, Throughout{})};
         if (axes[0].some_disagree() || axes[1].some_disagree() || axes[2].some_disagree())
             return -1;
@@ -134,7 +154,7 @@ struct SeparatingDirections {
 
 private:
     template <class When>
-    bool apart_along(Real Triple<Real>::* axis, const When& when) const
+    bool apart_along(Real Triple<Real>::*axis, const When& when) const
     {
         return signs(sides, axis, when).some_disagree() || signs(corners, axis, when).all_agree();
     }
@@ -142,10 +162,16 @@ private:
 //! [directions]
 
 template <class Real>
-BoundedPolynomial<Real, 3> height(const VertexFaceDifferences<Real>& d) { return dot(d.d0, cross(d.d1, d.d2)); }
+BoundedPolynomial<Real, 3> height(const VertexFaceDifferences<Real>& d)
+{
+    return dot(d.d0, cross(d.d1, d.d2));
+}
 
 template <class Real>
-BoundedPolynomial<Real, 3> height(const EdgeEdgeDifferences<Real>& d) { return dot(d.a, cross(d.b, d.d00)); }
+BoundedPolynomial<Real, 3> height(const EdgeEdgeDifferences<Real>& d)
+{
+    return dot(d.a, cross(d.b, d.d00));
+}
 
 template <class Real>
 SeparatingDirections<Real, 3> separating_directions(const VertexFaceDifferences<Real>& d)
@@ -171,7 +197,8 @@ void halve(const BoundedPolynomial<Real, Degree>& whole, BoundedPolynomial<Real,
 }
 
 template <class Real, std::size_t Degree>
-void halve(const MovingVector<Real, Degree>& whole, MovingVector<Real, Degree>& early, MovingVector<Real, Degree>& late)
+void halve(const MovingVector<Real, Degree>& whole, MovingVector<Real, Degree>& early,
+           MovingVector<Real, Degree>& late)
 {
     halve(whole.c, early.c, late.c);
     early.error = late.error = whole.error + halving_error<Real>(Degree, whole.size);
@@ -194,14 +221,16 @@ void halve(const SeparatingDirections<Real, Corners>& whole, SeparatingDirection
 template <class Real, std::size_t Degree>
 MovingVector<Real, Degree> part(const MovingVector<Real, Degree>& whole, double from, double to)
 {
-    MovingVector<Real, Degree> result{part<Real>(whole.c, from, to), 0, whole.error + blossom_error<Real>(Degree, whole.size)};
+    MovingVector<Real, Degree> result{part<Real>(whole.c, from, to), 0,
+                                      whole.error + blossom_error<Real>(Degree, whole.size)};
     result.size = largest(result);
     return result;
 }
 
 /// The same tests over a part of the interval.
 template <class Real, std::size_t Corners>
-SeparatingDirections<Real, Corners> part(const SeparatingDirections<Real, Corners>& whole, double from, double to)
+SeparatingDirections<Real, Corners> part(const SeparatingDirections<Real, Corners>& whole, double from,
+                                         double to)
 {
     SeparatingDirections<Real, Corners> result;
     result.height.c = part<Real>(whole.height.c, from, to);

@@ -12,31 +12,44 @@ struct Triple {
     Real x, y, z;
 };
 
-template <class Real> Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b)
+template <class Real>
+Triple<Real> operator+(const Triple<Real>& a, const Triple<Real>& b)
 {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
 
-template <class Real> Triple<Real> operator*(const Real& s, const Triple<Real>& a) { return {s * a.x, s * a.y, s * a.z}; }
+template <class Real>
+Triple<Real> operator*(const Real& s, const Triple<Real>& a)
+{
+    return {s * a.x, s * a.y, s * a.z};
+}
 
-template <class Real> Triple<Real> half(const Triple<Real>& a) { return {half(a.x), half(a.y), half(a.z)}; }
+template <class Real>
+Triple<Real> half(const Triple<Real>& a)
+{
+    return {half(a.x), half(a.y), half(a.z)};
+}
 
-template <class Real> Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b)
+template <class Real>
+Triple<Real> cross(const Triple<Real>& a, const Triple<Real>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-template <class Real> Real dot(const Triple<Real>& a, const Triple<Real>& b)
+template <class Real>
+Real dot(const Triple<Real>& a, const Triple<Real>& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-template <class Real> double largest(const Triple<Real>& a)
+template <class Real>
+double largest(const Triple<Real>& a)
 {
     return std::max({std::abs(rounded(a.x)), std::abs(rounded(a.y)), std::abs(rounded(a.z))});
 }
 
-/// A vector that is a polynomial in time, in Bernstein form; no component is larger than `size` or off by more than `error`.
+/// A vector that is a polynomial in time, in Bernstein form; no component is
+/// larger than `size` or off by more than `error`.
 template <class Real, std::size_t Degree>
 struct MovingVector {
     using Component = Real Triple<Real>::*;
@@ -54,7 +67,8 @@ struct MovingVector {
 };
 
 /// No component of any value is larger.
-template <class Real, std::size_t Degree> double largest(const MovingVector<Real, Degree>& vector)
+template <class Real, std::size_t Degree>
+double largest(const MovingVector<Real, Degree>& vector)
 {
     double size = 0;
     for (const Triple<Real>& c : vector.c)
@@ -63,10 +77,12 @@ template <class Real, std::size_t Degree> double largest(const MovingVector<Real
 }
 
 /// The difference of two points that move on straight lines.
-template <class Real> using MovingDifference = MovingVector<Real, 1>;
+template <class Real>
+using MovingDifference = MovingVector<Real, 1>;
 
-// Error bounds, to first order in u, the cost of one rounding; the constants are larger than needed by enough to cover
-// the rest. A and B are the sizes of two differences a and b, off by at most u of themselves in each component.
+// Error bounds, to first order in u, the cost of one rounding; the constants are larger
+// than needed by enough to cover the rest. A and B are the sizes of two differences a
+// and b, off by at most u of themselves in each component.
 //   a x b        10 u AB: each of 4 products 3u, each of 3 sums u of what it adds; the result is at most 2AB
 //   a . (b x c)  76 u ABC: 3 products, each 10u from the cross product and 4u more, and the sums; at most 6ABC
 constexpr double cross_error = 12, triple_error = 80;
@@ -77,14 +93,18 @@ template <class Real>
 MovingVector<Real, 2> cross(const MovingDifference<Real>& a, const MovingDifference<Real>& b)
 {
     const double size = a.size * b.size;
-    return {{cross(a.c[0], b.c[0]), half(cross(a.c[0], b.c[1]) + cross(a.c[1], b.c[0])), cross(a.c[1], b.c[1])},
-            2 * size, cross_error * Precision<Real>::unit * size + underflow};
+    return {
+        {cross(a.c[0], b.c[0]), half(cross(a.c[0], b.c[1]) + cross(a.c[1], b.c[0])), cross(a.c[1], b.c[1])},
+        2 * size,
+        cross_error * Precision<Real>::unit * size + underflow};
 }
 //! [cross]
 
 /// 1/3 in either number type.
-template <class Real> constexpr Real third = 1.0 / 3.0;
-template <> inline constexpr DoubleDouble third<DoubleDouble>{1.0 / 3.0, 0x1.5555555555555p-56};
+template <class Real>
+constexpr Real third = 1.0 / 3.0;
+template <>
+inline constexpr DoubleDouble third<DoubleDouble>{1.0 / 3.0, 0x1.5555555555555p-56};
 
 /// a(t) . n(t), cubic in time, where n is a cross product.
 template <class Real>

@@ -26,7 +26,8 @@ std::optional<Meeting> vertex_meets_face(const VertexFaceStep& step)
     return Meeting{*time, {1, -w0, -w1, -w2}};
 }
 
-std::optional<Meeting> edge_meets_edge(const EdgeEdgeStep& step, const SurfaceStep&, int, const SurfaceStep&, int)
+std::optional<Meeting> edge_meets_edge(const EdgeEdgeStep& step, const SurfaceStep&, int, const SurfaceStep&,
+                                       int)
 {
     const std::optional<double> time = time_of_impact(step);
     if (!time)
@@ -43,9 +44,8 @@ Solver chapter02_solver(const ContactParameters& parameters)
     const auto search = std::make_shared<CandidateSearch>();
     Solver solver = chapter01_solver(parameters);
     solver.name = "chapter 2";
-    solver.append(StepStage::detect, "broad phase", [search](World& world, Contacts&, double) {
-        search->find_candidates(world);
-    });
+    solver.append(StepStage::detect, "broad phase",
+                  [search](World& world, Contacts&, double) { search->find_candidates(world); });
     solver.append(StepStage::detect, "queries", [search](World& world, Contacts& contacts, double) {
         const std::size_t first_new = contacts.size();
         append_pairs(world, *search, vertex_meets_face, edge_meets_edge, contacts);

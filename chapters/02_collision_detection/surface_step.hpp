@@ -5,7 +5,8 @@
 
 namespace enduring {
 
-/// A whole surface over one step: who is whose neighbour, and every vertex at both ends [m]. A view: it owns nothing.
+/// A whole surface over one step: who is whose neighbour, and every
+/// vertex at both ends [m]. A view: it owns nothing.
 struct SurfaceStep {
     const SurfaceTopology& topology;
     std::span<const Vec3> t0, t1;
@@ -25,7 +26,8 @@ inline SurfaceStep surface_step(const Body& body)
 inline VertexFaceStep vertex_face_step(const SurfaceStep& a, int vertex, const SurfaceStep& b, int face)
 {
     const auto [f0, f1, f2] = b.face(face);
-    return {a.start(vertex), b.start(f0), b.start(f1), b.start(f2), a.end(vertex), b.end(f0), b.end(f1), b.end(f2)};
+    return {a.start(vertex), b.start(f0), b.start(f1), b.start(f2),
+            a.end(vertex),   b.end(f0),   b.end(f1),   b.end(f2)};
 }
 
 /// An edge of one surface against an edge of another, each from its smaller vertex to its larger.

@@ -9,9 +9,9 @@ namespace enduring {
 //! [swept_box]
 /// The smallest axis-aligned box around everything that a feature passes through during a step.
 ///
-/// A point that moves on a straight line stays between its two ends, and a point of an edge or a face between its
-/// vertices, so the ends of the vertices' ways span it all. No sum is rounded on the way, and boxes are closed:
-/// features that touch at any time have boxes that overlap.
+/// A point that moves on a straight line stays between its two ends, and a point of an edge or a face between
+/// its vertices, so the ends of the vertices' ways span it all. No sum is rounded on the way, and boxes are
+/// closed: features that touch at any time have boxes that overlap.
 /// @see thesis section 4.4
 struct SweptBox {
     Vec3 low, high;
@@ -23,9 +23,8 @@ struct SweptBox {
     }
     bool overlaps(const SweptBox& other) const
     {
-        return low.x() <= other.high.x() && other.low.x() <= high.x() &&
-               low.y() <= other.high.y() && other.low.y() <= high.y() &&
-               low.z() <= other.high.z() && other.low.z() <= high.z();
+        return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&
+               other.low.y() <= high.y() && low.z() <= other.high.z() && other.low.z() <= high.z();
     }
 };
 

@@ -16,7 +16,8 @@ struct Linear {
 };
 
 //! [cubic]
-/// Coefficients of (a x b) . c in powers of tau, lowest first: the volume of a, b, c, zero where they lie in one plane.
+/// Coefficients of (a x b) . c in powers of tau, lowest first: the volume
+/// of a, b, c, zero where they lie in one plane.
 std::array<double, 4> volume(const Linear& a, const Linear& b, const Linear& c)
 {
     const Vec3 n0 = a.at.cross(b.at), n1 = a.at.cross(b.rate) + a.rate.cross(b.at), n2 = a.rate.cross(b.rate);
@@ -24,11 +25,15 @@ std::array<double, 4> volume(const Linear& a, const Linear& b, const Linear& c)
 }
 //! [cubic]
 
-bool in_unit_interval(double value, double tolerance) { return value >= -tolerance && value <= 1 + tolerance; }
+bool in_unit_interval(double value, double tolerance)
+{
+    return value >= -tolerance && value <= 1 + tolerance;
+}
 
 /// The first root in the step at which `inside` holds.
 template <class Inside>
-std::optional<double> first_root(const std::array<double, 4>& cubic, const TextbookTolerances& tolerances, const Inside& inside)
+std::optional<double> first_root(const std::array<double, 4>& cubic, const TextbookTolerances& tolerances,
+                                 const Inside& inside)
 {
     for (const double tau : cubic_roots(cubic, tolerances.coefficient))
         if (in_unit_interval(tau, tolerances.time) && inside(tau))

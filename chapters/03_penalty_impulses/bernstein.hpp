@@ -13,9 +13,9 @@ struct Interval {
 //! [bernstein]
 /// A polynomial on [0, 1] in Bernstein form: sum_i coefficients[i] B_i^Degree(tau), thesis (5.11).
 ///
-/// Three properties carry the chapter: the first and last coefficient are the values at 0 and 1, the value anywhere
-/// is a weighted mean of the coefficients (so coefficients of one sign mean values of that sign), and the integral
-/// over [0, 1] is their plain mean.
+/// Three properties carry the chapter: the first and last coefficient are the values at 0 and 1, the value
+/// anywhere is a weighted mean of the coefficients (so coefficients of one sign mean values of that sign),
+/// and the integral over [0, 1] is their plain mean.
 template <class Value, int Degree>
 struct Bernstein {
     std::array<Value, Degree + 1> coefficients;

@@ -17,8 +17,9 @@ inline Bernstein<Vec3, 2> contact_normal(const PairStep& step)
     return {{n0, 0.5 * (n0 + n2 - turn), n2}};
 }
 
-/// The penetration depth times the normal's length over the step [m^3]: n(tau) . (p - q)(tau), thesis (5.6); negative
-/// inside. Quadratic times linear: a cubic, the same one whose roots are the times of coplanarity in chapter 2.
+/// The penetration depth times the normal's length over the step [m^3]: n(tau) . (p -
+/// q)(tau), thesis (5.6); negative inside. Quadratic times linear: a cubic, the same one
+/// whose roots are the times of coplanarity in chapter 2.
 inline Bernstein<double, 3> penetration_depth(const Bernstein<Vec3, 2>& normal, const PairStep& step)
 {
     const auto& [n0, n1, n2] = normal.coefficients;
@@ -28,7 +29,8 @@ inline Bernstein<double, 3> penetration_depth(const Bernstein<Vec3, 2>& normal, 
 //! [contact_normal]
 
 //! [squared_length]
-/// The squared length of the normal over the step [m^4]: the L_i of thesis (5.13), corrected to a sum (see the errata).
+/// The squared length of the normal over the step [m^4]: the L_i of thesis
+/// (5.13), corrected to a sum (see the errata).
 inline Bernstein<double, 4> squared_length(const Bernstein<Vec3, 2>& normal)
 {
     const auto& [n0, n1, n2] = normal.coefficients;

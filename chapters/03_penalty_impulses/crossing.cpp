@@ -26,8 +26,8 @@ bool has_normal(const PairInstant& pair)
     return pair.side_1.cross(pair.side_2).norm() > smallest_sine * lengths && lengths > 0;
 }
 
-/// The sign with which the depth leaves zero: 1 falling, -1 rising. The first Bernstein coefficient of the rest of the
-/// step that differs from the first decides, so a touch at rest is judged by what follows.
+/// The sign with which the depth leaves zero: 1 falling, -1 rising. The first Bernstein coefficient of the
+/// rest of the step that differs from the first decides, so a touch at rest is judged by what follows.
 double falling(const PairStep& step, double time)
 {
     const Bernstein<double, 3> rest = penetration_depth(contact_normal(step), step).from(time);

@@ -26,7 +26,8 @@ Vec3 outward_at_edge(const SurfaceStep& surface, int edge)
 void CrossingDetection::append_entries(const World& world, Contacts& contacts) const
 {
     const auto enters_by_face = [](const VertexFaceStep& step) { return find_entry(step, enters_face); };
-    const auto enters_by_edge = [](const EdgeEdgeStep& step, const SurfaceStep& a, int edge_a, const SurfaceStep& b, int edge_b) {
+    const auto enters_by_edge = [](const EdgeEdgeStep& step, const SurfaceStep& a, int edge_a,
+                                   const SurfaceStep& b, int edge_b) {
         return find_entry(step, [&](const Crossing& crossing) {
             return enters_edge(step, crossing, outward_at_edge(b, edge_b) - outward_at_edge(a, edge_a));
         });

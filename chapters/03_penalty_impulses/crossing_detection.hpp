@@ -8,8 +8,8 @@ namespace enduring {
 /// Chapter 2's search, and which of its candidates cross inwards.
 class CrossingDetection : public CandidateSearch {
 public:
-    /// Appends a contact for every candidate that goes from outside to inside in this step and is not in the list yet.
-    /// Call find_candidates for the same prediction before.
+    /// Appends a contact for every candidate that goes from outside to inside in this step and is not in the
+    /// list yet. Call find_candidates for the same prediction before.
     void append_entries(const World& world, Contacts& contacts) const;
 };
 

@@ -26,7 +26,8 @@ Vec3 exact_impulse(const PairStep& step, double start, double k, double dt, int 
             for (int axis = 0; axis < 3; ++axis)
                 integral[axis] += boost::math::quadrature::gauss<double, 15>::integrate(
                     [&](double tau) { return penetration_vector(normal, depth, tau)[axis]; },
-                    inside.from + inside.length() * piece / pieces, inside.from + inside.length() * (piece + 1) / pieces);
+                    inside.from + inside.length() * piece / pieces,
+                    inside.from + inside.length() * (piece + 1) / pieces);
     return -k * dt * integral;
 }
 

@@ -8,13 +8,20 @@ int main(int argc, char** argv)
         "03_penalty_impulses",
         "Chapter 3: penalty impulses",
         {
-            {"impulse_shape", "depth over a step, and what each method integrates (thesis figure 5.1)", chapter03::impulse_shape},
-            {"normalisation", "what the constant length L_k costs, over how far a face turns in a step", chapter03::normalisation},
-            {"bar_on_cube", "a soft bar on a rigid cube: force, jitter, the largest smooth step (thesis figures 7.3-7.5)",
+            {"impulse_shape", "depth over a step, and what each method integrates (thesis figure 5.1)",
+             chapter03::impulse_shape},
+            {"normalisation", "what the constant length L_k costs, over how far a face turns in a step",
+             chapter03::normalisation},
+            {"bar_on_cube",
+             "a soft bar on a rigid cube: force, jitter, the largest smooth step (thesis figures 7.3-7.5)",
              chapter03::bar_on_cube},
-            {"penetration", "summed depth over step and stiffness (thesis figures 7.6-7.7)", chapter03::penetration},
-            {"bunny_bowl", "a soft bunny falls into a rigid bowl (thesis figure 7.13); --elements 363, 785, 1452 or 10668",
-             [elements](const RunOptions& options, Report& report) { chapter03::bunny_bowl(options, report, *elements); }},
+            {"penetration", "summed depth over step and stiffness (thesis figures 7.6-7.7)",
+             chapter03::penetration},
+            {"bunny_bowl",
+             "a soft bunny falls into a rigid bowl (thesis figure 7.13); --elements 363, 785, 1452 or 10668",
+             [elements](const RunOptions& options, Report& report) {
+                 chapter03::bunny_bowl(options, report, *elements);
+             }},
             {"hooked", "a cube that slides over triangles stops (thesis 6.1.2)", chapter03::hooked},
         },
     };

@@ -36,7 +36,8 @@ Vec3 continuous_impulse(const PairStep& step, double start, double k, double dt)
 
     Vec3 integral = Vec3::Zero();
     for (const Interval& inside : penetration_intervals(depth, start))
-        integral += inside.length() * integral_of_product(restricted(depth, inside), restricted(normal, inside));
+        integral += inside.length() *
+                    integral_of_product(restricted(depth, inside), restricted(normal, inside));
 
     // Depth and direction still carry the normal's length, each once: divide by L_k twice.
     const double squared_length = mean_squared_length(normal);

@@ -15,7 +15,8 @@ Vec3 discrete_penalty(const PairStep& step, double start, double k, double dt)
 
 Vec3 continuous_penalty(const PairStep& step, double start, double k, double dt)
 {
-    return step.plane_normal ? continuous_on_plane(step, start, k, dt) : continuous_impulse(step, start, k, dt);
+    return step.plane_normal ? continuous_on_plane(step, start, k, dt)
+                             : continuous_impulse(step, start, k, dt);
 }
 //! [laws]
 

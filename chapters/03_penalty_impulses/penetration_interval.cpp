@@ -30,7 +30,8 @@ InnerRoots extrema(const Bernstein<double, 2>& slope)
     return roots;
 }
 
-/// The root of a monotone piece whose ends differ in sign: Newton's method, kept inside a bracket that shrinks.
+/// The root of a monotone piece whose ends differ in sign: Newton's
+/// method, kept inside a bracket that shrinks.
 double root_between(const Bernstein<double, 3>& depth, double low, double high)
 {
     const bool falling = depth(low) > 0;
@@ -53,8 +54,8 @@ double root_between(const Bernstein<double, 3>& depth, double low, double high)
 }  // namespace
 
 //! [intervals_between_roots]
-// Cut at its extrema, the cubic is monotone: a piece whose ends differ in sign holds exactly one root. A double root
-// that rounding hides costs nothing, for there the depth is within rounding of zero.
+// Cut at its extrema, the cubic is monotone: a piece whose ends differ in sign holds exactly one root. A
+// double root that rounding hides costs nothing, for there the depth is within rounding of zero.
 PenetrationIntervals intervals_between_roots(const Bernstein<double, 3>& depth, double start)
 {
     const InnerRoots cuts = extrema(derivative(depth));

@@ -16,18 +16,17 @@ Solver chapter03_solver(const ContactParameters& parameters)
     const auto detection = std::make_shared<CrossingDetection>();
     Solver solver = chapter02_solver(parameters);
     solver.name = "chapter 3";
-    solver.append(StepStage::refresh, "resolve pairs", [](World& world, Contacts& contacts, double) {
-        resolve_separated_pairs(world, contacts);
-    });
-    solver.replace("broad phase", "broad phase", [detection](World& world, Contacts&, double) {
-        detection->find_candidates(world);
-    });
+    solver.append(StepStage::refresh, "resolve pairs",
+                  [](World& world, Contacts& contacts, double) { resolve_separated_pairs(world, contacts); });
+    solver.replace("broad phase", "broad phase",
+                   [detection](World& world, Contacts&, double) { detection->find_candidates(world); });
     solver.replace("queries", "queries", [detection](World& world, Contacts& contacts, double) {
         detection->append_entries(world, contacts);
     });
-    solver.replace("push out of planes", "impulses", [law = normal_law(parameters), k = parameters.stiffness](World& world, Contacts& contacts, double dt) {
-        push_apart(world, contacts, law, k, dt);
-    });
+    solver.replace(
+        "push out of planes", "impulses",
+        [law = normal_law(parameters), k = parameters.stiffness](
+            World& world, Contacts& contacts, double dt) { push_apart(world, contacts, law, k, dt); });
     return solver;
 }
 //! [solver]

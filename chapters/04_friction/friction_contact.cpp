@@ -12,8 +12,7 @@ Vec3 relative_velocity(const World& world, const Contact& contact)
 {
     Vec3 velocity = Vec3::Zero();
     for (int i = 0; i < contact.vertex_count(); ++i)
-        velocity += contact.weights[i]
-                    * body_of_vertex(world, contact, i).velocity(contact.vertices[i]);
+        velocity += contact.weights[i] * body_of_vertex(world, contact, i).velocity(contact.vertices[i]);
     return velocity;
 }
 
@@ -32,7 +31,8 @@ void friction_impulses(const World& world, Contacts& contacts, const YamaneNakam
         const double normal_impulse = contact.impulse.norm();
         const TangentPlane plane(contact.impulse / normal_impulse);
         const FrictionImpulse answer = yamane_nakamura(
-            {plane.of(contact.stretch), plane.of(relative_velocity(world, contact)), normal_impulse}, friction, dt);
+            {plane.of(contact.stretch), plane.of(relative_velocity(world, contact)), normal_impulse},
+            friction, dt);
         contact.friction = plane.in_space(answer.impulse);
         contact.slip = answer.slip;
     }
@@ -44,14 +44,16 @@ Vec3 after_slip(const Contact& contact, const Vec3& stretch, const FrictionParam
     const auto* lagging = std::get_if<MassSplitting>(&friction);
     if (!lagging)
         return Vec3::Zero();
-    const double longest = stretch_after_slip(contact.slip, contact.friction.norm(), *lagging, dt), length = stretch.norm();
+    const double longest = stretch_after_slip(contact.slip, contact.friction.norm(), *lagging, dt),
+                 length = stretch.norm();
     return length > longest ? Vec3(stretch * (longest / length)) : stretch;
 }
 
 }  // namespace
 
 //! [compute_friction_impulses]
-void compute_friction_impulses(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+void compute_friction_impulses(const World& world, Contacts& contacts, const FrictionParameters& friction,
+                               double dt)
 {
     for (Contact& contact : contacts)
         if (contact.waiting())
@@ -61,7 +63,8 @@ void compute_friction_impulses(const World& world, Contacts& contacts, const Fri
 //! [compute_friction_impulses]
 
 //! [move_anchors]
-void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction, double dt)
+void move_friction_anchors(const World& world, Contacts& contacts, const FrictionParameters& friction,
+                           double dt)
 {
     for (Contact& contact : contacts) {
         const Mat3 turn = surface_turn(world, contact);
@@ -88,9 +91,10 @@ void add_friction(Solver& solver, const FrictionParameters& friction)
     solver.append(StepStage::respond, "friction", [friction](World& world, Contacts& contacts, double dt) {
         compute_friction_impulses(world, contacts, friction, dt);
     });
-    solver.append(StepStage::finish, "move friction anchors", [friction](World& world, Contacts& contacts, double dt) {
-        move_friction_anchors(world, contacts, friction, dt);
-    });
+    solver.append(StepStage::finish, "move friction anchors",
+                  [friction](World& world, Contacts& contacts, double dt) {
+                      move_friction_anchors(world, contacts, friction, dt);
+                  });
 }
 //! [add_friction]
 

@@ -12,7 +12,9 @@ FrictionImpulse yamane_nakamura(const SlidingPair& pair, const YamaneNakamura& f
         return {held, 0};
 
     const double speed = pair.velocity.norm();
-    const double weight_over_speed = speed > 0 ? slip_weight(friction.weighting, speed) / speed : friction.weighting;  // (5.25)
+    // (5.25)
+    const double weight_over_speed = speed > 0 ? slip_weight(friction.weighting, speed) / speed
+                                               : friction.weighting;
     return {-friction.mu_d * pair.normal_impulse * weight_over_speed * pair.velocity, speed};  // (5.23)
 }
 //! [yamane_nakamura]
@@ -29,8 +31,8 @@ double stretch_after_slip(double slip, double impulse, const MassSplitting& fric
 }
 
 //! [better_impulse]
-FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass, double normal_impulse,
-                               const Anchor& anchor, const MassSplitting& friction)
+FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass,
+                               double normal_impulse, const Anchor& anchor, const MassSplitting& friction)
 {
     const double response = inverse_mass + anchor.yielding();
     const Vec2 wanted = impulse - (velocity - anchor.held_velocity(impulse)) / response;

@@ -36,12 +36,14 @@ Vec2 slip_velocity(const World& world, const FrictionPair& pair)
     Vec3 velocity = Vec3::Zero();
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const auto v = static_cast<std::size_t>(i);
-        velocity += contact.weights[v] * body_of_vertex(world, contact, i).tried_velocity(contact.vertices[v]);
+        velocity += contact.weights[v] *
+                    body_of_vertex(world, contact, i).tried_velocity(contact.vertices[v]);
     }
     return pair.plane.of(velocity);
 }
 
-std::vector<FrictionPair> friction_pairs(const World& world, Contacts& contacts, const MassSplitting& friction, double dt)
+std::vector<FrictionPair> friction_pairs(const World& world, Contacts& contacts,
+                                         const MassSplitting& friction, double dt)
 {
     MassShares shares(world, contacts);
     std::vector<FrictionPair> pairs;
@@ -97,8 +99,9 @@ double improve(const World& world, std::vector<FrictionPair>& pairs, const MassS
 {
     double change = 0, most = 0;
     for (FrictionPair& pair : pairs) {
-        const FrictionImpulse better = better_impulse(pair.impulse, slip_velocity(world, pair), pair.inverse_mass, pair.normal_impulse,
-                                                      pair.anchor, friction);
+        const FrictionImpulse better = better_impulse(pair.impulse, slip_velocity(world, pair),
+                                                      pair.inverse_mass, pair.normal_impulse, pair.anchor,
+                                                      friction);
         pair.change = toward(better, friction.mu_s, pair) - pair.impulse;
         pair.contact->slip = better.slip;
         change += pair.change.squaredNorm();
@@ -111,7 +114,8 @@ double improve(const World& world, std::vector<FrictionPair>& pairs, const MassS
     return change > 0 ? std::sqrt(change / most) : 0;
 }
 
-/// Until little changes, or until it does not get less: among hundreds of pairs there is always one that is just letting go.
+/// Until little changes, or until it does not get less: among hundreds of
+/// pairs there is always one that is just letting go.
 bool worth_another(const std::vector<double>& changes)
 {
     const std::size_t rounds = changes.size();
@@ -132,7 +136,8 @@ void mass_splitting_friction(const World& world, Contacts& contacts, const MassS
         changes.push_back(improve(world, pairs, friction));
     while (worth_another(changes));
     for (const FrictionPair& pair : pairs)
-        pair.contact->friction = pair.plane.in_space(cut_to(friction.mu_s * pair.normal_impulse, pair.impulse));
+        pair.contact->friction =
+            pair.plane.in_space(cut_to(friction.mu_s * pair.normal_impulse, pair.impulse));
 }
 //! [mass_splitting_friction]
 

@@ -7,8 +7,10 @@
 
 namespace enduring {
 
-/// Mass-splitting friction for all pairs that push now: their springs first, then at most 30 rounds of better_impulse(), in each
-/// of which every pair sees what all of them did before. Writes friction and slip; nothing is applied.
-void mass_splitting_friction(const World& world, Contacts& contacts, const MassSplitting& friction, double dt);
+/// Mass-splitting friction for all pairs that push now: their springs first, then at most
+/// 30 rounds of better_impulse(), in each of which every pair sees what all of them did
+/// before. Writes friction and slip; nothing is applied.
+void mass_splitting_friction(const World& world, Contacts& contacts, const MassSplitting& friction,
+                             double dt);
 
 }  // namespace enduring

@@ -28,7 +28,8 @@ bool moved_before(const World& world, const Contact& contact, int i, int part)
 {
     for (int j = 0; j < i; ++j) {
         const std::span<const int> others = parts(world, contact, j);
-        if (body_index(contact, j) == body_index(contact, i) && std::find(others.begin(), others.end(), part) != others.end())
+        if (body_index(contact, j) == body_index(contact, i) &&
+            std::find(others.begin(), others.end(), part) != others.end())
             return true;
     }
     return false;
@@ -37,7 +38,8 @@ bool moved_before(const World& world, const Contact& contact, int i, int part)
 /// Sums the weights of all pairs at each vertex of a body.
 class PushList {
 public:
-    explicit PushList(const Body& body) : place_(static_cast<std::size_t>(body.surface().vertex_count()), -1) {}
+    explicit PushList(const Body& body) : place_(static_cast<std::size_t>(body.surface().vertex_count()), -1)
+    {}
     void add(int vertex, double weight, std::vector<Push>& pushes)
     {
         int& place = place_[vertex];
@@ -60,8 +62,10 @@ MassShares::MassShares(const World& world, const Contacts& contacts)
     std::vector<PushList> lists;
     for (const std::unique_ptr<Body>& body : world.bodies) {
         lists.emplace_back(*body);
-        bodies_.push_back({std::vector<int>(static_cast<std::size_t>(body->part_count()), 0), {},
-                           std::vector<double>(static_cast<std::size_t>(body->surface().vertex_count()), -1)});
+        bodies_.push_back(
+            {std::vector<int>(static_cast<std::size_t>(body->part_count()), 0),
+             {},
+             std::vector<double>(static_cast<std::size_t>(body->surface().vertex_count()), -1)});
     }
     for (const Contact& contact : contacts) {
         if (!pushes_now(contact))
@@ -69,7 +73,8 @@ MassShares::MassShares(const World& world, const Contacts& contacts)
         for (int i = 0; i < contact.vertex_count(); ++i) {
             const auto v = static_cast<std::size_t>(i);
             OfBody& of_body = bodies_[body_index(contact, i)];
-            lists[body_index(contact, i)].add(contact.vertices[v], std::abs(contact.weights[v]), of_body.pushes);
+            lists[body_index(contact, i)].add(contact.vertices[v], std::abs(contact.weights[v]),
+                                              of_body.pushes);
             for (const int part : parts(world, contact, i))
                 if (!moved_before(world, contact, i, part))
                     ++of_body.pairs_of_part[part];

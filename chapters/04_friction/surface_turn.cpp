@@ -39,7 +39,8 @@ Mat3 surface_turn(const World& world, const Contact& contact)
         return Mat3::Identity();
     const auto [t0, t1, plane_normal] = pair_step(world, contact);
     const double start = contact.start;
-    const auto from = surface_axes((1 - start) * t0.side_1 + start * t1.side_1, (1 - start) * t0.side_2 + start * t1.side_2);
+    const auto from = surface_axes((1 - start) * t0.side_1 + start * t1.side_1,
+                                   (1 - start) * t0.side_2 + start * t1.side_2);
     const auto to = surface_axes(t1.side_1, t1.side_2);
     return from && to ? Mat3(*to * from->transpose()) : Mat3::Identity();
 }

@@ -9,7 +9,8 @@ namespace enduring {
 using Vec2 = Eigen::Vector2d;
 using Mat2 = Eigen::Matrix2d;
 
-/// Two unit vectors at right angles to a normal and to each other: coordinates for everything that happens along a surface.
+/// Two unit vectors at right angles to a normal and to each other:
+/// coordinates for everything that happens along a surface.
 class TangentPlane {
 public:
     /// @param normal  unit length

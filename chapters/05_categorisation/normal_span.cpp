@@ -13,7 +13,8 @@ std::vector<Vec3> normal_span(const SurfaceMoment& surface, std::span<const int>
 }
 
 //! [span_reaches]
-bool span_reaches(const SurfaceMoment& surface, std::span<const int> faces, const Vec3& direction, double cosine)
+bool span_reaches(const SurfaceMoment& surface, std::span<const int> faces, const Vec3& direction,
+                  double cosine)
 {
     const double enough = cosine * direction.norm();
     bool empty = true;

@@ -30,8 +30,9 @@ inline SurfaceMoment surface_at(const Body& body, double tau) { return {surface_
 inline constexpr double cancelled = 1e-9;
 
 //! [any_in_span]
-/// Whether `test` holds for a unit normal of the span of a vertex or an edge: for one of its faces, or for their average
-/// (thesis 6.2.2). Asks them in turn, the average last, and stops at the first yes. Faces without area are passed over.
+/// Whether `test` holds for a unit normal of the span of a vertex or an edge: for one of its
+/// faces, or for their average (thesis 6.2.2). Asks them in turn, the average last, and
+/// stops at the first yes. Faces without area are passed over.
 ///
 /// @param faces  topology.faces_around_vertex(v) or topology.faces_at_edge(e); -1 stands for no face
 /// @param test   bool(const Vec3& unit_normal)
@@ -56,13 +57,15 @@ bool any_in_span(const SurfaceMoment& surface, std::span<const int> faces, Test&
 }
 //! [any_in_span]
 
-/// The unit normals of a span, the average last where there is one. For pictures and checks; the rule itself needs no list.
+/// The unit normals of a span, the average last where there is one. For
+/// pictures and checks; the rule itself needs no list.
 std::vector<Vec3> normal_span(const SurfaceMoment& surface, std::span<const int> faces);
 
-/// Whether some normal of the span lies within an angle of a direction. True for an empty span: a feature without a surface
-/// of its own, a lone particle, can be pushed anywhere.
+/// Whether some normal of the span lies within an angle of a direction. True for an empty span: a feature
+/// without a surface of its own, a lone particle, can be pushed anywhere.
 /// @param direction  any length but zero
 /// @param cosine     of the angle
-bool span_reaches(const SurfaceMoment& surface, std::span<const int> faces, const Vec3& direction, double cosine);
+bool span_reaches(const SurfaceMoment& surface, std::span<const int> faces, const Vec3& direction,
+                  double cosine);
 
 }  // namespace enduring

@@ -10,12 +10,10 @@ Solver chapter05_solver(const ContactParameters& parameters)
 {
     Solver solver = chapter04_solver(parameters);
     solver.name = "chapter 5";
-    solver.append(StepStage::refresh, "categorise", [](World& world, Contacts& contacts, double) {
-        label_contacts(world, contacts);
-    });
-    solver.append(StepStage::detect, "categorise new", [](World& world, Contacts& contacts, double) {
-        label_new_contacts(world, contacts);
-    });
+    solver.append(StepStage::refresh, "categorise",
+                  [](World& world, Contacts& contacts, double) { label_contacts(world, contacts); });
+    solver.append(StepStage::detect, "categorise new",
+                  [](World& world, Contacts& contacts, double) { label_new_contacts(world, contacts); });
     return solver;
 }
 //! [solver]

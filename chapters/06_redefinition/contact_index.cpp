@@ -14,15 +14,17 @@ void VertexContacts::fill(std::span<const Contact> contacts)
     }
     // Of several, which only a list made by hand has, the first counts.
     std::sort(entries_.begin(), entries_.end(), [](const Entry& x, const Entry& y) {
-        return std::tie(x.body_a, x.vertex, x.body_b, x.index) < std::tie(y.body_a, y.vertex, y.body_b, y.index);
+        return std::tie(x.body_a, x.vertex, x.body_b, x.index) <
+               std::tie(y.body_a, y.vertex, y.body_b, y.index);
     });
 }
 
 int VertexContacts::find(int body_a, int vertex, int body_b) const
 {
     const auto key = std::tie(body_a, vertex, body_b);
-    const auto found = std::lower_bound(entries_.begin(), entries_.end(), key,
-                                        [](const Entry& entry, const auto& wanted) { return entry.key() < wanted; });
+    const auto found = std::lower_bound(
+        entries_.begin(), entries_.end(), key,
+        [](const Entry& entry, const auto& wanted) { return entry.key() < wanted; });
     return found != entries_.end() && found->key() == key ? found->index : -1;
 }
 

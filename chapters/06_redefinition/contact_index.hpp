@@ -7,8 +7,8 @@
 
 namespace enduring {
 
-/// Finds the vertex-face contact of a vertex with a body: there is at most one that is not resolved. Looks things up in
-/// logarithmic time, among the contacts there were when it was filled.
+/// Finds the vertex-face contact of a vertex with a body: there is at most one that is not resolved. Looks
+/// things up in logarithmic time, among the contacts there were when it was filled.
 class VertexContacts {
 public:
     /// Keeps its memory from one filling to the next.

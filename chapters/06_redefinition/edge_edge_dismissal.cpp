@@ -15,7 +15,8 @@ void dismiss_or_hold(const World& world, Contact& contact)
         return contact.hold(true);
 
     put_at(contact, *feet);
-    const bool hooked = is_hooked_edge_pair(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b, feet->normal);
+    const bool hooked = is_hooked_edge_pair(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b,
+                                            feet->normal);
     contact.category = hooked ? ContactCategory::hooked : ContactCategory::regular;
     contact.hold(hooked || !feet->overlap(0));
     contact.resolved = feet->depth > 0 || !feet->overlap(edge_tolerance);

@@ -9,20 +9,23 @@ namespace {
 bool is_known(const Contact& pair, const Contacts& contacts)
 {
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
-        return c.kind == ContactKind::edge_edge && !c.resolved && c.body_a == pair.body_a && c.body_b == pair.body_b &&
-               c.feature_a == pair.feature_a && c.feature_b == pair.feature_b;
+        return c.kind == ContactKind::edge_edge && !c.resolved && c.body_a == pair.body_a &&
+               c.body_b == pair.body_b && c.feature_a == pair.feature_a && c.feature_b == pair.feature_b;
     });
 }
 
-bool has_vertex(const Face& face, int vertex) { return std::find(face.begin(), face.end(), vertex) != face.end(); }
+bool has_vertex(const Face& face, int vertex)
+{
+    return std::find(face.begin(), face.end(), vertex) != face.end();
+}
 
-/// L_B: edges at the vertices that both faces have; at all those of the new face if they have none in common, as after a
-/// step that crossed a whole face. An edge between two such vertices comes twice: the second time it is known.
+/// L_B: edges at the vertices that both faces have; at all those of the new face if they
+/// have none in common, as after a step that crossed a whole face. An edge between two
+/// such vertices comes twice: the second time it is known.
 template <class Visit>
 void visit_edges_between(const SurfaceTopology& surface, int old_face, int new_face, Visit&& visit)
 {
-    const Face &old_corners = surface.faces()[old_face],
-               &new_corners = surface.faces()[new_face];
+    const Face &old_corners = surface.faces()[old_face], &new_corners = surface.faces()[new_face];
     const auto is_mutual = [&](int vertex) { return has_vertex(old_corners, vertex); };
     const bool apart = std::none_of(new_corners.begin(), new_corners.end(), is_mutual);
     for (const int vertex : new_corners)
@@ -32,19 +35,25 @@ void visit_edges_between(const SurfaceTopology& surface, int old_face, int new_f
 }
 
 //! [append_edge_pair]
-/// Whether a pair pushes as the vertex's pair does, give or take 45 degrees. Without it, the upright edge of a box that lies
-/// far inside the rim of the one below would count as regular, and push it out sideways (the ambiguity of figure 6.9).
-bool pushes_along(const Vec3& normal, const Vec3& reference) { return normal.dot(reference) > hook_cosine * reference.norm(); }
+/// Whether a pair pushes as the vertex's pair does, give or take 45 degrees. Without it, the
+/// upright edge of a box that lies far inside the rim of the one below would count as regular,
+/// and push it out sideways (the ambiguity of figure 6.9).
+bool pushes_along(const Vec3& normal, const Vec3& reference)
+{
+    return normal.dot(reference) > hook_cosine * reference.norm();
+}
 
 /// @param reference  points from body_b to body_a
-void append_if_touching(const World& world, Contact pair, const Vec3& reference, double tau, Contacts& contacts)
+void append_if_touching(const World& world, Contact pair, const Vec3& reference, double tau,
+                        Contacts& contacts)
 {
     const PairSurfaces surfaces(world, pair, tau);
     const PairVertices x = edge_vertices(surfaces, pair.feature_a, pair.feature_b);
     pair.orientation = (x[1] - x[0]).cross(x[3] - x[2]).dot(reference) < 0 ? -1 : 1;
     const std::optional<EdgeFeet> feet = feet_of_edges(x, pair.orientation, smallest_edge_sine);
-    if (!feet || feet->depth >= 0 || !feet->overlap(edge_tolerance) || !pushes_along(feet->normal, reference) ||
-        is_known(pair, contacts) || is_hooked_edge_pair(surfaces.a, pair.feature_a, surfaces.b, pair.feature_b, feet->normal))
+    if (!feet || feet->depth >= 0 || !feet->overlap(edge_tolerance) ||
+        !pushes_along(feet->normal, reference) || is_known(pair, contacts) ||
+        is_hooked_edge_pair(surfaces.a, pair.feature_a, surfaces.b, pair.feature_b, feet->normal))
         return;
     const auto [a0, a1] = surfaces.a.step.edge(pair.feature_a);
     const auto [b0, b1] = surfaces.b.step.edge(pair.feature_b);
@@ -77,7 +86,8 @@ void append_edge_pairs(const World& world, const Redefinitions& redefinitions, d
         const Vec3 reference = of.body_a < of.body_b ? of.reference_normal : Vec3(-of.reference_normal);
         visit_edges_between(surface_b, of.old_face, of.new_face, [&](int edge_between) {
             for (const int edge_at_vertex : surface_a.edges_around_vertex(of.vertex))
-                append_if_touching(world, edge_pair(of, edge_at_vertex, edge_between), reference, tau, contacts);
+                append_if_touching(world, edge_pair(of, edge_at_vertex, edge_between), reference, tau,
+                                   contacts);
         });
     }
 }

@@ -12,7 +12,9 @@ double distance_from_face(const PairSurfaces& surfaces, int vertex, int face)
     const VertexFaceStep step = vertex_face_step(surfaces.a.step, vertex, surfaces.b.step, face);
     const auto [w0, w1, w2] = impact_weights(step, surfaces.a.tau);
     const auto [f0, f1, f2] = surfaces.b.step.face(face);
-    return (w0 * surfaces.b.position(f0) + w1 * surfaces.b.position(f1) + w2 * surfaces.b.position(f2) - surfaces.a.position(vertex)).norm();
+    return (w0 * surfaces.b.position(f0) + w1 * surfaces.b.position(f1) + w2 * surfaces.b.position(f2) -
+            surfaces.a.position(vertex))
+        .norm();
 }
 
 }  // namespace
@@ -20,7 +22,8 @@ double distance_from_face(const PairSurfaces& surfaces, int vertex, int face)
 FaceLimits limits_of_shifted(const World& world, const Contact& contact, double tau, double overshoot)
 {
     const PairSurfaces surfaces(world, contact, tau);
-    return {.tolerance = overshoot, .deepest = distance_from_face(surfaces, contact.feature_a, contact.feature_b)};
+    return {.tolerance = overshoot,
+            .deepest = distance_from_face(surfaces, contact.feature_a, contact.feature_b)};
 }
 
 FaceLimits limits_of_hooked(const World& world, const Contact& contact, double tau)
@@ -30,7 +33,8 @@ FaceLimits limits_of_hooked(const World& world, const Contact& contact, double t
     visit_candidates(surfaces, contact, all_corners, [&](int face) {
         const Vec3 normal = surfaces.b.face_normal(face);
         if (normal.squaredNorm() > 0 && !is_hooked_vertex(surfaces.a, contact.feature_a, normal))
-            limits.deepest = std::min(limits.deepest, (1 + 1e-9) * distance_from_face(surfaces, contact.feature_a, face));
+            limits.deepest = std::min(limits.deepest,
+                                      (1 + 1e-9) * distance_from_face(surfaces, contact.feature_a, face));
     });
     return limits;
 }
@@ -47,7 +51,8 @@ FaceTrial try_face(const PairSurfaces& surfaces, int vertex, int face, const Fac
     if (beyond > 0 && beyond >= limits.tolerance)
         return {face, *foot, beyond, FaceVerdict::beside};
     const Vec3 normal = surfaces.b.face_normal(face);
-    if (-foot->depth > limits.deepest || normal.dot(limits.came_through) < -hook_cosine * normal.norm() * limits.came_through.norm())
+    if (-foot->depth > limits.deepest ||
+        normal.dot(limits.came_through) < -hook_cosine * normal.norm() * limits.came_through.norm())
         return {face, *foot, beyond, FaceVerdict::deep};
     const bool hooked = is_hooked_vertex(surfaces.a, vertex, normal);
     return {face, *foot, beyond, hooked ? FaceVerdict::hooked : FaceVerdict::fit};
@@ -59,7 +64,8 @@ bool is_better(const FaceTrial& one, const FaceTrial& other)
     return beside != other_beside ? other_beside : one.foot.depth > other.foot.depth;
 }
 
-std::optional<FaceTrial> find_face(const World& world, const Contact& contact, double tau, const Corners& around, const FaceLimits& limits)
+std::optional<FaceTrial> find_face(const World& world, const Contact& contact, double tau,
+                                   const Corners& around, const FaceLimits& limits)
 {
     const PairSurfaces surfaces(world, contact, tau);
     std::optional<FaceTrial> best;

@@ -17,26 +17,25 @@ struct PairSurfaces {
     SurfaceMoment a, b;
 
     PairSurfaces(const World& world, int body_a, int body_b, double tau)
-        : a(surface_at(*world.bodies[body_a], tau)),
-          b(surface_at(*world.bodies[body_b], tau))
-    {
-    }
+        : a(surface_at(*world.bodies[body_a], tau)), b(surface_at(*world.bodies[body_b], tau))
+    {}
     PairSurfaces(const World& world, const Contact& contact, double tau)
         : PairSurfaces(world, contact.body_a, contact.body_b, tau)
-    {
-    }
+    {}
 };
 
 //! [face_foot]
 /// None for a face without area.
-inline std::optional<TriangleFoot> foot_on_face(const SurfaceMoment& a, int vertex, const SurfaceMoment& b, int face)
+inline std::optional<TriangleFoot> foot_on_face(const SurfaceMoment& a, int vertex, const SurfaceMoment& b,
+                                                int face)
 {
     const auto [f0, f1, f2] = b.step.face(face);
     return foot_on_triangle(a.position(vertex), b.position(f0), b.position(f1), b.position(f2));
 }
 
-/// How far the weights leave [0, 1], thesis (6.4): 0 for a foot on the face. Their sum is 1, so the one that exceeds 1 does it
-/// by no more than the others fall short of 0 together; the thesis' definition takes the largest of all.
+/// How far the weights leave [0, 1], thesis (6.4): 0 for a foot on the face. Their sum is
+/// 1, so the one that exceeds 1 does it by no more than the others fall short of 0
+/// together; the thesis' definition takes the largest of all.
 inline double overshoot(const std::array<double, 3>& weights)
 {
     double worst = 0;
@@ -63,15 +62,17 @@ struct EdgeFeet {
 
 /// None for edges closer to parallel than `smallest_sine`: their lines cross everywhere or nowhere.
 /// @param x  a0 a1 b0 b1
-inline std::optional<EdgeFeet> feet_of_edges(const PairVertices& x, double orientation, double smallest_sine = 0)
+inline std::optional<EdgeFeet> feet_of_edges(const PairVertices& x, double orientation,
+                                             double smallest_sine = 0)
 {
-    const Vec3 along_a = x[1] - x[0], along_b = x[3] - x[2], across = along_a.cross(along_b), apart = x[2] - x[0];
+    const Vec3 along_a = x[1] - x[0], along_b = x[3] - x[2], across = along_a.cross(along_b),
+               apart = x[2] - x[0];
     const double squared_length = across.squaredNorm();
     if (!(squared_length > smallest_sine * smallest_sine * along_a.squaredNorm() * along_b.squaredNorm()))
         return std::nullopt;
     const Vec3 normal = orientation / std::sqrt(squared_length) * across;
-    return EdgeFeet{apart.cross(along_b).dot(across) / squared_length, apart.cross(along_a).dot(across) / squared_length, normal,
-                    -normal.dot(apart)};
+    return EdgeFeet{apart.cross(along_b).dot(across) / squared_length,
+                    apart.cross(along_a).dot(across) / squared_length, normal, -normal.dot(apart)};
 }
 //! [edge_feet]
 
@@ -80,11 +81,13 @@ inline PairVertices edge_vertices(const PairSurfaces& surfaces, int edge_a, int 
 {
     const auto [a0, a1] = surfaces.a.step.edge(edge_a);
     const auto [b0, b1] = surfaces.b.step.edge(edge_b);
-    return {surfaces.a.position(a0), surfaces.a.position(a1), surfaces.b.position(b0), surfaces.b.position(b1)};
+    return {surfaces.a.position(a0), surfaces.a.position(a1), surfaces.b.position(b0),
+            surfaces.b.position(b1)};
 }
 
 /// Lets a vertex-face contact act at a foot.
-inline void put_on_face(Contact& contact, const SurfaceTopology& surface_b, int face, const std::array<double, 3>& weights)
+inline void put_on_face(Contact& contact, const SurfaceTopology& surface_b, int face,
+                        const std::array<double, 3>& weights)
 {
     const Face& corners = surface_b.faces()[face];
     contact.feature_b = face;

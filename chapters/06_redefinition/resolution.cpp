@@ -23,24 +23,29 @@ bool are_at_once(double time, double later) { return later - time <= 2 * time_of
 
 //! [passages]
 /// All passages of the step, those of a contact together and in their order.
-std::vector<Passage> find_passages(const World& world, const CandidateSearch& search, const Contacts& contacts)
+std::vector<Passage> find_passages(const World& world, const CandidateSearch& search,
+                                   const Contacts& contacts)
 {
     VertexContacts in_contact;
     in_contact.fill(contacts);
     std::vector<Passage> passages;
-    search.visit_candidates([&](int body_a, int vertex, int body_b, int face) {
-        const int contact = in_contact.find(body_a, vertex, body_b);
-        if (contact < 0)
-            return;
-        const VertexFaceStep step = vertex_face_step(surface_step(body(world, body_a)), vertex, surface_step(body(world, body_b)), face);
-        find_entry(step, [&](const Crossing& crossing) {
-            if (crossing.orientation != 0)
-                passages.push_back({contact, face, crossing});
-            return false;  // none is the one looked for: go through all
-        });
-    }, [](int, int, int, int) {});
+    search.visit_candidates(
+        [&](int body_a, int vertex, int body_b, int face) {
+            const int contact = in_contact.find(body_a, vertex, body_b);
+            if (contact < 0)
+                return;
+            const VertexFaceStep step = vertex_face_step(surface_step(body(world, body_a)), vertex,
+                                                         surface_step(body(world, body_b)), face);
+            find_entry(step, [&](const Crossing& crossing) {
+                if (crossing.orientation != 0)
+                    passages.push_back({contact, face, crossing});
+                return false;  // none is the one looked for: go through all
+            });
+        },
+        [](int, int, int, int) {});
     std::sort(passages.begin(), passages.end(), [](const Passage& one, const Passage& other) {
-        return std::tie(one.contact, one.crossing.time, one.face) < std::tie(other.contact, other.crossing.time, other.face);
+        return std::tie(one.contact, one.crossing.time, one.face) <
+               std::tie(other.contact, other.crossing.time, other.face);
     });
     return passages;
 }
@@ -60,8 +65,8 @@ PassageResult follow_passages(std::span<const Passage> passages, bool inside)
     PassageResult now{inside};
     bool has_left = false;
     for (std::size_t i = 0; i < passages.size();) {
-        // Through an edge, a vertex passes both its faces at once. If they disagree it grazes a ridge: then it counts as
-        // inside, for a pair too many is resolved later, and one too few is never found again.
+        // Through an edge, a vertex passes both its faces at once. If they disagree it grazes a ridge: then
+        // it counts as inside, for a pair too many is resolved later, and one too few is never found again.
         const double time = passages[i].crossing.time;
         const Passage* entry = nullptr;
         const Passage* exit = nullptr;
@@ -90,7 +95,8 @@ Contact pair_at(const World& world, const Contact& before, const Passage& entry)
 }  // namespace
 
 //! [resolve_vertices]
-void resolve_vertices_that_left(const World& world, const CandidateSearch& search, Contacts& contacts, Redefinitions& redefinitions)
+void resolve_vertices_that_left(const World& world, const CandidateSearch& search, Contacts& contacts,
+                                Redefinitions& redefinitions)
 {
     const std::vector<Passage> passages = find_passages(world, search, contacts);
     auto next = passages.begin();
@@ -102,7 +108,8 @@ void resolve_vertices_that_left(const World& world, const CandidateSearch& searc
         if (contacts[i].kind != ContactKind::vertex_face || contacts[i].resolved)
             continue;
         const bool endures = contacts[i].endures();
-        const std::span<const Passage> of_this_pair(passages.data() + (first - passages.begin()), static_cast<std::size_t>(next - first));
+        const std::span<const Passage> of_this_pair(passages.data() + (first - passages.begin()),
+                                                    static_cast<std::size_t>(next - first));
         const PassageResult end = follow_passages(of_this_pair, endures);
         contacts[i].resolved = !end.inside || end.came_back;
         if (end.came_back)
@@ -120,7 +127,8 @@ namespace {
 
 //! [edge_is_outside]
 /// Whether an edge lies outside a body at the end of the step.
-bool is_outside(const World& world, const CandidateSearch& search, const VertexContacts& in_contact, int edge_body, int edge, int other)
+bool is_outside(const World& world, const CandidateSearch& search, const VertexContacts& in_contact,
+                int edge_body, int edge, int other)
 {
     const SurfaceStep mine = surface_step(body(world, edge_body)), theirs = surface_step(body(world, other));
     const auto [e0, e1] = mine.edge(edge);
@@ -150,7 +158,9 @@ void resolve_edges_that_left(const World& world, const CandidateSearch& search, 
 
 void drop_resolved(Contacts& contacts)
 {
-    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.resolved; }), contacts.end());
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
+                                  [](const Contact& contact) { return contact.resolved; }),
+                   contacts.end());
 }
 
 }  // namespace enduring

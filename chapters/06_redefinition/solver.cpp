@@ -37,9 +37,8 @@ void follow_enduring_pairs(Solver& solver, const std::shared_ptr<HandedOn>& step
         step->redefinitions.clear();
         redefine_enduring_vertices(world, contacts, step->redefinitions);
     });
-    solver.append(StepStage::refresh, "dismiss edges", [](World& world, Contacts& contacts, double) {
-        dismiss_enduring_edges(world, contacts);
-    });
+    solver.append(StepStage::refresh, "dismiss edges",
+                  [](World& world, Contacts& contacts, double) { dismiss_enduring_edges(world, contacts); });
     solver.append(StepStage::refresh, "edge pairs of redefinitions", edge_pairs_at(0, step));
     solver.append(StepStage::refresh, "drop dismissed pairs", drop);
 }
@@ -48,9 +47,8 @@ void follow_enduring_pairs(Solver& solver, const std::shared_ptr<HandedOn>& step
 //! [detect_new]
 void detect_new_pairs(Solver& solver, const std::shared_ptr<HandedOn>& step)
 {
-    solver.replace("broad phase", "broad phase", [step](World& world, Contacts&, double) {
-        step->detection.find_candidates(world);
-    });
+    solver.replace("broad phase", "broad phase",
+                   [step](World& world, Contacts&, double) { step->detection.find_candidates(world); });
     solver.replace("queries", "queries", [step](World& world, Contacts& contacts, double) {
         step->first_new = contacts.size();
         step->detection.append_entries(world, contacts);

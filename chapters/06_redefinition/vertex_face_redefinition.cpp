@@ -7,13 +7,15 @@
 namespace enduring {
 namespace {
 
-void hand_on(const World& world, Contact& contact, double tau, const FaceTrial& choice, Redefinitions& redefinitions)
+void hand_on(const World& world, Contact& contact, double tau, const FaceTrial& choice,
+             Redefinitions& redefinitions)
 {
     const SurfaceMoment b = surface_at(*world.bodies[contact.body_b], tau);
-    redefinitions.push_back({contact.body_a, contact.feature_a, contact.body_b, contact.feature_b, choice.face,
-                             b.face_normal(choice.face), contact.start});
+    redefinitions.push_back({contact.body_a, contact.feature_a, contact.body_b, contact.feature_b,
+                             choice.face, b.face_normal(choice.face), contact.start});
     // Over the edge between two faces the friction anchor's stretch goes on as it would on a flat surface.
-    contact.stretch = shortest_turn(b.face_normal(contact.feature_b), b.face_normal(choice.face)) * contact.stretch;
+    contact.stretch = shortest_turn(b.face_normal(contact.feature_b), b.face_normal(choice.face)) *
+                      contact.stretch;
     put_on_face(contact, b.step.topology, choice.face, choice.foot.weights);
     contact.category = ContactCategory::regular;
     contact.hold(false);
@@ -23,7 +25,8 @@ void hand_on(const World& world, Contact& contact, double tau, const FaceTrial& 
 bool past_border(const SurfaceTopology& surface, int face, const std::array<double, 3>& weights)
 {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-        const int opposite = surface.edges_of_face(face)[(corner + 1) % 3];  // edge i runs from corner i to i + 1
+        // edge i runs from corner i to i + 1
+        const int opposite = surface.edges_of_face(face)[(corner + 1) % 3];
         if (weights[corner] < 0 && surface.faces_at_edge(opposite)[1] < 0)
             return true;
     }
@@ -34,16 +37,19 @@ bool past_border(const SurfaceTopology& surface, int face, const std::array<doub
 void redefine(const World& world, Contact& contact, Redefinitions& redefinitions)
 {
     const PairSurfaces surfaces(world, contact, 0);
-    const std::optional<TriangleFoot> foot = foot_on_face(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b);
+    const std::optional<TriangleFoot> foot = foot_on_face(surfaces.a, contact.feature_a, surfaces.b,
+                                                          contact.feature_b);
     if (!foot)  // no area, no direction: wait until it has one
         return contact.hold(true);
 
     const auto& w = foot->weights;
     const double beyond = overshoot(w);
-    const bool hooked = is_hooked_vertex(surfaces.a, contact.feature_a, surfaces.b.face_normal(contact.feature_b));
+    const bool hooked = is_hooked_vertex(surfaces.a, contact.feature_a,
+                                         surfaces.b.face_normal(contact.feature_b));
     if (hooked || beyond > 0 || foot->depth > 0) {
         const Corners around = hooked ? all_corners : corners_towards(*foot);
-        const FaceLimits limits = hooked ? limits_of_hooked(world, contact, 0) : limits_of_shifted(world, contact, 0, beyond);
+        const FaceLimits limits = hooked ? limits_of_hooked(world, contact, 0)
+                                         : limits_of_shifted(world, contact, 0, beyond);
         if (const std::optional<FaceTrial> choice = find_face(world, contact, 0, around, limits))
             return hand_on(world, contact, 0, *choice, redefinitions);
     }
@@ -67,7 +73,8 @@ void redefine_enduring_vertices(const World& world, Contacts& contacts, Redefini
 //! [redefine_hooked_entry]
 void redefine_hooked_entry(const World& world, Contact& contact, Redefinitions& redefinitions)
 {
-    if (const std::optional<FaceTrial> choice = find_face(world, contact, 1, all_corners, limits_of_hooked(world, contact, 1)))
+    if (const std::optional<FaceTrial> choice = find_face(world, contact, 1, all_corners,
+                                                          limits_of_hooked(world, contact, 1)))
         hand_on(world, contact, 1, *choice, redefinitions);
     else
         contact.hold(true);

@@ -14,7 +14,8 @@ VectorXd times_mass(const ContactProblem& problem, const VectorXd& x)
 {
     VectorXd product(x.size());
     for (const BodyBlock& block : problem.blocks)
-        product.segment(block.first, block.mass.rows()).noalias() = block.mass * x.segment(block.first, block.mass.rows());
+        product.segment(block.first, block.mass.rows()).noalias() = block.mass *
+                                                                    x.segment(block.first, block.mass.rows());
     return product;
 }
 
@@ -23,7 +24,8 @@ double speed_of(const ContactProblem& problem, const VectorXd& momentum)
 {
     double squared = 0;
     for (const BodyBlock& block : problem.blocks)
-        squared += block.factor.matrixL().solve(momentum.segment(block.first, block.mass.rows())).squaredNorm();
+        squared +=
+            block.factor.matrixL().solve(momentum.segment(block.first, block.mass.rows())).squaredNorm();
     return std::sqrt(squared);
 }
 
@@ -44,7 +46,8 @@ Answers answers_to(const ContactProblem& problem, const VectorXd& change)
     return answers;
 }
 
-double residual_from(const ContactProblem& problem, const VectorXd& gradient, const VectorXd& total, double least_speed)
+double residual_from(const ContactProblem& problem, const VectorXd& gradient, const VectorXd& total,
+                     double least_speed)
 {
     return speed_of(problem, gradient) / std::max(least_speed, speed_of(problem, total));
 }
@@ -65,7 +68,8 @@ Eigen::SparseMatrix<double> hessian(const ContactProblem& problem, const VectorX
         const Mat3 stiffening = answer(row.law, row.velocity_after(change), problem.step).stiffening;
         for (int i = 0; i < row.part_count; ++i)
             for (int j = 0; j < row.part_count; ++j) {
-                const VertexMotion &one = row.parts[static_cast<std::size_t>(i)], &other = row.parts[static_cast<std::size_t>(j)];
+                const VertexMotion &one = row.parts[static_cast<std::size_t>(i)],
+                                   &other = row.parts[static_cast<std::size_t>(j)];
                 add(one.first, other.first, (one.rate.transpose() * stiffening * other.rate).eval());
             }
     }
@@ -76,7 +80,8 @@ Eigen::SparseMatrix<double> hessian(const ContactProblem& problem, const VectorX
 //! [hessian]
 
 //! [line_search]
-/// How far to go along a direction: to where the slope of the objective, which only rises, has nearly reached zero.
+/// How far to go along a direction: to where the slope of the objective,
+/// which only rises, has nearly reached zero.
 double step_length(const ContactProblem& problem, const VectorXd& change, const VectorXd& direction)
 {
     const VectorXd mass_direction = times_mass(problem, direction);
@@ -100,7 +105,8 @@ double step_length(const ContactProblem& problem, const VectorXd& change, const 
     double slope_low = slope_at(low);
     for (int i = 0; i < 60; ++i) {
         // The secant's place, kept off the ends, where the slope bends sharply.
-        const double secant = low - slope_low * (high - low) / (slope_high - slope_low), margin = 0.1 * (high - low);
+        const double secant = low - slope_low * (high - low) / (slope_high - slope_low),
+                     margin = 0.1 * (high - low);
         const double middle = std::clamp(secant, low + margin, high - margin), slope = slope_at(middle);
         if (std::abs(slope) <= enough)
             return middle;

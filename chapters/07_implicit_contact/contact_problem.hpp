@@ -21,20 +21,26 @@ struct BodyBlock {
 /// A pair as the problem sees it.
 struct PairRow {
     PairLaw law;
-    std::array<VertexMotion, 4> parts;    ///< weight times the motion of each vertex of a body that moves, `first` counted among all
+    /// weight times the motion of each vertex of a body that moves, `first` counted among all
+    std::array<VertexMotion, 4> parts;
     int part_count = 0;
-    Vec3 velocity = Vec3::Zero();         ///< of p against q as predicted, all that acts already included [m/s]
-    Vec3 acting = Vec3::Zero();           ///< impulse on p that the prediction contains already [N s]
+    /// of p against q as predicted, all that acts already included [m/s]
+    Vec3 velocity = Vec3::Zero();
+    Vec3 acting = Vec3::Zero();  ///< impulse on p that the prediction contains already [N s]
 
     Vec3 velocity_after(const Eigen::VectorXd& change) const;  ///< if the coordinates change by this
     Vec3 rate_of(const Eigen::VectorXd& change) const;         ///< change of its velocity
-    void add_impulse(const Vec3& impulse, Eigen::VectorXd& sum) const;  ///< what an impulse on p does to the coordinates
-    Mat3 response(const std::vector<BodyBlock>& blocks, int size) const;  ///< change of its velocity per impulse on p [1/kg]
+    /// what an impulse on p does to the coordinates
+    void add_impulse(const Vec3& impulse, Eigen::VectorXd& sum) const;
+    /// change of its velocity per impulse on p [1/kg]
+    Mat3 response(const std::vector<BodyBlock>& blocks, int size) const;
 };
 
-/// One step of all bodies in touch as one convex problem: find the change x of their predicted velocities that makes
+/// One step of all bodies in touch as one convex problem: find the change
+/// x of their predicted velocities that makes
 ///   1/2 x^T A x  +  sum over pairs of (potential(velocity + J x) + acting . J x)
-/// least. Where it is least, A x is what the pairs answer to the motion that they make, less what acts already.
+/// least. Where it is least, A x is what the pairs answer to the
+/// motion that they make, less what acts already.
 struct ContactProblem {
     StepLaw step;
     std::vector<BodyBlock> blocks;
@@ -46,17 +52,20 @@ struct ContactProblem {
 struct ProblemSolution {
     Eigen::VectorXd change;  ///< x
     int newton_steps = 0;
-    double residual = 0;     ///< see residual_of()
+    double residual = 0;  ///< see residual_of()
     bool converged = false;
 };
 
-/// The part of the pairs' momentum that a change of the velocities does not account for: |A x - J^T (I - acting)| over
-/// |J^T I|, both measured by the speed that they would give (by A^-1), and `least_speed` as the least of the latter.
+/// The part of the pairs' momentum that a change of the velocities does
+/// not account for: |A x - J^T (I - acting)| over
+/// |J^T I|, both measured by the speed that they would give (by A^-1), and
+///   `least_speed` as the least of the latter.
 double residual_of(const ContactProblem& problem, const Eigen::VectorXd& change, double least_speed);
 
 /// Newton's method with the exact Hessian and a line search, from x = 0.
 /// @param tolerance    of the residual
 /// @param least_speed  sqrt(kg) m/s: what counts as a momentum at all
-ProblemSolution solve(const ContactProblem& problem, double tolerance, double least_speed, int most_steps = 100);
+ProblemSolution solve(const ContactProblem& problem, double tolerance, double least_speed,
+                      int most_steps = 100);
 
 }  // namespace enduring

@@ -12,12 +12,10 @@ Eigen::Matrix2d amplification(const ImplicitParticle& problem)
     Eigen::Matrix2d matrix;
     if (update == PositionUpdate::end_velocity) {
         const double divisor = 1 + a * h;
-        matrix << 1 - h / divisor,     dt / divisor,
-                  -h / (dt * divisor), 1 / divisor;
+        matrix << 1 - h / divisor, dt / divisor, -h / (dt * divisor), 1 / divisor;
     } else {
         const double divisor = 1 + a * h / 2;
-        matrix << 1 - h / (2 * divisor), dt / divisor,
-                  -h / (dt * divisor),   (1 - a * h / 2) / divisor;
+        matrix << 1 - h / (2 * divisor), dt / divisor, -h / (dt * divisor), (1 - a * h / 2) / divisor;
     }
     return matrix;
 }

@@ -13,7 +13,8 @@ namespace {
 
 bool takes_part(const Contact& contact) { return !contact.held() && !contact.resolved; }
 
-/// The vertices of each body that are in touch, each once and in their order, and where each body's coordinates begin.
+/// The vertices of each body that are in touch, each once and in their
+/// order, and where each body's coordinates begin.
 struct Touched {
     std::vector<std::vector<int>> vertices;  ///< by body
     std::vector<int> block;                  ///< of each body among the problem's, -1 without coordinates
@@ -56,7 +57,8 @@ std::optional<Vec3> normal_of(const PairStep& step, double tau)
 {
     if (step.plane_normal)
         return step.plane_normal;
-    const Vec3 area = lerp(step.t0.side_1, step.t1.side_1, tau).cross(lerp(step.t0.side_2, step.t1.side_2, tau));
+    const Vec3 area =
+        lerp(step.t0.side_1, step.t1.side_1, tau).cross(lerp(step.t0.side_2, step.t1.side_2, tau));
     const double length = area.norm();
     return length > 0 ? std::optional<Vec3>(area / length) : std::nullopt;
 }
@@ -65,22 +67,26 @@ std::optional<Vec3> normal_of(const PairStep& step, double tau)
 Vec3 apart(const World& world, const Contact& contact, double tau)
 {
     if (contact.kind == ContactKind::vertex_plane)
-        return contact_vertex(world, contact, 0, tau) - world.planes[static_cast<std::size_t>(contact.body_b)].point;
+        return contact_vertex(world, contact, 0, tau) -
+               world.planes[static_cast<std::size_t>(contact.body_b)].point;
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < contact.vertex_count(); ++i)
         sum += contact.weights[static_cast<std::size_t>(i)] * contact_vertex(world, contact, i, tau);
     return sum;
 }
 
-void add_parts(const World& world, const Contact& contact, const Touched& touched, const ContactProblem& problem, PairRow& row)
+void add_parts(const World& world, const Contact& contact, const Touched& touched,
+               const ContactProblem& problem, PairRow& row)
 {
     for (int i = 0; i < contact.vertex_count(); ++i) {
-        const auto body = static_cast<std::size_t>(i < contact.vertices_of_a() ? contact.body_a : contact.body_b);
+        const auto body = static_cast<std::size_t>(i < contact.vertices_of_a() ? contact.body_a
+                                                                               : contact.body_b);
         if (touched.block[body] < 0)
             continue;
         const std::vector<int>& vertices = touched.vertices[body];
         const int vertex = contact.vertices[static_cast<std::size_t>(i)];
-        const auto index = static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
+        const auto index = static_cast<std::size_t>(
+            std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
         VertexMotion part = world.bodies[body]->contact_motion(vertices, index, problem.step.centre);
         part.rate *= contact.weights[static_cast<std::size_t>(i)];
         part.first += problem.blocks[static_cast<std::size_t>(touched.block[body])].first;
@@ -96,8 +102,8 @@ double mass_of(const PairRow& row, const Vec3& normal, const ContactProblem& pro
 }
 
 /// All pairs as rows; `of_row` names the contact of each.
-ContactProblem set_up(const World& world, Contacts& contacts, const ImplicitSettings& settings, double dt, bool first_round,
-                      std::vector<Contact*>& of_row, Touched& touched)
+ContactProblem set_up(const World& world, Contacts& contacts, const ImplicitSettings& settings, double dt,
+                      bool first_round, std::vector<Contact*>& of_row, Touched& touched)
 {
     ContactProblem problem;
     problem.step = {settings.centre, dt};
@@ -127,8 +133,8 @@ ContactProblem set_up(const World& world, Contacts& contacts, const ImplicitSett
 }
 
 /// What the pairs answer to the change now acts on the bodies.
-void apply(World& world, const ContactProblem& problem, const Eigen::VectorXd& change, const std::vector<Contact*>& of_row,
-           const Touched& touched, double dt)
+void apply(World& world, const ContactProblem& problem, const Eigen::VectorXd& change,
+           const std::vector<Contact*>& of_row, const Touched& touched, double dt)
 {
     Eigen::VectorXd momentum = Eigen::VectorXd::Zero(problem.size);
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
@@ -142,7 +148,8 @@ void apply(World& world, const ContactProblem& problem, const Eigen::VectorXd& c
         if (touched.block[body] < 0)
             continue;
         const BodyBlock& block = problem.blocks[static_cast<std::size_t>(touched.block[body])];
-        world.bodies[body]->apply_contact_impulse(touched.vertices[body], momentum.segment(block.first, block.mass.rows()));
+        world.bodies[body]->apply_contact_impulse(touched.vertices[body],
+                                                  momentum.segment(block.first, block.mass.rows()));
         world.bodies[body]->update_prediction(dt);
     }
 }
@@ -166,7 +173,8 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
     std::vector<Contact*> of_row;
     Touched touched;
     for (;; ++record.rounds) {
-        const ContactProblem problem = set_up(world, contacts, settings, dt, record.rounds == 0, of_row, touched);
+        const ContactProblem problem = set_up(world, contacts, settings, dt, record.rounds == 0, of_row,
+                                              touched);
         record.pairs = static_cast<int>(problem.rows.size());
         record.residual = residual_of(problem, Eigen::VectorXd::Zero(problem.size), least);
         record.converged = record.residual <= settings.tolerance;
@@ -193,7 +201,9 @@ void remember_pairs(const World& world, Contacts& contacts, double dt)
         }
         const double pressing = contact.impulse.norm();
         contact.load = pressing / dt;
-        contact.stretch = contact.stiffness > 0 ? Vec3(surface_turn(world, contact) * (contact.friction / (-contact.stiffness * dt))) : Vec3(Vec3::Zero());
+        contact.stretch = contact.stiffness > 0 ? Vec3(surface_turn(world, contact) *
+                                                       (contact.friction / (-contact.stiffness * dt)))
+                                                : Vec3(Vec3::Zero());
     }
 }
 //! [remember_pairs]

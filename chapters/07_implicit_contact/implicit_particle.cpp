@@ -10,9 +10,11 @@ namespace {
 //! [find_way]
 /// The velocity w of the way that charges what makes it: inertia (w - free_way) = I(w).
 ///
-/// I falls with w and is convex, so the difference of both sides rises and is concave. Newton's method then climbs from the
-/// free way, where the ground has not pushed yet, towards the answer and never passes it: no guess, no damping, no failure.
-double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem, int& newton_steps)
+/// I falls with w and is convex, so the difference of both sides rises and is concave. Newton's method then
+/// climbs from the free way, where the ground has not pushed yet, towards the answer and never passes it: no
+/// guess, no damping, no failure.
+double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem,
+                int& newton_steps)
 {
     const double k = problem.stiffness, dt = problem.dt;
     for (double way = free_way;; ++newton_steps) {
@@ -54,7 +56,8 @@ double energy(const ParticleState& state, const ImplicitParticle& problem)
 {
     const auto& [height, velocity] = state;
     const double depth = std::min(0.0, height);
-    return 0.5 * problem.mass * velocity * velocity + problem.mass * problem.gravity * height + 0.5 * problem.stiffness * depth * depth;
+    return 0.5 * problem.mass * velocity * velocity + problem.mass * problem.gravity * height +
+           0.5 * problem.stiffness * depth * depth;
 }
 
 }  // namespace enduring

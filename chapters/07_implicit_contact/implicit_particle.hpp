@@ -4,17 +4,19 @@
 
 namespace enduring {
 
-/// With which velocity a step moves the particle: that of its end, as symplectic Euler does, or the mean of both ends.
+/// With which velocity a step moves the particle: that of its end, as
+/// symplectic Euler does, or the mean of both ends.
 enum class PositionUpdate { end_velocity, mean_velocity };
 
-/// Chapter 1's particle, pushed by the impulse of the way that it takes, not of the way that it would take without the ground.
+/// Chapter 1's particle, pushed by the impulse of the way that it takes, not of
+/// the way that it would take without the ground.
 struct ImplicitParticle {
     double mass = 1;         ///< [kg]
     double stiffness = 100;  ///< k [N/m]
     double gravity = 9.81;   ///< g, downwards [m/s^2]
     double centre = 0.5;     ///< a, centre of the weight over the step: 1/2 is CPF, 1 DPF
     PositionUpdate update = PositionUpdate::end_velocity;
-    double dt = 0.01;        ///< length of a step [s]
+    double dt = 0.01;  ///< length of a step [s]
 };
 
 /// One step: the one velocity whose way charges the impulse that makes it.

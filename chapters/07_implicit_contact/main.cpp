@@ -3,15 +3,22 @@
 int main(int argc, char** argv)
 {
     using namespace enduring;
-    return run_chapter(argc, argv, {
-        "07_implicit_contact",
-        "Chapter 7: implicit contact",
+    return run_chapter(
+        argc, argv,
         {
-            {"implicit_map", "spectral radius of the implicit step over the stiffness, for several weights", chapter07::implicit_map},
-            {"ring", "what is left of a departure from rest after each step: the fastest, and the one that rings", chapter07::ring},
-            {"free_bounce", "a bounce that costs nothing, over 100,000 steps", chapter07::free_bounce},
-            {"stack", "stacks of cubes, equal and 1000 : 1, with nothing to choose", chapter07::stack},
-            {"slope", "a cube on a slope: from which coefficient it holds, and how fast it slides", chapter07::slope},
-        },
-    });
+            "07_implicit_contact",
+            "Chapter 7: implicit contact",
+            {
+                {"implicit_map",
+                 "spectral radius of the implicit step over the stiffness, for several weights",
+                 chapter07::implicit_map},
+                {"ring",
+                 "what is left of a departure from rest after each step: the fastest, and the one that rings",
+                 chapter07::ring},
+                {"free_bounce", "a bounce that costs nothing, over 100,000 steps", chapter07::free_bounce},
+                {"stack", "stacks of cubes, equal and 1000 : 1, with nothing to choose", chapter07::stack},
+                {"slope", "a cube on a slope: from which coefficient it holds, and how fast it slides",
+                 chapter07::slope},
+            },
+        });
 }

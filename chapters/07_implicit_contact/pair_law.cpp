@@ -9,7 +9,8 @@ PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step
 {
     const Vec3& n = pair.normal;
     const double k = pair.stiffness, dt = step.dt;
-    const auto [impulse, slope] = weighted_impulse(pair.depth_t0, pair.depth_t0 + dt * n.dot(velocity), step.centre, k, dt);
+    const auto [impulse, slope] = weighted_impulse(pair.depth_t0, pair.depth_t0 + dt * n.dot(velocity),
+                                                   step.centre, k, dt);
     PairAnswer result{impulse * n, Vec3::Zero(), -dt * slope * n * n.transpose()};
     if (pair.friction_limit <= 0)
         return result;

@@ -4,14 +4,14 @@
 
 namespace enduring {
 
-/// What a pair answers to its motion in one step. Its normal stands still, and the limit of its friction is known beforehand, so
-/// its impulse is the slope of a convex potential of the velocity of p against q.
+/// What a pair answers to its motion in one step. Its normal stands still, and the limit of its friction is
+/// known beforehand, so its impulse is the slope of a convex potential of the velocity of p against q.
 struct PairLaw {
-    Vec3 normal = Vec3::UnitY();     ///< unit length, out of B
-    double depth_t0 = 0;             ///< at the start of the step, from where its spring is slack [m]
-    double stiffness = 0;            ///< k, along the normal and along the surface [N/m]
-    Vec3 stretch = Vec3::Zero();     ///< of its friction at the start of the step, along the surface [m]
-    double friction_limit = 0;       ///< largest impulse along the surface [N s]
+    Vec3 normal = Vec3::UnitY();  ///< unit length, out of B
+    double depth_t0 = 0;          ///< at the start of the step, from where its spring is slack [m]
+    double stiffness = 0;         ///< k, along the normal and along the surface [N/m]
+    Vec3 stretch = Vec3::Zero();  ///< of its friction at the start of the step, along the surface [m]
+    double friction_limit = 0;    ///< largest impulse along the surface [N s]
 };
 
 /// What all pairs share.
@@ -22,7 +22,8 @@ struct StepLaw {
 
 struct PairAnswer {
     Vec3 normal_impulse, friction;  ///< on p [N s]
-    Mat3 stiffening;                ///< minus the derivative of their sum by the velocity, positive semidefinite [kg]
+    /// minus the derivative of their sum by the velocity, positive semidefinite [kg]
+    Mat3 stiffening;
     bool slips = false;
 };
 

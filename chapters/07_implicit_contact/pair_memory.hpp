@@ -7,19 +7,21 @@ namespace enduring {
 
 /// What decides a pair's stiffness, the same for all scenes.
 struct StiffnessChoice {
-    double of_its_mass = 100;   ///< h = k dt^2 / m of a pair with the mass that it feels itself
-    double wanted_depth = 1e-5; ///< how deep the load that a pair carries may press it [m]
-    double keep = 0.9;          ///< part of a spring's slack that a step keeps
+    double of_its_mass = 100;    ///< h = k dt^2 / m of a pair with the mass that it feels itself
+    double wanted_depth = 1e-5;  ///< how deep the load that a pair carries may press it [m]
+    double keep = 0.9;           ///< part of a spring's slack that a step keeps
 };
 
-/// The stiffness that a pair should have: enough for the mass that it feels, and for the load that it carried in the last step [N/m].
+/// The stiffness that a pair should have: enough for the mass that it feels, and
+/// for the load that it carried in the last step [N/m].
 /// @param mass  1 / (n . W n), W the change of its velocity per impulse [kg]
 double wanted_stiffness(double mass, double load, const StiffnessChoice& choice, double dt);
 
-/// Gives an enduring pair its stiffness for the step, without a jump of its force: its spring gets a slack, which fades.
-/// A pair that is born inside begins slack altogether; one that comes from outside has none.
+/// Gives an enduring pair its stiffness for the step, without a jump of its force: its spring gets a slack,
+/// which fades. A pair that is born inside begins slack altogether; one that comes from outside has none.
 /// @param depth_t0  at the start of the step [m], negative inside
 /// @param mass      as above; asked for a new pair only
-void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt);
+void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice,
+                     double dt);
 
 }  // namespace enduring

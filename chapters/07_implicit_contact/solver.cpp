@@ -7,12 +7,14 @@ namespace {
 
 void take_coefficients(const FrictionParameters& friction, ImplicitSettings& settings)
 {
-    std::visit([&](const auto& model) {
-        if constexpr (requires { model.mu_s; }) {
-            settings.mu_s = model.mu_s;
-            settings.mu_d = model.mu_d;
-        }
-    }, friction);
+    std::visit(
+        [&](const auto& model) {
+            if constexpr (requires { model.mu_s; }) {
+                settings.mu_s = model.mu_s;
+                settings.mu_d = model.mu_d;
+            }
+        },
+        friction);
 }
 
 }  // namespace
@@ -28,9 +30,8 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     solver.replace("impulses", "answer all pairs", [settings](World& world, Contacts& contacts, double dt) {
         answer_all_pairs(world, contacts, settings, dt);
     });
-    solver.append(StepStage::finish, "remember pairs", [](World& world, Contacts& contacts, double dt) {
-        remember_pairs(world, contacts, dt);
-    });
+    solver.append(StepStage::finish, "remember pairs",
+                  [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
     return solver;
 }
 //! [solver]

@@ -4,8 +4,8 @@
 
 namespace enduring {
 
-/// This chapter's solver: chapter 6's pairs, answered together by the motion that their answers make. A scene's stiffness
-/// and the constants of its friction model are not used, only its coefficients.
+/// This chapter's solver: chapter 6's pairs, answered together by the motion that their answers make. A
+/// scene's stiffness and the constants of its friction model are not used, only its coefficients.
 Solver chapter07_solver(const ContactParameters& parameters);
 /// The same with settings of one's own; the coefficients of friction are the scene's.
 Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings);

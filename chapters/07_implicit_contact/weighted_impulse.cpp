@@ -12,10 +12,13 @@ WayImpulse weighted_impulse(double depth_t0, double depth_t1, double centre, dou
     const auto inside = find_plane_interval(depth_t0, depth_t1);
     if (!inside)
         return {};
-    // The weight p tau^(p-1) has its centre at p / (p + 1), and these are the integrals up to tau of weight times depth, and
-    // of weight times tau. The ends of the interval move with depth_t1 too, but there the depth is 0.
+    // The weight p tau^(p-1) has its centre at p / (p + 1), and these are the integrals
+    // up to tau of weight times depth, and of weight times tau. The ends of the
+    // interval move with depth_t1 too, but there the depth is 0.
     const double p = centre / (1 - centre);
-    const auto weighted_depth = [&](double tau) { return std::pow(tau, p) * (depth_t0 + centre * tau * (depth_t1 - depth_t0)); };
+    const auto weighted_depth = [&](double tau) {
+        return std::pow(tau, p) * (depth_t0 + centre * tau * (depth_t1 - depth_t0));
+    };
     const auto weighted_tau = [&](double tau) { return std::pow(tau, p) * centre * tau; };
     return {-k * dt * (weighted_depth(inside->end) - weighted_depth(inside->begin)),
             -k * dt * (weighted_tau(inside->end) - weighted_tau(inside->begin))};

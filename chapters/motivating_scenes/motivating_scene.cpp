@@ -31,10 +31,12 @@ RunLimits limits_of(const MotivatingScene& scene, int chapter)
 
 std::string bound_text(const MotivatingScene& scene)
 {
-    return (scene.bound == Bound::at_least ? "at least " : "at most ") + readable(scene.limit, 3) + " " + scene.unit;
+    return (scene.bound == Bound::at_least ? "at least " : "at most ") + readable(scene.limit, 3) + " " +
+           scene.unit;
 }
 
-Outcome try_scene(const MotivatingScene& motivating, const MakeSolver& make, const RunLimits& limits, bool with_picture)
+Outcome try_scene(const MotivatingScene& motivating, const MakeSolver& make, const RunLimits& limits,
+                  bool with_picture)
 {
     Scene scene = load_scene(scene_file(motivating.file), motivating.patch);
     Gauge gauge(motivating.reading);
@@ -66,7 +68,8 @@ void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
     for (Drawable& drawable : stage.bodies)
         drawable.wireframe = drawable.faces.size() < 800;  // finer ones would be all lines
     Contacts pushing;
-    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pushing), [](const Contact& contact) { return !contact.held(); });
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pushing),
+                 [](const Contact& contact) { return !contact.held(); });
     mark_contacts(stage, world, pushing);
 }
 

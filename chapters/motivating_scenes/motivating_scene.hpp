@@ -13,13 +13,17 @@
 
 namespace enduring::motivating {
 
-/// Watches a run and ends with one number. None where there is nothing to measure: a body that nothing holds has no speed
-/// along the floor to keep.
+/// Watches a run and ends with one number. None where there is nothing to measure: a body that nothing holds
+/// has no speed along the floor to keep.
 class Gauge final : public Probe {
 public:
-    using Reading = std::function<void(std::optional<double>& value, const World&, const Contacts&, double dt)>;
+    using Reading =
+        std::function<void(std::optional<double>& value, const World&, const Contacts&, double dt)>;
     explicit Gauge(Reading reading) : reading_(std::move(reading)) {}
-    void observe(const World& world, const Contacts& contacts, double dt) override { reading_(value_, world, contacts, dt); }
+    void observe(const World& world, const Contacts& contacts, double dt) override
+    {
+        reading_(value_, world, contacts, dt);
+    }
     std::optional<double> value() const { return value_; }
 
 private:
@@ -29,7 +33,8 @@ private:
 
 enum class Bound { at_least, at_most };
 
-/// A scene that one chapter's solver fails and a later one passes: what is measured on it, and where the line is.
+/// A scene that one chapter's solver fails and a later one passes: what
+/// is measured on it, and where the line is.
 struct MotivatingScene {
     std::string name;      ///< of the row
     std::string file;      ///< common/scenes/FILE.json
@@ -61,9 +66,9 @@ std::string bound_text(const MotivatingScene& scene);
 
 /// What came of a scene under one solver.
 struct Outcome {
-    std::optional<double> value;   ///< none if there was nothing to measure, or the run broke
+    std::optional<double> value;  ///< none if there was nothing to measure, or the run broke
     std::optional<Picture> picture;
-    std::string broken;            ///< what stopped the run, empty if nothing did
+    std::string broken;  ///< what stopped the run, empty if nothing did
 };
 
 using MakeSolver = std::function<Solver(const ContactParameters&)>;
@@ -71,9 +76,11 @@ using MakeSolver = std::function<Solver(const ContactParameters&)>;
 /// Runs a scene under a solver.
 /// @param limits        see limits_of
 /// @param with_picture  takes one at the last of the scene's moments, the pairs marked
-Outcome try_scene(const MotivatingScene& scene, const MakeSolver& make, const RunLimits& limits = {}, bool with_picture = false);
+Outcome try_scene(const MotivatingScene& scene, const MakeSolver& make, const RunLimits& limits = {},
+                  bool with_picture = false);
 
-/// Surfaces with their triangles, and the pairs in the thesis' colours. Held pairs, which take no impulse, are left out.
+/// Surfaces with their triangles, and the pairs in the thesis' colours.
+/// Held pairs, which take no impulse, are left out.
 void mark_pairs(Stage& stage, const World& world, const Contacts& contacts);
 
 }  // namespace enduring::motivating

@@ -15,7 +15,8 @@ constexpr double pi = std::numbers::pi;
 
 int index_of(const World& world, const std::string& name)
 {
-    const auto found = std::find_if(world.bodies.begin(), world.bodies.end(), [&](const auto& body) { return body->name() == name; });
+    const auto found = std::find_if(world.bodies.begin(), world.bodies.end(),
+                                    [&](const auto& body) { return body->name() == name; });
     return static_cast<int>(found - world.bodies.begin());
 }
 
@@ -31,20 +32,25 @@ void below_ground(Value& value, const World& world, const Contacts&, double)
 /// Most pairs of features that were in the list after a step.
 void most_pairs(Value& value, const World&, const Contacts& contacts, double)
 {
-    const auto pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane; });
+    const auto pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) {
+        return contact.kind != ContactKind::vertex_plane;
+    });
     value = std::max(value.value_or(0), static_cast<double>(pairs));
 }
 
 /// Height of a body's middle at the end [m].
 Gauge::Reading height_of(std::string body)
 {
-    return [body](Value& value, const World& world, const Contacts&, double) { value = body_named(world, body).centre().y(); };
+    return [body](Value& value, const World& world, const Contacts&, double) {
+        value = body_named(world, body).centre().y();
+    };
 }
 
 /// The same for a body that has to be held up at first: none if it is below a height [m] before a time [s].
 Gauge::Reading height_after_being_held(std::string body, double above, double until)
 {
-    return [body, above, until, fell = false](Value& value, const World& world, const Contacts&, double) mutable {
+    return [body, above, until, fell = false](Value& value, const World& world, const Contacts&,
+                                              double) mutable {
         const double height = body_named(world, body).centre().y();
         fell = fell || (world.time <= until && height < above);
         value = fell ? Value() : Value(height);
@@ -52,11 +58,12 @@ Gauge::Reading height_after_being_held(std::string body, double above, double un
 }
 
 //! [label_truth]
-/// Share of pairs that are labelled as they should be, over the whole run [%]. On a flat floor it is known how: a pair that
-/// pushes along the floor is hooked, one that pushes upwards is regular.
+/// Share of pairs that are labelled as they should be, over the whole run [%]. On a flat floor it is known
+/// how: a pair that pushes along the floor is hooked, one that pushes upwards is regular.
 Gauge::Reading right_labels()
 {
-    return [right = 0L, all = 0L](Value& value, const World& world, const Contacts& contacts, double) mutable {
+    return [right = 0L, all = 0L](Value& value, const World& world, const Contacts& contacts,
+                                  double) mutable {
         for (const Contact& contact : contacts) {
             if (contact.kind == ContactKind::vertex_plane || !contact.answered())
                 continue;
@@ -112,7 +119,8 @@ Gauge::Reading energy_after_bounce(std::string body)
 /// How far a body moves in the last second [mm].
 Gauge::Reading drift_after(std::string body, double time)
 {
-    return [body, time, place = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&, double) mutable {
+    return [body, time, place = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&,
+                                               double) mutable {
         const Vec3 middle = body_named(world, body).centre();
         if (world.time <= time)
             place = middle;
@@ -120,10 +128,12 @@ Gauge::Reading drift_after(std::string body, double time)
     };
 }
 
-/// How far the way that a block comes up a slope departs from v^2 / (2 g (sin + mu_d cos)) [%], once it lies still.
+/// How far the way that a block comes up a slope departs from v^2 / (2 g
+/// (sin + mu_d cos)) [%], once it lies still.
 Gauge::Reading error_of_way(std::string body, double exact)
 {
-    return [body, exact, start = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&, double) mutable {
+    return [body, exact, start = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&,
+                                                double) mutable {
         const Body& block = body_named(world, body);
         if (world.step == 0)
             start = block.centre();
@@ -137,29 +147,127 @@ Gauge::Reading error_of_way(std::string body, double exact)
 std::vector<MotivatingScene> all_scenes()
 {
     return {
-        {"ground", "ground", R"({"duration": 2})", "lowest vertex below the ground", "mm", Bound::at_most, 50,
-         "their weight on four springs alone presses them in by less", "ppppppp", below_ground, {2}},
-        {"fast_plate", "fast_plate", "", "pairs of features reported", "", Bound::at_least, 1,
-         "it passes a plate, so there is something to report", "fpppppp", most_pairs, {0.03}},
-        {"bar_on_cube", "bar_on_cube", R"({"duration": 1.2})", "height of the bar", "m", Bound::at_least, 0.9,
-         "a bar of 0.4 m on a cube of 1 m has its middle at 1.2 m, less what both sink in; on the ground it would be at 0.2 m", "ffppppp", height_of("bar"), {1.2}},
-        {"slope", "block_on_slope", "", "way in the last second", "mm", Bound::at_most, 1, "0.3 is more than tan 10 deg = 0.176: it holds",
-         "fffpppp", drift_after("block", 3), {3}},
-        {"labels", "hooked", "", "pairs labelled rightly", "%", Bound::at_least, 98, "on a flat floor a pair either lifts or hooks; a few turn within the step that they are labelled in",
-         "ffffppp", right_labels(), {0.3}},
-        {"through_the_side", "through_the_side", "", "height of the wedge", "m", Bound::at_most, -0.5,
-         "free fall from the table's edge ends below -1 m", "fffffpp", height_after_being_held("wedge", 0.03, 0.08), {0.05, 0.1, 0.15, 0.25}},
-        {"shifted", "shifted", "", "distance from vertex to push", "mm", Bound::at_most, 10, "in a step the tip moves by 6 mm", "fffffpp",
-         longest_of_levers, {0.1, 0.25, 0.5}},
-        {"false_resolution", "false_resolution", "", "deepest vertex that nothing pushes out", "mm", Bound::at_most, 1,
-         "before its first push the tip comes in by 0.2 mm", "fffffpp", deepest_unpushed("spike", "slab"), {0.1, 0.3, 0.5}},
-        {"hooked", "hooked", "", "speed at the end", "m/s", Bound::at_least, 1.485, "99 % of 1.5 m/s: nothing rubs", "fffffpp",
-         speed_on_floor("cube"), {0.1, 0.3, 0.6}},
-        {"mesh_slope", "block_on_triangles", "", "error of the way up", "%", Bound::at_most, 2,
-         "chapter 4 stops it where it should; here it first has to land", "fffffpp",
-         error_of_way("block", 9 / (2 * 9.81 * (std::sin(pi / 18) + 0.09 * std::cos(pi / 18)))), {0.5, 1.5, 3}},
-        {"deep", "deep", "", "energy after the bounce over that before", "", Bound::at_most, 1.1, "nothing is there to add any", "ffpppfp",
-         energy_after_bounce("cube"), {0.03, 0.06, 0.15}},
+        {"ground",
+         "ground",
+         R"({"duration": 2})",
+         "lowest vertex below the ground",
+         "mm",
+         Bound::at_most,
+         50,
+         "their weight on four springs alone presses them in by less",
+         "ppppppp",
+         below_ground,
+         {2}},
+        {"fast_plate",
+         "fast_plate",
+         "",
+         "pairs of features reported",
+         "",
+         Bound::at_least,
+         1,
+         "it passes a plate, so there is something to report",
+         "fpppppp",
+         most_pairs,
+         {0.03}},
+        {"bar_on_cube",
+         "bar_on_cube",
+         R"({"duration": 1.2})",
+         "height of the bar",
+         "m",
+         Bound::at_least,
+         0.9,
+         "a bar of 0.4 m on a cube of 1 m has its middle at 1.2 m, less what both sink in; on the ground it would be at 0.2 m",
+         "ffppppp",
+         height_of("bar"),
+         {1.2}},
+        {"slope",
+         "block_on_slope",
+         "",
+         "way in the last second",
+         "mm",
+         Bound::at_most,
+         1,
+         "0.3 is more than tan 10 deg = 0.176: it holds",
+         "fffpppp",
+         drift_after("block", 3),
+         {3}},
+        {"labels",
+         "hooked",
+         "",
+         "pairs labelled rightly",
+         "%",
+         Bound::at_least,
+         98,
+         "on a flat floor a pair either lifts or hooks; a few turn within the step that they are labelled in",
+         "ffffppp",
+         right_labels(),
+         {0.3}},
+        {"through_the_side",
+         "through_the_side",
+         "",
+         "height of the wedge",
+         "m",
+         Bound::at_most,
+         -0.5,
+         "free fall from the table's edge ends below -1 m",
+         "fffffpp",
+         height_after_being_held("wedge", 0.03, 0.08),
+         {0.05, 0.1, 0.15, 0.25}},
+        {"shifted",
+         "shifted",
+         "",
+         "distance from vertex to push",
+         "mm",
+         Bound::at_most,
+         10,
+         "in a step the tip moves by 6 mm",
+         "fffffpp",
+         longest_of_levers,
+         {0.1, 0.25, 0.5}},
+        {"false_resolution",
+         "false_resolution",
+         "",
+         "deepest vertex that nothing pushes out",
+         "mm",
+         Bound::at_most,
+         1,
+         "before its first push the tip comes in by 0.2 mm",
+         "fffffpp",
+         deepest_unpushed("spike", "slab"),
+         {0.1, 0.3, 0.5}},
+        {"hooked",
+         "hooked",
+         "",
+         "speed at the end",
+         "m/s",
+         Bound::at_least,
+         1.485,
+         "99 % of 1.5 m/s: nothing rubs",
+         "fffffpp",
+         speed_on_floor("cube"),
+         {0.1, 0.3, 0.6}},
+        {"mesh_slope",
+         "block_on_triangles",
+         "",
+         "error of the way up",
+         "%",
+         Bound::at_most,
+         2,
+         "chapter 4 stops it where it should; here it first has to land",
+         "fffffpp",
+         error_of_way("block", 9 / (2 * 9.81 * (std::sin(pi / 18) + 0.09 * std::cos(pi / 18)))),
+         {0.5, 1.5, 3}},
+        {"deep",
+         "deep",
+         "",
+         "energy after the bounce over that before",
+         "",
+         Bound::at_most,
+         1.1,
+         "nothing is there to add any",
+         "ffpppfp",
+         energy_after_bounce("cube"),
+         {0.03, 0.06, 0.15}},
     };
 }
 //! [expectations]

@@ -16,17 +16,20 @@ std::string number_text(const LedgerCell& cell)
     const std::string& unit = cell.scene->unit;
     if (!cell.outcome.broken.empty())
         return "breaks";
-    return cell.outcome.value ? readable(*cell.outcome.value, 3) + (unit.empty() ? "" : " " + unit) : "nothing";
+    return cell.outcome.value ? readable(*cell.outcome.value, 3) + (unit.empty() ? "" : " " + unit)
+                              : "nothing";
 }
 
-/// scene, chapter, quantity, unit, bound, value, passes, expected: a row a cell; no value where there was nothing to measure.
+/// scene, chapter, quantity, unit, bound, value, passes, expected: a row a
+/// cell; no value where there was nothing to measure.
 Table all_cells(const std::vector<LedgerCell>& cells)
 {
     Table table({"scene", "chapter", "quantity", "unit", "bound", "value", "passes", "expected"});
     for (const LedgerCell& cell : cells) {
         const Cell value = cell.outcome.value ? Cell(*cell.outcome.value) : Cell(std::string());
-        table.add({cell.scene->name, static_cast<long>(cell.chapter), cell.scene->quantity, cell.scene->unit, bound_text(*cell.scene), value,
-                   static_cast<long>(cell.passed()), static_cast<long>(cell.expected_to_pass())});
+        table.add({cell.scene->name, static_cast<long>(cell.chapter), cell.scene->quantity, cell.scene->unit,
+                   bound_text(*cell.scene), value, static_cast<long>(cell.passed()),
+                   static_cast<long>(cell.expected_to_pass())});
     }
     return table;
 }
@@ -45,7 +48,8 @@ Table page_of(const std::vector<LedgerCell>& cells)
         row[2 + cell.chapter] = number_text(cell) + (cell.passed() ? " ✓" : " ✗");
     }
     for (const LedgerCell& cell : cells)
-        if (auto row = rows.find(cell.scene); row != rows.end()) {  // in the cells' order, not in that of addresses
+        // in the cells' order, not in that of addresses
+        if (auto row = rows.find(cell.scene); row != rows.end()) {
             table.add(row->second);
             rows.erase(row);
         }
@@ -57,8 +61,9 @@ std::vector<StripPicture> pictures_of(const std::vector<LedgerCell>& cells)
     std::vector<StripPicture> pictures;
     for (const LedgerCell& cell : cells)
         if (cell.outcome.picture)
-            pictures.push_back({*cell.outcome.picture, cell.scene->name + ", chapter " + std::to_string(cell.chapter) +
-                                                           (cell.passed() ? " holds: " : " fails: ") + number_text(cell)});
+            pictures.push_back(
+                {*cell.outcome.picture, cell.scene->name + ", chapter " + std::to_string(cell.chapter) +
+                                            (cell.passed() ? " holds: " : " fails: ") + number_text(cell)});
     return pictures;
 }
 
@@ -68,7 +73,8 @@ bool at_border(const MotivatingScene& scene, int chapter)
 {
     const auto expected = [&](int c) { return scene.expected[std::clamp(c, 1, chapters) - 1]; };
     const bool changes = scene.expected.find_first_not_of(scene.expected[0]) != std::string::npos;
-    return changes ? expected(chapter) != expected(chapter - 1) || expected(chapter) != expected(chapter + 1) : chapter == 1 || chapter == chapters;
+    return changes ? expected(chapter) != expected(chapter - 1) || expected(chapter) != expected(chapter + 1)
+                   : chapter == 1 || chapter == chapters;
 }
 
 std::vector<std::string> surprises(const std::vector<LedgerCell>& cells)
@@ -76,8 +82,9 @@ std::vector<std::string> surprises(const std::vector<LedgerCell>& cells)
     std::vector<std::string> lines;
     for (const LedgerCell& cell : cells)
         if (cell.passed() != cell.expected_to_pass())
-            lines.push_back(cell.scene->name + " under chapter " + std::to_string(cell.chapter) + (cell.passed() ? " passes" : " fails") +
-                            " with " + number_text(cell) + " (" + bound_text(*cell.scene) + "), and was expected to " +
+            lines.push_back(cell.scene->name + " under chapter " + std::to_string(cell.chapter) +
+                            (cell.passed() ? " passes" : " fails") + " with " + number_text(cell) + " (" +
+                            bound_text(*cell.scene) + "), and was expected to " +
                             (cell.expected_to_pass() ? "pass" : "fail") +
                             (cell.outcome.broken.empty() ? "" : ": " + cell.outcome.broken));
     return lines;
@@ -85,11 +92,14 @@ std::vector<std::string> surprises(const std::vector<LedgerCell>& cells)
 
 Outcome try_chapter(const MotivatingScene& scene, int chapter, bool with_picture)
 {
-    const auto solver = [chapter](const ContactParameters& parameters) { return chapter_solver(chapter, parameters); };
+    const auto solver = [chapter](const ContactParameters& parameters) {
+        return chapter_solver(chapter, parameters);
+    };
     return try_scene(scene, solver, limits_of(scene, chapter), with_picture);
 }
 
-std::vector<LedgerCell> fill_ledger(const std::vector<MotivatingScene>& scenes, bool borders_only, bool with_pictures)
+std::vector<LedgerCell> fill_ledger(const std::vector<MotivatingScene>& scenes, bool borders_only,
+                                    bool with_pictures)
 {
     std::vector<LedgerCell> cells;
     for (const MotivatingScene& scene : scenes)

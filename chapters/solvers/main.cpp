@@ -13,10 +13,13 @@ int main(int argc, char** argv)
         {
             {"passes", "what every chapter's solver runs, stage by stage", solvers::passes},
             {"ledger", "every chapter's solver in every scene that called for a new one", solvers::ledger},
-            {"own_scene", "the example of a scene of your own; any other runs with --scene FILE", solvers::own_scene_example},
+            {"own_scene", "the example of a scene of your own; any other runs with --scene FILE",
+             solvers::own_scene_example},
         },
     };
     program.add_options = [choice](CLI::App& app) { solvers::add_own_scene_options(app, *choice); };
-    program.own_scene = [choice](const RunOptions& options, Report& report) { solvers::own_scene(options, report, *choice); };
+    program.own_scene = [choice](const RunOptions& options, Report& report) {
+        solvers::own_scene(options, report, *choice);
+    };
     return run_chapter(argc, argv, program);
 }

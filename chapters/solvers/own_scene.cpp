@@ -1,9 +1,9 @@
 #include "chapters/solvers/own_scene.hpp"
 
-#include "chapters/solvers/chapter_solver.hpp"
 #include "chapters/06_redefinition/experiments/contact_census.hpp"
-#include "chapters/solvers/experiments.hpp"
 #include "chapters/motivating_scenes/motivating_scene.hpp"
+#include "chapters/solvers/chapter_solver.hpp"
+#include "chapters/solvers/experiments.hpp"
 #include "common/experiments/paraview/series.hpp"
 #include "common/experiments/render/film_probes.hpp"
 #include "common/experiments/run/run.hpp"
@@ -57,7 +57,8 @@ private:
 class Observers {
 public:
     Observers(const Scene& scene, const RunOptions& options, const OwnSceneOptions& choice, Report& report)
-        : motion_(scene.world), penetration_(scene.contact.stiffness), strip_(scene, picture_times(scene.duration), motivating::mark_pairs, 560, 400)
+        : motion_(scene.world), penetration_(scene.contact.stiffness),
+          strip_(scene, picture_times(scene.duration), motivating::mark_pairs, 560, 400)
     {
         if (!options.quick)
             clip_ = std::make_unique<ClipProbe>(scene, report.file("scene.webp"));
@@ -104,16 +105,18 @@ public:
 private:
     static double number(const Cell& cell)
     {
-        return std::holds_alternative<long>(cell) ? static_cast<double>(std::get<long>(cell)) : std::get<double>(cell);
+        return std::holds_alternative<long>(cell) ? static_cast<double>(std::get<long>(cell))
+                                                  : std::get<double>(cell);
     }
 
-    static void line(std::ostream& out, const std::string& what, const Table& table, std::size_t column, const std::string& unit)
+    static void line(std::ostream& out, const std::string& what, const Table& table, std::size_t column,
+                     const std::string& unit)
     {
         double most = number(table.rows().front()[column]);
         for (const std::vector<Cell>& row : table.rows())
             most = std::max(most, number(row[column]));
-        out << "    " << what << ": " << readable(number(table.rows().back()[column]), 4) << unit << " at the end, " << readable(most, 4) << unit
-            << " at most\n";
+        out << "    " << what << ": " << readable(number(table.rows().back()[column]), 4) << unit
+            << " at the end, " << readable(most, 4) << unit << " at most\n";
     }
 
     EnergyProbe energy_;
@@ -130,11 +133,14 @@ private:
 
 void add_own_scene_options(CLI::App& app, OwnSceneOptions& choice)
 {
-    CLI::Option* const solver = app.add_option("--solver", choice.solver, "the chapter whose solver runs a scene of your own");
+    CLI::Option* const solver = app.add_option("--solver", choice.solver,
+                                               "the chapter whose solver runs a scene of your own");
     solver->check(CLI::Range(1, chapters))->capture_default_str();
-    CLI::Option* const paraview = app.add_option("--paraview", choice.paraview, "folder for a time series of it that ParaView opens");
+    CLI::Option* const paraview = app.add_option("--paraview", choice.paraview,
+                                                 "folder for a time series of it that ParaView opens");
     paraview->type_name("DIR");
-    CLI::Option* const every = app.add_option("--every", choice.every, "steps from one moment of that series to the next");
+    CLI::Option* const every = app.add_option("--every", choice.every,
+                                              "steps from one moment of that series to the next");
     every->check(CLI::PositiveNumber)->capture_default_str()->needs(paraview);
     for (CLI::Option* const option : {solver, paraview})
         option->needs(app.get_option("--scene"))->excludes(app.get_option("experiments"));
@@ -146,7 +152,8 @@ void own_scene_example(const RunOptions& options, Report& report)
     own.scene = options.scene.value_or(scene_file("tumble"));
     Report below(report.folder() / own.scene->stem());
     own_scene(own, below, {});
-    std::filesystem::copy_file(below.folder() / "scene.png", report.file("own_scene.png"), std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::copy_file(below.folder() / "scene.png", report.file("own_scene.png"),
+                               std::filesystem::copy_options::overwrite_existing);
 }
 
 void own_scene(const RunOptions& options, Report& report, const OwnSceneOptions& choice)
@@ -158,7 +165,8 @@ void own_scene(const RunOptions& options, Report& report, const OwnSceneOptions&
     std::filesystem::remove(report.folder() / failure_note);
     try {
         const RunResult result = run(scene, solver, observers.probes());
-        std::cerr << "real-time factor " << readable(scene.world.time / result.timings.total(), 3) << ", without pictures and files\n";
+        std::cerr << "real-time factor " << readable(scene.world.time / result.timings.total(), 3)
+                  << ", without pictures and files\n";
     } catch (const std::runtime_error& broken) {
         failure = std::current_exception();
         write_file(report.file(failure_note), std::string(broken.what()) + "\n");

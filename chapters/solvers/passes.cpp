@@ -3,11 +3,14 @@
 
 namespace enduring::solvers {
 
-/// chapter, stage, pass: what every chapter's solver runs, in this order. The pages' "What changed" is read from it.
+/// chapter, stage, pass: what every chapter's solver runs, in this order.
+/// The pages' "What changed" is read from it.
 void passes(const RunOptions&, Report& report)
 {
-    const std::vector<std::pair<StepStage, std::string>> stages{
-        {StepStage::refresh, "refresh"}, {StepStage::detect, "detect"}, {StepStage::respond, "respond"}, {StepStage::finish, "finish"}};
+    const std::vector<std::pair<StepStage, std::string>> stages{{StepStage::refresh, "refresh"},
+                                                                {StepStage::detect, "detect"},
+                                                                {StepStage::respond, "respond"},
+                                                                {StepStage::finish, "finish"}};
     ContactParameters parameters;
     parameters.friction = MassSplitting{};
     Table table({"chapter", "stage", "pass"});

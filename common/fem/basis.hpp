@@ -11,11 +11,11 @@ enum class Basis { linear, quadratic };
 
 /// What the element loops need to know of a basis, at compile time.
 ///
-/// Both bases are made of *corner tetrahedra*: four nodes c_0..c_3 whose differences give a gradient,
-/// D = sum_j c_j (grad lambda_j)^T. A linear element is one of them. A quadratic element in Bernstein form has ten control
-/// points, and its gradient varies linearly between the values 2 D_k at the four corners, where D_k belongs to the
-/// control points next to corner k. So a quadratic element is four linear ones of half the size, coupled by the
-/// integrals of lambda_k lambda_l.
+/// Both bases are made of *corner tetrahedra*: four nodes c_0..c_3 whose differences give a gradient, D =
+/// sum_j c_j (grad lambda_j)^T. A linear element is one of them. A quadratic element in Bernstein form has
+/// ten control points, and its gradient varies linearly between the values 2 D_k at the four corners, where
+/// D_k belongs to the control points next to corner k. So a quadratic element is four linear ones of half the
+/// size, coupled by the integrals of lambda_k lambda_l.
 //! [bases]
 struct LinearBasis {
     static constexpr int nodes = 4, points = 1;
@@ -30,7 +30,8 @@ struct LinearBasis {
 };
 
 struct QuadraticBasis {
-    static constexpr int nodes = 10, points = 4;  // control points of edges 01, 12, 02, 03, 13, 23 are nodes 4 to 9
+    // control points of edges 01, 12, 02, 03, 13, 23 are nodes 4 to 9
+    static constexpr int nodes = 10, points = 4;
     static constexpr std::array<std::array<int, 4>, points> corner_tetrahedra{
         {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}}};
     static constexpr double gradient_scale = 2;

@@ -21,7 +21,8 @@ PointGradients<B> gradients_at_points(const ElasticElement& element, const Nodal
     for (int k = 0; k < B::points; ++k) {
         Mat3 d = Mat3::Zero();
         for (int j = 0; j < 4; ++j)
-            d.noalias() += field.col(element.nodes[B::corner_tetrahedra[k][j]]) * element.gradients.col(j).transpose();
+            d.noalias() += field.col(element.nodes[B::corner_tetrahedra[k][j]]) *
+                           element.gradients.col(j).transpose();
         result[k] = B::gradient_scale * d;
     }
     return result;
@@ -47,13 +48,11 @@ Mat3 stress(const Mat3& strain, const LameConstants& lame)
     return sigma;
 }
 
-Mat3 symmetric_part(const Mat3& a)
-{
-    return 0.5 * (a + a.transpose());
-}
+Mat3 symmetric_part(const Mat3& a) { return 0.5 * (a + a.transpose()); }
 
 //! [force]
-/// Turn the gradients back, take the Cauchy strain, Hooke's stress, turn it forward, and hand it to the nodes.
+/// Turn the gradients back, take the Cauchy strain, Hooke's stress,
+/// turn it forward, and hand it to the nodes.
 template <class B>
 void add_element_forces(const ElasticElement& element, const Mat3& rotation, const LameConstants& lame,
                         const Mat3& unstrained, double scale, const NodalVectors& field, NodalVectors& forces)
@@ -63,23 +62,21 @@ void add_element_forces(const ElasticElement& element, const Mat3& rotation, con
         gradient = symmetric_part(rotation.transpose() * gradient) - unstrained;
     couple<B>(gradients);
     for (int k = 0; k < B::points; ++k) {
-        const Mat3 pull = (scale * element.volume * B::gradient_scale) * rotation * stress(gradients[k], lame);
+        const Mat3 pull = (scale * element.volume * B::gradient_scale) * rotation *
+                          stress(gradients[k], lame);
         for (int j = 0; j < 4; ++j)
-            forces.col(element.nodes[B::corner_tetrahedra[k][j]]).noalias() += pull * element.gradients.col(j);
+            forces.col(element.nodes[B::corner_tetrahedra[k][j]]).noalias() += pull *
+                                                                               element.gradients.col(j);
     }
 }
 //! [force]
 
-/// The strains of xx, yy, zz, xy, yz, zx that moving node j of corner tetrahedron k makes there: a part of B_k.
+/// The strains of xx, yy, zz, xy, yz, zx that moving node j of corner
+/// tetrahedron k makes there: a part of B_k.
 Eigen::Matrix<double, 6, 3> strain_of_node(const Vec3& g)
 {
     Eigen::Matrix<double, 6, 3> b;
-    b << g.x(), 0, 0,
-         0, g.y(), 0,
-         0, 0, g.z(),
-         g.y(), g.x(), 0,
-         0, g.z(), g.y(),
-         g.z(), 0, g.x();
+    b << g.x(), 0, 0, 0, g.y(), 0, 0, 0, g.z(), g.y(), g.x(), 0, 0, g.z(), g.y(), g.z(), 0, g.x();
     return b;
 }
 
@@ -126,26 +123,31 @@ bool is_inverted(Basis basis, const ElasticElement& element, const NodalVectors&
 {
     return with_basis(basis, [&]<class B>(B) {
         const auto gradients = gradients_at_points<B>(element, positions);
-        return std::any_of(gradients.begin(), gradients.end(), [](const Mat3& gradient) { return !(gradient.determinant() > 0); });
+        return std::any_of(gradients.begin(), gradients.end(),
+                           [](const Mat3& gradient) { return !(gradient.determinant() > 0); });
     });
 }
 
 int inverted_elements(const ElasticMesh& mesh, const NodalVectors& positions)
 {
-    return static_cast<int>(std::count_if(mesh.elements().begin(), mesh.elements().end(),
-                                          [&](const ElasticElement& element) { return is_inverted(mesh.basis(), element, positions); }));
+    return static_cast<int>(std::count_if(
+        mesh.elements().begin(), mesh.elements().end(),
+        [&](const ElasticElement& element) { return is_inverted(mesh.basis(), element, positions); }));
 }
 
-Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element, const Eigen::Matrix<double, 6, 6>& hooke)
+Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element,
+                                  const Eigen::Matrix<double, 6, 6>& hooke)
 {
-    return with_basis(mesh.basis(), [&]<class B>(B) { return stiffness_of<B>(mesh.elements()[element], hooke); });
+    return with_basis(mesh.basis(),
+                      [&]<class B>(B) { return stiffness_of<B>(mesh.elements()[element], hooke); });
 }
 
 void CorotatedElasticity::add_forces(const NodalVectors& positions, NodalVectors& forces) const
 {
     with_basis(mesh_.basis(), [&]<class B>(B) {
         for (std::size_t e = 0; e < rotations_.size(); ++e)
-            add_element_forces<B>(mesh_.elements()[e], rotations_[e], lame_, Mat3::Identity(), -1, positions, forces);
+            add_element_forces<B>(mesh_.elements()[e], rotations_[e], lame_, Mat3::Identity(), -1, positions,
+                                  forces);
     });
 }
 

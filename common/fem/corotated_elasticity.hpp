@@ -16,15 +16,16 @@ using ElementRotations = std::vector<Mat3>;
 /// The rotation of every element from its mean deformation gradient (its value at the centroid).
 void find_rotations(const ElasticMesh& mesh, const NodalVectors& positions, ElementRotations& rotations);
 
-/// Whether an element is turned inside out: a deformation gradient with determinant <= 0 at the element (linear) or at
-/// one of its corners (quadratic).
+/// Whether an element is turned inside out: a deformation gradient with determinant <= 0 at the element
+/// (linear) or at one of its corners (quadratic).
 bool is_inverted(Basis basis, const ElasticElement& element, const NodalVectors& positions);
 /// How many are.
 int inverted_elements(const ElasticMesh& mesh, const NodalVectors& positions);
 
-/// Stiffness of one element in its rest orientation, 3n x 3n for n nodes, node by node [N/m]:
-/// K_e = V sum_kl m_kl B_k^T E B_l (thesis 3.18, whose K_e = V B^T E B is the linear element with its one point).
-Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element, const Eigen::Matrix<double, 6, 6>& hooke);
+/// Stiffness of one element in its rest orientation, 3n x 3n for n nodes, node by node [N/m]: K_e = V sum_kl
+/// m_kl B_k^T E B_l (thesis 3.18, whose K_e = V B^T E B is the linear element with its one point).
+Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element,
+                                  const Eigen::Matrix<double, 6, 6>& hooke);
 
 /// The body's elasticity with the elements turned by given rotations: forces f = -K_R (x - R X), where
 /// K_R = sum_e R_e K_e R_e^T and "R X" stands for the rest shape of each element turned with it.
@@ -33,8 +34,7 @@ class CorotatedElasticity {
 public:
     CorotatedElasticity(const ElasticMesh& mesh, const LameConstants& lame, const ElementRotations& rotations)
         : mesh_(mesh), lame_(lame), rotations_(rotations)
-    {
-    }
+    {}
 
     const ElasticMesh& mesh() const { return mesh_; }
     const LameConstants& lame() const { return lame_; }

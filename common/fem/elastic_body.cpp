@@ -20,15 +20,10 @@ const ElasticMaterial& checked(const ElasticMaterial& material)
 }  // namespace
 
 ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, const ElasticOptions& options)
-    : mesh_(std::move(mesh)),
-      material_(checked(material)),
-      options_(options),
-      lame_(lame_constants(material)),
-      mass_matrix_(enduring::mass_matrix(mesh_, material.density)),
-      masses_(lumped_masses(mass_matrix_)),
-      inverse_masses_(masses_.cwiseInverse()),
-      fixed_(mesh_.node_count(), 0),
-      positions_(mesh_.rest()),
+    : mesh_(std::move(mesh)), material_(checked(material)), options_(options),
+      lame_(lame_constants(material)), mass_matrix_(enduring::mass_matrix(mesh_, material.density)),
+      masses_(lumped_masses(mass_matrix_)), inverse_masses_(masses_.cwiseInverse()),
+      fixed_(mesh_.node_count(), 0), positions_(mesh_.rest()),
       velocities_(NodalVectors::Zero(3, mesh_.node_count())),
       external_forces_(NodalVectors::Zero(3, mesh_.node_count())),
       last_prediction_(NodalVectors::Zero(3, mesh_.node_count())),
@@ -75,8 +70,10 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
     const NodalVectors rhs = momenta() + dt * forces;
 
     const NodalVectors before = velocities_;
-    velocities_ += last_prediction_;  // the first guess: the same change again, right for a free fall and for a body at rest
-    solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping, dt * (dt + material_.stiffness_damping), rhs, velocities_);
+    // the first guess: the same change again, right for a free fall and for a body at rest
+    velocities_ += last_prediction_;
+    solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping,
+                  dt * (dt + material_.stiffness_damping), rhs, velocities_);
     last_prediction_ = velocities_ - before;
 }
 //! [predict]
@@ -85,17 +82,16 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
 void ElasticBody::respond(const NodalVectors& impulses, double dt)
 {
     const CorotatedElasticity elasticity(mesh_, lame_, rotations_);
-    NodalVectors change = last_response_;  // the first guess; the solver takes its best multiple, so that it cannot harm
-    solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping, dt * (dt + material_.stiffness_damping), impulses, change);
+    // the first guess; the solver takes its best multiple, so that it cannot harm
+    NodalVectors change = last_response_;
+    solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping,
+                  dt * (dt + material_.stiffness_damping), impulses, change);
     velocities_ += change;
     last_response_ = change;
 }
 //! [respond]
 
-void ElasticBody::commit(double dt)
-{
-    positions_ += dt * velocities_;
-}
+void ElasticBody::commit(double dt) { positions_ += dt * velocities_; }
 
 ElementRotations ElasticBody::fitting_rotations() const
 {
@@ -119,20 +115,11 @@ double ElasticBody::elastic_energy() const
     return CorotatedElasticity(mesh_, lame_, rotations).energy(positions_);
 }
 
-double ElasticBody::kinetic_energy() const
-{
-    return 0.5 * velocities_.cwiseProduct(momenta()).sum();
-}
+double ElasticBody::kinetic_energy() const { return 0.5 * velocities_.cwiseProduct(momenta()).sum(); }
 
-Vec3 ElasticBody::centre_of_mass() const
-{
-    return positions_ * masses_ / mass();
-}
+Vec3 ElasticBody::centre_of_mass() const { return positions_ * masses_ / mass(); }
 
-Vec3 ElasticBody::linear_momentum() const
-{
-    return velocities_ * masses_;
-}
+Vec3 ElasticBody::linear_momentum() const { return velocities_ * masses_; }
 
 Vec3 ElasticBody::angular_momentum(const Vec3& about) const
 {

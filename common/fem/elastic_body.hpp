@@ -9,19 +9,20 @@
 namespace enduring {
 
 struct ElasticOptions {
-    /// Linear elasticity about the placed shape, for small rotations and for proofs; otherwise every element's rotation is
-    /// found once a step, at its start.
+    /// Linear elasticity about the placed shape, for small rotations and for proofs; otherwise every
+    /// element's rotation is found once a step, at its start.
     bool freeze_rotations = false;
     double solver_tolerance = 1e-10;  ///< relative error of the velocities in the norm of the system's matrix
     LinearSolverKind linear_solver = LinearSolverKind::supernodal;
 };
 
-/// A deformable body: a mass that is spread over elements as their basis says, held together by their corotated stiffness. It knows nothing of surfaces or contact.
+/// A deformable body: a mass that is spread over elements as their basis says, held together by their
+/// corotated stiffness. It knows nothing of surfaces or contact.
 ///
-/// One step is predict (new velocities, positions unchanged), then whatever changes velocities(), then commit. Positions
-/// and velocities may be written at any time in between. The hidden state is the rotations of the last prediction, and what
-/// the last solves changed, from which the next ones start: it decides how long they take, and their result only within
-/// the tolerance.
+/// One step is predict (new velocities, positions unchanged), then whatever changes velocities(), then
+/// commit. Positions and velocities may be written at any time in between. The hidden state is the rotations
+/// of the last prediction, and what the last solves changed, from which the next ones start: it decides how
+/// long they take, and their result only within the tolerance.
 class ElasticBody {
 public:
     /// @throws InputError  a material constant outside its range
@@ -37,7 +38,8 @@ public:
     const NodalVectors& positions() const { return positions_; }
     NodalVectors& velocities() { return velocities_; }  ///< [m/s]
     const NodalVectors& velocities() const { return velocities_; }
-    NodalVectors& external_forces() { return external_forces_; }  ///< [N], besides gravity; stay until changed
+    /// [N], besides gravity; stay until changed
+    NodalVectors& external_forces() { return external_forces_; }
 
     /// Turns about the origin, then moves; velocities turn along. Rotations start from the placed shape.
     void place(const Mat3& rotation, const Vec3& translation);
@@ -46,8 +48,10 @@ public:
     void fix(int node);
 
     const Eigen::SparseMatrix<double>& mass_matrix() const { return mass_matrix_; }  ///< M [kg], of all nodes
-    const Eigen::VectorXd& masses() const { return masses_; }                        ///< row sums of M [kg], all positive
-    const Eigen::VectorXd& inverse_masses() const { return inverse_masses_; }        ///< of those [1/kg], zero for fixed nodes
+    /// row sums of M [kg], all positive
+    const Eigen::VectorXd& masses() const { return masses_; }
+    /// of those [1/kg], zero for fixed nodes
+    const Eigen::VectorXd& inverse_masses() const { return inverse_masses_; }
 
     /// New velocities by implicit Euler, linearised about the start of the step:
     ///   (M + dt C + dt^2 K_R) v_new = M v + dt (f_ext + M g + f_el(x)),  C = alpha M + beta K_R.
@@ -55,12 +59,16 @@ public:
     /// @param dt       [s]
     /// @throws InputError  dt is not positive and finite
     void predict(const Vec3& gravity, double dt);
-    /// Impulses [N s] on the nodes that act during the step: the velocities change by what the system of the last predict
-    /// gives for them, so that the elements pass them on to their neighbours within the step. Call after predict(.., dt).
+    /// Impulses [N s] on the nodes that act during the step: the velocities change by what the
+    /// system of the last predict gives for them, so that the elements pass them on to their
+    /// neighbours within the step. Call after predict(.., dt).
     void respond(const NodalVectors& impulses, double dt);
-    /// What respond() would add to the velocities, up to what the elements have turned against each other since the system was
-    /// last factored: one pass through that factor. Zero before the first predict().
-    NodalVectors near_response(const NodalVectors& impulses) const { return solver_.nearly_solved(fixed_, impulses); }
+    /// What respond() would add to the velocities, up to what the elements have turned against each other
+    /// since the system was last factored: one pass through that factor. Zero before the first predict().
+    NodalVectors near_response(const NodalVectors& impulses) const
+    {
+        return solver_.nearly_solved(fixed_, impulses);
+    }
     /// positions += dt velocities.
     void commit(double dt);
 
@@ -73,13 +81,13 @@ public:
     /// With the rotations that fit the present positions (or the frozen ones) [J].
     double elastic_energy() const;
     Vec3 centre_of_mass() const;
-    Vec3 linear_momentum() const;                     ///< [kg m/s]
-    Vec3 angular_momentum(const Vec3& about) const;   ///< [kg m^2/s]
+    Vec3 linear_momentum() const;                    ///< [kg m/s]
+    Vec3 angular_momentum(const Vec3& about) const;  ///< [kg m^2/s]
     int inverted_elements() const { return enduring::inverted_elements(mesh_, positions_); }
 
     const ElementRotations& rotations() const { return rotations_; }  ///< of the last predict()
-    int solver_iterations() const { return solver_.iterations(); }  ///< of the last prediction
-    int factorisations() const { return solver_.factorisations(); } ///< since the beginning
+    int solver_iterations() const { return solver_.iterations(); }    ///< of the last prediction
+    int factorisations() const { return solver_.factorisations(); }   ///< since the beginning
 
 private:
     ElementRotations fitting_rotations() const;

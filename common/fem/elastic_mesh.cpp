@@ -14,10 +14,7 @@ namespace {
 /// A sliver this flat has lost its gradients to rounding; relative to the cube of its longest edge.
 constexpr double smallest_relative_volume = 1e-12;
 
-std::string named(std::size_t element)
-{
-    return "element " + std::to_string(element) + " (counted from 0)";
-}
+std::string named(std::size_t element) { return "element " + std::to_string(element) + " (counted from 0)"; }
 
 ElasticElement make_element(const std::array<Vec3, 4>& corner, std::size_t index)
 {
@@ -40,7 +37,8 @@ void demand_straight_edges(const QuadraticTetrahedralMesh& mesh, std::size_t ind
 {
     const auto& nodes = mesh.elements[index];
     for (std::size_t e = 0; e < tetrahedron_edges.size(); ++e) {
-        const Vec3 &a = mesh.nodes[nodes[tetrahedron_edges[e][0]]], &b = mesh.nodes[nodes[tetrahedron_edges[e][1]]];
+        const Vec3 &a = mesh.nodes[nodes[tetrahedron_edges[e][0]]],
+                   &b = mesh.nodes[nodes[tetrahedron_edges[e][1]]];
         const double off = (mesh.nodes[nodes[4 + e]] - 0.5 * (a + b)).norm();
         if (!(off <= 1e-6 * (b - a).norm()))
             throw InputError(named(index) + " is curved at rest: node " + std::to_string(nodes[4 + e]) +
@@ -67,15 +65,13 @@ void ElasticMesh::read(const Mesh& mesh)
             if (node < 0 || node >= count)
                 throw InputError(named(e) + " names node " + std::to_string(node) + "; allowed are 0 to " +
                                  std::to_string(count - 1));
-        elements_.push_back(make_element({mesh.nodes[nodes[0]], mesh.nodes[nodes[1]], mesh.nodes[nodes[2]], mesh.nodes[nodes[3]]}, e));
+        elements_.push_back(make_element(
+            {mesh.nodes[nodes[0]], mesh.nodes[nodes[1]], mesh.nodes[nodes[2]], mesh.nodes[nodes[3]]}, e));
         std::copy(nodes.begin(), nodes.end(), elements_.back().nodes.begin());
     }
 }
 
-ElasticMesh::ElasticMesh(const TetrahedralMesh& mesh) : basis_(Basis::linear)
-{
-    read(mesh);
-}
+ElasticMesh::ElasticMesh(const TetrahedralMesh& mesh) : basis_(Basis::linear) { read(mesh); }
 
 ElasticMesh::ElasticMesh(const QuadraticTetrahedralMesh& mesh) : basis_(Basis::quadratic)
 {

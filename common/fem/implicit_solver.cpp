@@ -10,15 +10,13 @@
 namespace enduring {
 namespace {
 
-/// A factorisation costs about as much as this many iterations (35 to 80, over the bunnies of 363 to 10668 elements).
+/// A factorisation costs about as much as this many iterations (35 to 80,
+/// over the bunnies of 363 to 10668 elements).
 constexpr int iterations_per_factorisation = 50;
 constexpr int early_solves = 5;
 constexpr int iteration_limit_fresh = 300;
 
-double dot(const NodalVectors& a, const NodalVectors& b)
-{
-    return a.reshaped().dot(b.reshaped());
-}
+double dot(const NodalVectors& a, const NodalVectors& b) { return a.reshaped().dot(b.reshaped()); }
 
 }  // namespace
 
@@ -50,11 +48,11 @@ struct ImplicitSolver::System {
     }
 };
 
-ImplicitSolver::ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance,
-                               LinearSolverKind kind)
-    : mass_matrix_(mass_matrix), masses_(lumped_masses(mass_matrix)), tolerance_(tolerance), factor_(mesh, kind)
-{
-}
+ImplicitSolver::ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix,
+                               double tolerance, LinearSolverKind kind)
+    : mass_matrix_(mass_matrix), masses_(lumped_masses(mass_matrix)), tolerance_(tolerance),
+      factor_(mesh, kind)
+{}
 
 void ImplicitSolver::renew_factor(const System& system)
 {
@@ -72,9 +70,11 @@ void ImplicitSolver::account_for_iterations()
 }
 
 //! [conjugate_gradients]
-/// Stops by r.z, the squared error in the norm of the matrix as the preconditioner sees it, against v.rhs, the squared
-/// norm of the solution. True if it got there; also true for numbers that are no longer finite, which the step reports.
-bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v, int iteration_limit)
+/// Stops by r.z, the squared error in the norm of the matrix as the preconditioner sees it,
+/// against v.rhs, the squared norm of the solution. True if it got there; also true for
+/// numbers that are no longer finite, which the step reports.
+bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v,
+                                         int iteration_limit)
 {
     NodalVectors r, z, direction, image;
     system.multiply(v, image);
@@ -101,8 +101,9 @@ bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVector
 }
 //! [conjugate_gradients]
 
-void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
-                           double stiffness_scale, const NodalVectors& rhs, NodalVectors& v)
+void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed,
+                           double mass_scale, double stiffness_scale, const NodalVectors& rhs,
+                           NodalVectors& v)
 {
     const System system{elasticity, mass_matrix_, fixed, mass_scale, stiffness_scale};
     system.clear_fixed(v);

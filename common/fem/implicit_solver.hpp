@@ -4,18 +4,22 @@
 
 namespace enduring {
 
-/// Solves (a M + b K_R) v = rhs by conjugate gradients, with a factorisation from an earlier step as preconditioner.
+/// Solves (a M + b K_R) v = rhs by conjugate gradients, with a
+/// factorisation from an earlier step as preconditioner.
 ///
-/// The matrix itself is never built for this: the product runs over the elements. A new factor is made when a or b changes,
-/// and when the iterations that a fresh one would have saved add up to the cost of making it. All of it depends on counts,
-/// never on a clock: the same input gives the same bits. What a fresh factor would have taken is what the present one took
-/// in its first few solves (its very first is always quick, since there nothing has turned yet).
+/// The matrix itself is never built for this: the product runs over the elements. A new factor is made when a
+/// or b changes, and when the iterations that a fresh one would have saved add up to the cost of making it.
+/// All of it depends on counts, never on a clock: the same input gives the same bits. What a fresh factor
+/// would have taken is what the present one took in its first few solves (its very first is always quick,
+/// since there nothing has turned yet).
 class ImplicitSolver {
 public:
     /// @param mass_matrix  M, one row a node; outlives the solver
-    /// @param tolerance    stop when the error, in the norm of the matrix, is this small relative to the solution
+    /// @param tolerance    stop when the error, in the norm of the matrix,
+    ///     is this small relative to the solution
     /// @param kind         of linear solver, which makes the factor and applies it
-    ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance, LinearSolverKind kind);
+    ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance,
+                   LinearSolverKind kind);
 
     /// @param elasticity      with the rotations of this step
     /// @param fixed           one flag a node: its velocity is zero whatever rhs says
@@ -28,8 +32,8 @@ public:
     void solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
                double stiffness_scale, const NodalVectors& rhs, NodalVectors& v);
 
-    /// One application of the preconditioner: the solution for rhs but for what elements have turned against each other since
-    /// the matrix was factored, and for its single precision. Zero before the first solve.
+    /// One application of the preconditioner: the solution for rhs but for what elements have turned against
+    /// each other since the matrix was factored, and for its single precision. Zero before the first solve.
     /// @param fixed  as for solve()
     NodalVectors nearly_solved(const std::vector<char>& fixed, NodalVectors rhs) const;
 
@@ -38,7 +42,8 @@ public:
 
 private:
     struct System;
-    bool conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v, int iteration_limit);
+    bool conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v,
+                             int iteration_limit);
     void renew_factor(const System& system);
     void account_for_iterations();
 
@@ -48,8 +53,8 @@ private:
     TurnedFactor factor_;
     int iterations_ = 0, factorisations_ = 0;
     int solves_with_factor_ = 0;
-    int early_iterations_ = 0;    ///< the most that one of the first solves with the present factor took
-    int wasted_iterations_ = 0;   ///< beyond that, since
+    int early_iterations_ = 0;   ///< the most that one of the first solves with the present factor took
+    int wasted_iterations_ = 0;  ///< beyond that, since
 };
 
 }  // namespace enduring

@@ -5,7 +5,8 @@
 
 namespace enduring {
 
-std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const Eigen::SparseMatrix<double>& pattern)
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
+                                                 const Eigen::SparseMatrix<double>& pattern)
 {
     if (kind == LinearSolverKind::simplicial)
         return std::make_unique<SimplicialSolver>(pattern);

@@ -21,11 +21,13 @@ public:
 
 enum class LinearSolverKind {
     simplicial,  ///< Eigen's factor, column by column, in double precision: short, and slow for large bodies
-    supernodal,  ///< CHOLMOD's factor, block by block, applied in single precision: fast, for a preconditioner
+    /// CHOLMOD's factor, block by block, applied in single precision: fast, for a preconditioner
+    supernodal,
 };
 
 /// Orders the unknowns and finds where the factor has entries.
 /// @param pattern  lower triangle of the matrices to come; only where its entries are counts
-std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const Eigen::SparseMatrix<double>& pattern);
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
+                                                 const Eigen::SparseMatrix<double>& pattern);
 
 }  // namespace enduring

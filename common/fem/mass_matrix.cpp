@@ -7,7 +7,8 @@ namespace enduring {
 namespace {
 
 //! [mass_share]
-/// (a + b)! / (a! b!): in how many ways a factor lambda^(a + b) of a product comes from lambda^a and lambda^b.
+/// (a + b)! / (a! b!): in how many ways a factor lambda^(a + b) of a
+/// product comes from lambda^a and lambda^b.
 constexpr std::array<std::array<int, 3>, 3> ways{{{1, 1, 1}, {1, 2, 3}, {1, 3, 6}}};
 
 template <class B>
@@ -35,7 +36,8 @@ Eigen::SparseMatrix<double> mass_matrix(const ElasticMesh& mesh, double density)
     for (const ElasticElement& element : mesh.elements())
         for (int i = 0; i < per_element; ++i)
             for (int j = 0; j < per_element; ++j)
-                entries.emplace_back(element.nodes[i], element.nodes[j], density * element.volume * mass_share(mesh.basis(), i, j));
+                entries.emplace_back(element.nodes[i], element.nodes[j],
+                                     density * element.volume * mass_share(mesh.basis(), i, j));
     Eigen::SparseMatrix<double> masses(mesh.node_count(), mesh.node_count());
     masses.setFromTriplets(entries.begin(), entries.end());  // sums what several elements give
     return masses;

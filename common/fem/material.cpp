@@ -25,7 +25,8 @@ void check(const ElasticMaterial& material)
     demand(material.poisson > -1 && material.poisson < 0.5, "poisson (Poisson's ratio)", material.poisson,
            "between -1 and 0.5, both excluded");
     demand(material.density > 0, "density (kg/m^3)", material.density, "positive and finite");
-    demand(material.mass_damping >= 0, "mass_damping (1/s)", material.mass_damping, "zero or positive, and finite");
+    demand(material.mass_damping >= 0, "mass_damping (1/s)", material.mass_damping,
+           "zero or positive, and finite");
     demand(material.stiffness_damping >= 0, "stiffness_damping (s)", material.stiffness_damping,
            "zero or positive, and finite");
 }

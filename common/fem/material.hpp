@@ -6,11 +6,11 @@ namespace enduring {
 
 /// A uniform isotropic solid with Rayleigh damping C = alpha M + beta K.
 struct ElasticMaterial {
-    double young = 1e5;             ///< Young's modulus [Pa], positive
-    double poisson = 0.3;           ///< Poisson's ratio, in (-1, 0.5)
-    double density = 1000;          ///< [kg/m^3], positive
-    double mass_damping = 0;        ///< alpha [1/s], not negative: slows every motion, a free fall too
-    double stiffness_damping = 0;   ///< beta [s], not negative: slows deformation only
+    double young = 1e5;            ///< Young's modulus [Pa], positive
+    double poisson = 0.3;          ///< Poisson's ratio, in (-1, 0.5)
+    double density = 1000;         ///< [kg/m^3], positive
+    double mass_damping = 0;       ///< alpha [1/s], not negative: slows every motion, a free fall too
+    double stiffness_damping = 0;  ///< beta [s], not negative: slows deformation only
 };
 
 /// @throws InputError  a constant that is not finite or outside its range; names it, the range and the value

@@ -8,8 +8,8 @@
 namespace enduring {
 namespace {
 
-/// Below this ratio of det F to (|F| / sqrt 3)^3, which is 1 for a pure rotation, Newton's iteration would be slow
-/// or find a reflection.
+/// Below this ratio of det F to (|F| / sqrt 3)^3, which is 1 for a pure rotation,
+/// Newton's iteration would be slow or find a reflection.
 constexpr double safe_determinant = 0.1;
 
 Mat3 by_singular_values(const Mat3& f)
@@ -29,7 +29,8 @@ Mat3 cofactors(const Mat3& r)
     return c;
 }
 
-/// R <- (R + R^-T) / 2 halves the logarithm of every singular value and then converges quadratically (Higham 1986).
+/// R <- (R + R^-T) / 2 halves the logarithm of every singular value and
+/// then converges quadratically (Higham 1986).
 Mat3 by_newton(Mat3 r)
 {
     for (int iteration = 0; iteration < 20; ++iteration) {

@@ -10,7 +10,10 @@ namespace enduring {
 /// The plain linear solver: A = L D L^T.
 class SimplicialSolver : public LinearSolver {
 public:
-    explicit SimplicialSolver(const Eigen::SparseMatrix<double>& pattern) { cholesky_.analyzePattern(pattern); }
+    explicit SimplicialSolver(const Eigen::SparseMatrix<double>& pattern)
+    {
+        cholesky_.analyzePattern(pattern);
+    }
 
     bool factor(const Eigen::SparseMatrix<double>& matrix) override
     {

@@ -38,7 +38,8 @@ StiffnessAssembly::StiffnessAssembly(const ElasticMesh& mesh)
     for (int n = 0; n < count; ++n)
         offsets_[n + 1] += offsets_[n];
     for (const ElasticElement& element : mesh.elements())
-        for_each_lower_block(element, per_element, [&](int row, int column, int, int) { ranks_.push_back(rank_of(row, column)); });
+        for_each_lower_block(element, per_element,
+                             [&](int row, int column, int, int) { ranks_.push_back(rank_of(row, column)); });
 
     matrix_.resize(3 * count, 3 * count);
     matrix_.reserve(static_cast<Eigen::Index>(9 * pairs.size()) + 6 * count);
@@ -56,19 +57,23 @@ StiffnessAssembly::StiffnessAssembly(const ElasticMesh& mesh)
 
 int StiffnessAssembly::rank_of(int row_node, int column_node) const
 {
-    const auto first = lower_neighbours_.begin() + offsets_[column_node], last = lower_neighbours_.begin() + offsets_[column_node + 1];
+    const auto first = lower_neighbours_.begin() + offsets_[column_node],
+               last = lower_neighbours_.begin() + offsets_[column_node + 1];
     return static_cast<int>(std::lower_bound(first, last, row_node) - first);
 }
 
-/// Where rows 3 row_node.. of that block's column start; in a diagonal block the first of them is the diagonal itself.
+/// Where rows 3 row_node.. of that block's column start; in a diagonal
+/// block the first of them is the diagonal itself.
 double* StiffnessAssembly::block_column(int row_node, int column_node, int column, int rank)
 {
     double* start = matrix_.valuePtr() + matrix_.outerIndexPtr()[3 * column_node + column];
     return row_node == column_node ? start : start + (3 - column) + 3 * rank;
 }
 
-/// M links the nodes that K links, in the same order: what stands below the diagonal of its column n are the lower neighbours of n.
-void StiffnessAssembly::add_masses(const Eigen::SparseMatrix<double>& mass_matrix, const std::vector<char>& fixed, double scale)
+/// M links the nodes that K links, in the same order: what stands below the
+/// diagonal of its column n are the lower neighbours of n.
+void StiffnessAssembly::add_masses(const Eigen::SparseMatrix<double>& mass_matrix,
+                                   const std::vector<char>& fixed, double scale)
 {
     for (int n = 0; n < static_cast<int>(mass_matrix.cols()); ++n) {
         int rank = 0;
@@ -89,7 +94,8 @@ void StiffnessAssembly::add_masses(const Eigen::SparseMatrix<double>& mass_matri
 
 const Eigen::SparseMatrix<double>& StiffnessAssembly::assemble(const CorotatedElasticity& elasticity,
                                                                const Eigen::SparseMatrix<double>& mass_matrix,
-                                                               const std::vector<char>& fixed, double mass_scale, double stiffness_scale)
+                                                               const std::vector<char>& fixed,
+                                                               double mass_scale, double stiffness_scale)
 {
     const ElasticMesh& mesh = elasticity.mesh();
     const auto hooke = hooke_matrix(elasticity.lame());
@@ -98,17 +104,19 @@ const Eigen::SparseMatrix<double>& StiffnessAssembly::assemble(const CorotatedEl
     for (std::size_t e = 0; e < mesh.elements().size(); ++e) {
         const Eigen::MatrixXd stiffness = element_stiffness(mesh, static_cast<int>(e), hooke);
         const Mat3& rotation = elasticity.rotations()[e];
-        for_each_lower_block(mesh.elements()[e], nodes_of(mesh.basis()), [&](int row, int column, int a, int b) {
-            const int rank = ranks_[pair++];
-            if (fixed[row] || fixed[column])
-                return;
-            const Mat3 block = stiffness_scale * rotation * stiffness.block<3, 3>(3 * a, 3 * b) * rotation.transpose();
-            for (int j = 0; j < 3; ++j) {
-                double* entry = block_column(row, column, j, rank);
-                for (int i = row == column ? j : 0; i < 3; ++i)
-                    *entry++ += block(i, j);
-            }
-        });
+        for_each_lower_block(
+            mesh.elements()[e], nodes_of(mesh.basis()), [&](int row, int column, int a, int b) {
+                const int rank = ranks_[pair++];
+                if (fixed[row] || fixed[column])
+                    return;
+                const Mat3 block = stiffness_scale * rotation * stiffness.block<3, 3>(3 * a, 3 * b) *
+                                   rotation.transpose();
+                for (int j = 0; j < 3; ++j) {
+                    double* entry = block_column(row, column, j, rank);
+                    for (int i = row == column ? j : 0; i < 3; ++i)
+                        *entry++ += block(i, j);
+                }
+            });
     }
     add_masses(mass_matrix, fixed, mass_scale);
     return matrix_;

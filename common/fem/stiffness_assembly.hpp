@@ -8,22 +8,25 @@
 
 namespace enduring {
 
-/// Builds a M + b K_R as a sparse matrix, its lower triangle only. Where the entries lie is settled once, by the mesh;
-/// assembling again writes numbers into known places. Unknown 3 n + i is component i of node n.
+/// Builds a M + b K_R as a sparse matrix, its lower triangle only. Where the entries lie is settled once, by
+/// the mesh; assembling again writes numbers into known places. Unknown 3 n + i is component i of node n.
 class StiffnessAssembly {
 public:
     explicit StiffnessAssembly(const ElasticMesh& mesh);
 
     /// @param mass_matrix  M of the same mesh, one row a node
     /// @param fixed        one flag a node: rows and columns of a fixed node become those of the identity
-    const Eigen::SparseMatrix<double>& assemble(const CorotatedElasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
-                                                const std::vector<char>& fixed, double mass_scale, double stiffness_scale);
+    const Eigen::SparseMatrix<double>& assemble(const CorotatedElasticity& elasticity,
+                                                const Eigen::SparseMatrix<double>& mass_matrix,
+                                                const std::vector<char>& fixed, double mass_scale,
+                                                double stiffness_scale);
 
     /// The zero matrix with every entry in place.
     const Eigen::SparseMatrix<double>& pattern() const { return matrix_; }
 
 private:
-    void add_masses(const Eigen::SparseMatrix<double>& mass_matrix, const std::vector<char>& fixed, double scale);
+    void add_masses(const Eigen::SparseMatrix<double>& mass_matrix, const std::vector<char>& fixed,
+                    double scale);
     double* block_column(int row_node, int column_node, int column, int rank);
     int rank_of(int row_node, int column_node) const;
 

@@ -26,8 +26,9 @@ cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
     return view;
 }
 
-/// While it lives, CHOLMOD's own loops (OpenMP) and OpenBLAS, where that is the system's BLAS, keep to one thread: a sum must not depend
-/// on how many there are, and the blocks are too small to gain. Neither has to be there: both are asked for by name.
+/// While it lives, CHOLMOD's own loops (OpenMP) and OpenBLAS, where that is the system's BLAS, keep to one
+/// thread: a sum must not depend on how many there are, and the blocks are too small to gain. Neither has to
+/// be there: both are asked for by name.
 class OneThread {
 public:
     OneThread()
@@ -52,8 +53,7 @@ private:
         Setting(const char* getter, const char* setter, int one_thread)
             : get(reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, getter))),
               set(reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, setter))), one(one_thread)
-        {
-        }
+        {}
         int (*get)();
         void (*set)(int);
         int one, before = 0;
@@ -69,7 +69,8 @@ SupernodalSolver::SupernodalSolver(const Eigen::SparseMatrix<double>& pattern)
     cholmod_start(&cholmod_);
     cholmod_.print = 0;  // factor() says by its result what CHOLMOD would print
     cholmod_.supernodal = CHOLMOD_SUPERNODAL;
-    // Of two orderings the one with the smaller factor; minimum degree alone where CHOLMOD was built without METIS.
+    // Of two orderings the one with the smaller factor; minimum degree
+    // alone where CHOLMOD was built without METIS.
     cholmod_.nmethods = 2;
     cholmod_.method[0].ordering = CHOLMOD_METIS;
     cholmod_.method[1].ordering = CHOLMOD_AMD;
@@ -97,8 +98,8 @@ bool SupernodalSolver::factor(const Eigen::SparseMatrix<double>& matrix)
     return true;
 }
 
-/// A supernode s has the columns super[s] .. super[s + 1] - 1 of L. Its rows (its columns themselves, then those below) stand from pi[s]
-/// in `s`, and its entries, column by column, from px[s] in `x`.
+/// A supernode s has the columns super[s] .. super[s + 1] - 1 of L. Its rows (its columns themselves, then
+/// those below) stand from pi[s] in `s`, and its entries, column by column, from px[s] in `x`.
 void SupernodalSolver::copy_supernodes()
 {
     supernodes_.clear();

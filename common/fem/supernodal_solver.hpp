@@ -10,11 +10,12 @@ namespace enduring {
 
 /// The fast linear solver: CHOLMOD's supernodal factor A = P^T L L^T P, applied in single precision.
 ///
-/// Nested dissection orders the unknowns: it cuts the body in two by few nodes, which come last, and each half again. Neighbouring
-/// columns of L whose entries then stand in the same rows make a dense block (a supernode), and dense blocks are what the
-/// BLAS is fast at. A solve reads the factor twice and computes little, so it takes as long as the reading does: with half
-/// the bytes it is about twice as fast as CHOLMOD's own. Its relative error is around 1e-6 (more where the matrix is worse
-/// conditioned): far less than a preconditioner may have.
+/// Nested dissection orders the unknowns: it cuts the body in two by few nodes, which come last, and each
+/// half again. Neighbouring columns of L whose entries then stand in the same rows make a dense block (a
+/// supernode), and dense blocks are what the BLAS is fast at. A solve reads the factor twice and computes
+/// little, so it takes as long as the reading does: with half the bytes it is about twice as fast as
+/// CHOLMOD's own. Its relative error is around 1e-6 (more where the matrix is worse conditioned): far less
+/// than a preconditioner may have.
 class SupernodalSolver : public LinearSolver {
 public:
     explicit SupernodalSolver(const Eigen::SparseMatrix<double>& pattern);

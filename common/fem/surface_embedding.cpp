@@ -10,7 +10,8 @@ namespace {
 void demand_node(int node, std::size_t count)
 {
     if (node < 0 || node >= static_cast<int>(count))
-        throw InputError("surface node " + std::to_string(node) + " is not a node of the mesh; allowed are 0 to " +
+        throw InputError("surface node " + std::to_string(node) +
+                         " is not a node of the mesh; allowed are 0 to " +
                          std::to_string(static_cast<int>(count) - 1));
 }
 

@@ -15,9 +15,9 @@ struct NodeWeight {
 
 /// Where the vertices of a body's surface are, as fixed combinations of its nodes: x = sum_i w_i c_i.
 ///
-/// With linear elements a surface vertex is a node. With quadratic ones in Bernstein form a corner is a node too, and the middle
-/// of an edge with corners a and b is c_a / 4 + c_ab / 2 + c_b / 4. An impulse goes back the same way, so that it does the
-/// same work on the nodes as on the vertex: node i receives w_i times it.
+/// With linear elements a surface vertex is a node. With quadratic ones in Bernstein form a corner is a node
+/// too, and the middle of an edge with corners a and b is c_a / 4 + c_ab / 2 + c_b / 4. An impulse goes back
+/// the same way, so that it does the same work on the nodes as on the vertex: node i receives w_i times it.
 class SurfaceEmbedding {
 public:
     /// @param surface_nodes  the mesh node of each surface vertex (surface_of(mesh).nodes)
@@ -42,7 +42,8 @@ public:
     void evaluate(const NodalVectors& field, std::span<Vec3> values) const;
     /// Adds to the velocities what an impulse [N s] at a vertex does to the nodes.
     /// @param inverse_masses  of the nodes [1/kg], zero where a node is fixed
-    void apply_impulse(int vertex, const Vec3& impulse, const Eigen::VectorXd& inverse_masses, NodalVectors& velocities) const;
+    void apply_impulse(int vertex, const Vec3& impulse, const Eigen::VectorXd& inverse_masses,
+                       NodalVectors& velocities) const;
     /// The vertex's change of velocity per impulse [1/kg], w^T M^-1 w: the same in every direction.
     double inverse_mass(int vertex, const Eigen::VectorXd& inverse_masses) const;
 

@@ -14,10 +14,11 @@ namespace enduring {
 
 /// A factorisation of A = a M + b K_R that stays useful while the body turns and bends.
 ///
-/// If every element turned by the same W since the matrix was factored, the new matrix is W A W^T exactly. Otherwise this
-/// holds nearly, with one W a node: the mean of its elements' turns. (M is the same along every axis, so W M W^T = M.) So
-/// W A^-1 W^T, a turn, a solve with the old factor and a turn back, approximates the new inverse, is symmetric and positive definite, and serves conjugate gradients
-/// as preconditioner over many steps (the idea of stiffness warping, Mueller et al. 2002, where it cannot harm).
+/// If every element turned by the same W since the matrix was factored, the new matrix is W A W^T exactly.
+/// Otherwise this holds nearly, with one W a node: the mean of its elements' turns. (M is the same along
+/// every axis, so W M W^T = M.) So W A^-1 W^T, a turn, a solve with the old factor and a turn back,
+/// approximates the new inverse, is symmetric and positive definite, and serves conjugate gradients as
+/// preconditioner over many steps (the idea of stiffness warping, Mueller et al. 2002, where it cannot harm).
 class TurnedFactor {
 public:
     TurnedFactor(const ElasticMesh& mesh, LinearSolverKind kind) : mesh_(mesh), kind_(kind) {}
@@ -36,7 +37,8 @@ public:
 private:
     const ElasticMesh& mesh_;
     LinearSolverKind kind_;
-    std::optional<StiffnessAssembly> assembly_;  ///< with the solver made when it is first needed: not every body is stepped
+    /// with the solver made when it is first needed: not every body is stepped
+    std::optional<StiffnessAssembly> assembly_;
     std::unique_ptr<LinearSolver> solver_;
     ElementRotations rotations_when_factored_, rotations_now_;
     std::vector<Mat3> turns_;

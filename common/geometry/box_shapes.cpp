@@ -9,7 +9,8 @@ namespace {
 
 using Cells = std::array<int, 3>;
 
-/// Numbers the points of a regular lattice that lie on its outside, in the order in which they are first asked for.
+/// Numbers the points of a regular lattice that lie on its outside, in
+/// the order in which they are first asked for.
 class BoxLattice {
 public:
     BoxLattice(const Vec3& size, const Cells& cells) : size_(size), cells_(cells)
@@ -20,7 +21,8 @@ public:
 
     int vertex(const Cells& at)
     {
-        const auto index = static_cast<std::size_t>(at[0] + (cells_[0] + 1) * (at[1] + (cells_[1] + 1) * at[2]));
+        const auto index =
+            static_cast<std::size_t>(at[0] + (cells_[0] + 1) * (at[1] + (cells_[1] + 1) * at[2]));
         if (numbers_[index] < 0) {
             numbers_[index] = static_cast<int>(vertices.size());
             const Vec3 fraction{1.0 * at[0] / cells_[0], 1.0 * at[1] / cells_[1], 1.0 * at[2] / cells_[2]};
@@ -91,7 +93,9 @@ SurfaceMesh plane_grid(double size_x, double size_z, std::array<int, 2> cells, G
     require_length("size_z of a plane grid", size_z);
     require_cells(cells);
     const int nx = cells[0], nz = cells[1];
-    const auto point = [&](double i, double k) { return Vec3((i / nx - 0.5) * size_x, 0, (k / nz - 0.5) * size_z); };
+    const auto point = [&](double i, double k) {
+        return Vec3((i / nx - 0.5) * size_x, 0, (k / nz - 0.5) * size_z);
+    };
 
     SurfaceMesh mesh;
     for (int k = 0; k <= nz; ++k)
@@ -103,7 +107,8 @@ SurfaceMesh plane_grid(double size_x, double size_z, std::array<int, 2> cells, G
             if (diagonals == GridDiagonals::crossed) {
                 const int middle = static_cast<int>(mesh.vertices.size());
                 mesh.vertices.push_back(point(i + 0.5, k + 0.5));
-                mesh.faces.insert(mesh.faces.end(), {{a, b, middle}, {b, c, middle}, {c, d, middle}, {d, a, middle}});
+                mesh.faces.insert(mesh.faces.end(),
+                                  {{a, b, middle}, {b, c, middle}, {c, d, middle}, {d, a, middle}});
             } else if (diagonals == GridDiagonals::alternating && (i + k) % 2 == 1) {
                 mesh.faces.insert(mesh.faces.end(), {{a, b, d}, {b, c, d}});
             } else {

@@ -6,9 +6,9 @@
 
 namespace enduring {
 
-/// Flat-faced surfaces made by code.
-/// Lengths in metres; y points up; every closed surface is manifold and faces outwards. All of them throw InputError for a size
-/// that is not positive and finite, a count below 1 (or absurdly large), or an angle outside its range, naming the argument.
+/// Flat-faced surfaces made by code. Lengths in metres; y points up; every closed surface is manifold and
+/// faces outwards. All of them throw InputError for a size that is not positive and finite, a count below 1
+/// (or absurdly large), or an angle outside its range, naming the argument.
 
 /// A cuboid around the origin; each side is a grid of cells, each cell two triangles.
 /// @param size   edge lengths along x, y, z [m]
@@ -31,6 +31,7 @@ enum class GridDiagonals {
 /// An open, flat grid in the plane y = 0 around the origin, facing up.
 /// @param size_x, size_z  edge lengths [m]
 /// @param cells           along x and z
-SurfaceMesh plane_grid(double size_x, double size_z, std::array<int, 2> cells, GridDiagonals diagonals = GridDiagonals::same);
+SurfaceMesh plane_grid(double size_x, double size_z, std::array<int, 2> cells,
+                       GridDiagonals diagonals = GridDiagonals::same);
 
 }  // namespace enduring

@@ -23,7 +23,8 @@ double map_determinant(const std::array<Vec3, 10>& nodes, const std::array<doubl
     for (std::size_t i = 0; i < 4; ++i)
         slope[i] = (4 * at[i] - 1) * nodes[i];
     for (std::size_t e = 0; e < 6; ++e) {
-        const auto i = static_cast<std::size_t>(tetrahedron_edges[e][0]), j = static_cast<std::size_t>(tetrahedron_edges[e][1]);
+        const auto i = static_cast<std::size_t>(tetrahedron_edges[e][0]),
+                   j = static_cast<std::size_t>(tetrahedron_edges[e][1]);
         slope[i] += 4 * at[j] * nodes[4 + e];
         slope[j] += 4 * at[i] * nodes[4 + e];
     }
@@ -79,7 +80,8 @@ double smallest_dihedral_angle(const std::array<Vec3, 4>& x)
     double smallest = 4;
     for (std::size_t f = 0; f < 4; ++f)
         for (std::size_t g = f + 1; g < 4; ++g)
-            smallest = std::min(smallest, std::atan2(normals[f].cross(normals[g]).norm(), -normals[f].dot(normals[g])));
+            smallest = std::min(smallest,
+                                std::atan2(normals[f].cross(normals[g]).norm(), -normals[f].dot(normals[g])));
     return smallest;
 }
 

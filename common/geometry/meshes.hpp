@@ -30,9 +30,12 @@ struct QuadraticTetrahedralMesh {
 };
 
 /// The corners of each edge of a tetrahedron, in the order of the 10-node element.
-inline constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+inline constexpr std::array<std::array<int, 2>, 6> tetrahedron_edges{
+    {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
 
-/// The corners of each face of a tetrahedron, counter-clockwise seen from outside; face i lies opposite corner i.
-inline constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+/// The corners of each face of a tetrahedron, counter-clockwise seen
+/// from outside; face i lies opposite corner i.
+inline constexpr std::array<std::array<int, 3>, 4> tetrahedron_faces{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 }  // namespace enduring

@@ -5,10 +5,7 @@
 namespace enduring {
 namespace {
 
-Edge edge_between(int a, int b)
-{
-    return {std::min(a, b), std::max(a, b)};
-}
+Edge edge_between(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 std::vector<Edge> distinct_edges(const TetrahedralMesh& mesh)
 {

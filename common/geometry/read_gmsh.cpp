@@ -40,14 +40,16 @@ void read_format(TextLines& lines)
         lines.fail("$MeshFormat is empty");
     const std::string version(lines.next_word());
     if (version != "2.2")
-        lines.fail("Gmsh format " + TextLines::quoted(version) + " is not supported; save the mesh as version 2.2 ASCII");
+        lines.fail("Gmsh format " + TextLines::quoted(version) +
+                   " is not supported; save the mesh as version 2.2 ASCII");
     if (lines.next_integer("file type") != 0)
         lines.fail("a binary Gmsh file; save the mesh as version 2.2 ASCII");
     if (goes_on(lines, "$EndMeshFormat"))
         lines.fail("$EndMeshFormat expected");
 }
 
-/// Reads one section: a count, then that many lines. What the file really holds decides how much is stored, never the count alone.
+/// Reads one section: a count, then that many lines. What the file really holds
+/// decides how much is stored, never the count alone.
 template <class ReadLine>
 void read_counted(TextLines& lines, const std::string& section, const ReadLine& read_line)
 {
@@ -64,7 +66,8 @@ void read_counted(TextLines& lines, const std::string& section, const ReadLine& 
         read_line();
     }
     if (entries < count)
-        lines.fail("$" + section + " promises " + std::to_string(count) + " entries and ends after " + std::to_string(entries));
+        lines.fail("$" + section + " promises " + std::to_string(count) + " entries and ends after " +
+                   std::to_string(entries));
 }
 
 void read_node(TextLines& lines, GmshContent& content)
@@ -93,11 +96,13 @@ void read_element(TextLines& lines, GmshContent& content)
 {
     const long number = lines.next_integer("element number");
     const long type = lines.next_integer("element type");
-    if (std::find(elements_passed_over.begin(), elements_passed_over.end(), type) != elements_passed_over.end())
+    if (std::find(elements_passed_over.begin(), elements_passed_over.end(), type) !=
+        elements_passed_over.end())
         return;
     const std::string name = "element " + std::to_string(number);
     if (type != four_node_tetrahedron && type != ten_node_tetrahedron)
-        lines.fail(name + " is of type " + std::to_string(type) + "; of solid elements only tetrahedra (4 and 11) can be read");
+        lines.fail(name + " is of type " + std::to_string(type) +
+                   "; of solid elements only tetrahedra (4 and 11) can be read");
     if (content.type != 0 && content.type != type)
         lines.fail(name + " has another number of nodes than the tetrahedra before it");
     content.type = type;
@@ -151,7 +156,8 @@ GmshContent read_content(TextLines& lines)
     return content;
 }
 
-/// Renumbers the nodes that elements use: corners first, then the middles of edges, each in the order of the file.
+/// Renumbers the nodes that elements use: corners first, then the
+/// middles of edges, each in the order of the file.
 QuadraticTetrahedralMesh compact(const GmshContent& content)
 {
     enum Use { unused, middle, corner };
@@ -200,7 +206,8 @@ QuadraticTetrahedralMesh read_gmsh_quadratic(std::istream& stream, const std::st
 {
     TextLines lines(stream, name);
     const GmshContent content = read_content(lines);
-    return content.type == ten_node_tetrahedron ? compact(content) : with_edge_midpoints(corners_of(compact(content)));
+    return content.type == ten_node_tetrahedron ? compact(content)
+                                                : with_edge_midpoints(corners_of(compact(content)));
 }
 
 TetrahedralMesh read_gmsh(const std::filesystem::path& file)

@@ -10,12 +10,13 @@ namespace enduring {
 
 /// Reads the tetrahedra of a Gmsh 2.2 ASCII file: element type 4, or the corners of type 11.
 ///
-/// Points, lines and surface elements are passed over, and so are nodes that no tetrahedron uses; the others keep
-/// their order in the file. Units are taken as they stand.
+/// Points, lines and surface elements are passed over, and so are nodes that no tetrahedron uses; the others
+/// keep their order in the file. Units are taken as they stand.
 ///
-/// @throws InputError  "file:line: reason": missing, empty, binary or truncated file, another version, a number that
-///                     is not finite or not a number, a node that is named twice or does not exist, an inverted or
-///                     flat element, no tetrahedra, another kind of solid element, or both kinds of tetrahedra
+/// @throws InputError  "file:line: reason": missing, empty, binary or truncated file, another version, a
+///                     number that is not finite or not a number, a node that is named twice or does not
+///                     exist, an inverted or flat element, no tetrahedra, another kind of solid element, or
+///                     both kinds of tetrahedra
 TetrahedralMesh read_gmsh(const std::filesystem::path& file);
 TetrahedralMesh read_gmsh(std::istream& stream, const std::string& name);
 

@@ -30,7 +30,8 @@ Vec3 read_vertex(TextLines& lines)
     return x;
 }
 
-/// The vertex of a corner "vertex/texture/normal", counted from 1; negative numbers count back from the last vertex.
+/// The vertex of a corner "vertex/texture/normal", counted from 1;
+/// negative numbers count back from the last vertex.
 long vertex_of_corner(std::string_view word, const TextLines& lines, std::size_t vertices_so_far)
 {
     const std::string_view digits = word.substr(0, word.find('/'));
@@ -66,7 +67,8 @@ ObjContent read_content(TextLines& lines)
     for (const Polygon& polygon : content.polygons)  // only now: faces may stand before their vertices
         for (const long vertex : polygon.vertices)
             if (vertex < 1 || vertex > static_cast<long>(content.vertices.size()))
-                lines.fail_at(polygon.line, "the face names vertex " + std::to_string(vertex) + "; the file has 1 to " +
+                lines.fail_at(polygon.line, "the face names vertex " + std::to_string(vertex) +
+                                                "; the file has 1 to " +
                                                 std::to_string(content.vertices.size()));
     return content;
 }
@@ -83,17 +85,22 @@ Vec3 doubled_area(const std::vector<int>& corners, const std::vector<Vec3>& x)
 /// Whether the triangle abc can be cut off: it turns as the polygon does, and holds no other corner of it.
 bool is_ear(const Face& ear, const std::vector<int>& corners, const Vec3& normal, const std::vector<Vec3>& x)
 {
-    const auto left_of = [&](int from, int to, const Vec3& p) { return (x[to] - x[from]).cross(p - x[from]).dot(normal); };
+    const auto left_of = [&](int from, int to, const Vec3& p) {
+        return (x[to] - x[from]).cross(p - x[from]).dot(normal);
+    };
     const int a = ear[0], b = ear[1], c = ear[2];  // no structured binding: clang 14 captures none
     if (!(left_of(a, b, x[c]) > 0))
         return false;
     return std::none_of(corners.begin(), corners.end(), [&](int other) {
-        return other != a && other != b && other != c && left_of(a, b, x[other]) >= 0 && left_of(b, c, x[other]) >= 0 && left_of(c, a, x[other]) >= 0;
+        return other != a && other != b && other != c && left_of(a, b, x[other]) >= 0 &&
+               left_of(b, c, x[other]) >= 0 && left_of(c, a, x[other]) >= 0;
     });
 }
 
-/// Cuts one ear after the other from a polygon, in turn around it, until three corners are left (Meisters 1975: there always is one).
-void append_triangles(std::vector<int> corners, const std::vector<Vec3>& x, std::vector<Face>& faces, const TextLines& lines, int line)
+/// Cuts one ear after the other from a polygon, in turn around it, until three
+/// corners are left (Meisters 1975: there always is one).
+void append_triangles(std::vector<int> corners, const std::vector<Vec3>& x, std::vector<Face>& faces,
+                      const TextLines& lines, int line)
 {
     const Vec3 normal = doubled_area(corners, x);
     std::size_t refused = 0;

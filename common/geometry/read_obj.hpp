@@ -8,12 +8,13 @@
 
 namespace enduring {
 
-/// Reads the triangles of a Wavefront OBJ file; polygons, also with dents, are cut into triangles. Everything but
-/// vertices and faces is passed over, and so are vertices that no face uses. Units are taken as they stand.
+/// Reads the triangles of a Wavefront OBJ file; polygons, also with dents, are cut
+/// into triangles. Everything but vertices and faces is passed over, and so are
+/// vertices that no face uses. Units are taken as they stand.
 ///
-/// @throws InputError  "file:line: reason": missing, empty or binary file, a coordinate that is not a finite number, a
-///                     face with fewer than three corners or with a vertex that does not exist, a polygon that cannot
-///                     be cut into triangles, no faces
+/// @throws InputError  "file:line: reason": missing, empty or binary file, a coordinate that is not a finite
+///                     number, a face with fewer than three corners or with a vertex that does not exist, a
+///                     polygon that cannot be cut into triangles, no faces
 SurfaceMesh read_obj(const std::filesystem::path& file);
 SurfaceMesh read_obj(std::istream& stream, const std::string& name);
 

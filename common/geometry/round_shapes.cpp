@@ -13,11 +13,11 @@ SurfaceMesh icosahedron()
 {
     const double g = std::numbers::phi;
     SurfaceMesh mesh;
-    mesh.vertices = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                     {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-    mesh.faces = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                  {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                  {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+    mesh.vertices = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                     {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+    mesh.faces = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                  {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                  {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     return mesh;
 }
 
@@ -26,7 +26,8 @@ void refine(SurfaceMesh& mesh)
 {
     std::map<Edge, int> middles;
     const auto middle = [&](int a, int b) {
-        const auto [entry, is_new] = middles.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<int>(mesh.vertices.size()));
+        const auto [entry, is_new] = middles.try_emplace({std::min(a, b), std::max(a, b)},
+                                                         static_cast<int>(mesh.vertices.size()));
         if (is_new) {
             const Vec3 x = 0.5 * (mesh.vertices[a] + mesh.vertices[b]);
             mesh.vertices.push_back(x);
@@ -55,7 +56,8 @@ Outline bowl_outline(const BowlShape& shape)
     const double foot_angle = std::asin(shape.foot_radius / outer);
     outline.emplace_back(0, on_sphere(outer, foot_angle).y());
     for (int i = shape.foot_radius > 0 ? 0 : 1; i <= shape.segments_along; ++i)
-        outline.push_back(on_sphere(outer, foot_angle + (shape.rim_angle - foot_angle) * i / shape.segments_along));
+        outline.push_back(
+            on_sphere(outer, foot_angle + (shape.rim_angle - foot_angle) * i / shape.segments_along));
 
     const Eigen::Vector2d middle = on_sphere(shape.inner_radius + shape.thickness / 2, shape.rim_angle);
     const Eigen::Vector2d across = on_sphere(1, shape.rim_angle), along(-across.y(), across.x());
@@ -69,7 +71,8 @@ Outline bowl_outline(const BowlShape& shape)
     return outline;
 }
 
-/// Turns an outline about y. It starts and ends on the axis; what it turns around keeps the solid on its left.
+/// Turns an outline about y. It starts and ends on the axis; what it
+/// turns around keeps the solid on its left.
 SurfaceMesh revolve(const Outline& outline, int around)
 {
     SurfaceMesh mesh;
@@ -88,7 +91,8 @@ SurfaceMesh revolve(const Outline& outline, int around)
     for (int j = 0; j < around; ++j) {
         mesh.faces.push_back({0, vertex(0, j), vertex(0, j + 1)});
         for (int ring = 0; ring + 1 < rings; ++ring) {
-            const int a = vertex(ring, j), b = vertex(ring + 1, j), c = vertex(ring + 1, j + 1), d = vertex(ring, j + 1);
+            const int a = vertex(ring, j), b = vertex(ring + 1, j), c = vertex(ring + 1, j + 1),
+                      d = vertex(ring, j + 1);
             mesh.faces.insert(mesh.faces.end(), {{a, b, c}, {a, c, d}});
         }
         mesh.faces.push_back({vertex(rings - 1, j), last, vertex(rings - 1, j + 1)});
@@ -109,10 +113,12 @@ void require_bowl(const BowlShape& shape)
         (inner + outer) / 2 * std::sin(shape.rim_angle) <= shape.thickness / 2)
         throw InputError("rim_angle of a bowl is " + std::to_string(shape.rim_angle) +
                          "; it must lie in (0, pi) and keep the rim clear of the axis");
-    const double widest_foot = std::min(std::sqrt(outer * outer - inner * inner), outer * std::sin(std::min(shape.rim_angle, std::numbers::pi / 2)));
+    const double widest_foot = std::min(std::sqrt(outer * outer - inner * inner),
+                                        outer * std::sin(std::min(shape.rim_angle, std::numbers::pi / 2)));
     if (!(shape.foot_radius >= 0 && shape.foot_radius < widest_foot))
-        throw InputError("foot_radius of a bowl is " + std::to_string(shape.foot_radius) + "; it must lie in [0, " +
-                         std::to_string(widest_foot) + ") for these radii and this rim");
+        throw InputError("foot_radius of a bowl is " + std::to_string(shape.foot_radius) +
+                         "; it must lie in [0, " + std::to_string(widest_foot) +
+                         ") for these radii and this rim");
 }
 
 }  // namespace

@@ -24,8 +24,8 @@ inline void require_length(const std::string& argument, double value)
 inline void require_count(const std::string& argument, int value, int lowest, int highest)
 {
     if (value < lowest || value > highest)
-        throw InputError(argument + " is " + std::to_string(value) + "; it must lie in [" + std::to_string(lowest) + ", " +
-                         std::to_string(highest) + "]");
+        throw InputError(argument + " is " + std::to_string(value) + "; it must lie in [" +
+                         std::to_string(lowest) + ", " + std::to_string(highest) + "]");
 }
 
 /// Cells along each direction: at least one, and few enough that the mesh fits into memory.

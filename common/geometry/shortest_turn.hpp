@@ -6,9 +6,10 @@
 
 namespace enduring {
 
-/// The shortest turn that takes one direction to another, about their cross product; where they are opposite, half a turn about
-/// some axis at right angles. As Eigen's Quaternion::FromTwoVectors, but without its SVD for the opposite ones, in which g++ 13
-/// sees memory that is read before it is written. Its error is a rounding over 1 + cosine of the angle.
+/// The shortest turn that takes one direction to another, about their cross product; where they are opposite,
+/// half a turn about some axis at right angles. As Eigen's Quaternion::FromTwoVectors, but without its SVD
+/// for the opposite ones, in which g++ 13 sees memory that is read before it is written. Its error is a
+/// rounding over 1 + cosine of the angle.
 /// @param from, to  any length but zero
 /// @return          of unit length
 inline Quaternion shortest_turn(const Vec3& from, const Vec3& to)

@@ -26,7 +26,8 @@ void check_elements(const Mesh& mesh, const std::string& what)
             used[node] = true;
             x[i] = mesh.nodes[node];
             if (!x[i].allFinite())
-                throw InputError(what + ": node " + std::to_string(node) + " has a coordinate that is not finite");
+                throw InputError(what + ": node " + std::to_string(node) +
+                                 " has a coordinate that is not finite");
         }
         if (const std::string fault = element_fault(x); !fault.empty())
             throw InputError(name + " " + fault);
@@ -40,8 +41,9 @@ void check_faces(const TetrahedralMesh& mesh, const std::string& what)
 {
     const auto crowded = faces_of_three_elements(mesh);
     if (!crowded.empty())
-        throw InputError(what + ": more than two elements share the face over nodes " + std::to_string(crowded[0][0]) + ", " +
-                         std::to_string(crowded[0][1]) + " and " + std::to_string(crowded[0][2]));
+        throw InputError(what + ": more than two elements share the face over nodes " +
+                         std::to_string(crowded[0][0]) + ", " + std::to_string(crowded[0][1]) + " and " +
+                         std::to_string(crowded[0][2]));
 }
 
 }  // namespace

@@ -55,8 +55,8 @@ void check_no_face_twice(const SurfaceMesh& mesh, const Complaint& complain)
     std::sort(sorted.begin(), sorted.end());
     const auto twin = std::adjacent_find(sorted.begin(), sorted.end());
     if (twin != sorted.end())
-        complain("two faces over the same vertices " + std::to_string((*twin)[0]) + ", " + std::to_string((*twin)[1]) + " and " +
-                 std::to_string((*twin)[2]));
+        complain("two faces over the same vertices " + std::to_string((*twin)[0]) + ", " +
+                 std::to_string((*twin)[1]) + " and " + std::to_string((*twin)[2]));
 }
 
 SurfaceTopology topology_of(const SurfaceMesh& mesh, const Complaint& complain)
@@ -69,7 +69,8 @@ try {
 void check_topology(const SurfaceTopology& surface, Border border, const Complaint& complain)
 {
     if (!surface.is_manifold())
-        complain("the surface is not manifold: an edge has more than two faces, or two parts touch in one vertex only");
+        complain(
+            "the surface is not manifold: an edge has more than two faces, or two parts touch in one vertex only");
     if (!surface.is_consistently_oriented())
         complain("neighbouring faces of the surface face opposite ways");
     if (border == Border::allowed)

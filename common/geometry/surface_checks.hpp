@@ -15,8 +15,9 @@ SurfaceMesh without_unused_vertices(const SurfaceMesh& mesh);
 /// Whether a surface may have a border. Only a static body may: a moving one needs an inside.
 enum class Border { refused, allowed };
 
-/// Checks that contact can live on this surface: vertices finite and all in use, faces with an area and no face twice,
-/// manifold, neighbours facing the same way; and, unless a border is allowed, closed and facing outwards.
+/// Checks that contact can live on this surface: vertices finite and all in use, faces
+/// with an area and no face twice, manifold, neighbours facing the same way; and,
+/// unless a border is allowed, closed and facing outwards.
 /// @param what  names the mesh in the message, e.g. its file
 /// @throws InputError  "what: reason", naming the vertex, face or edge (counted from 0)
 void check_surface(const SurfaceMesh& mesh, const std::string& what, Border border = Border::refused);

@@ -26,7 +26,8 @@ std::vector<ElementFace> faces_by_corners(const std::vector<Element>& elements)
             std::sort(corners.begin(), corners.end());
             faces.push_back({corners, e, f});
         }
-    std::stable_sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.corners < b.corners; });
+    std::stable_sort(faces.begin(), faces.end(),
+                     [](const auto& a, const auto& b) { return a.corners < b.corners; });
     return faces;
 }
 

@@ -15,7 +15,8 @@ struct ExtractedSurface {
 /// The faces that belong to one element only, outwards; in the order of the elements.
 ExtractedSurface surface_of(const TetrahedralMesh& mesh);
 
-/// As above; each face of a 10-node element becomes four triangles over its six nodes: three at the corners, one in the middle.
+/// As above; each face of a 10-node element becomes four triangles over its six
+/// nodes: three at the corners, one in the middle.
 ExtractedSurface surface_of(const QuadraticTetrahedralMesh& mesh);
 
 /// Faces of a solid mesh that more than two elements claim (corner nodes, ascending): none in a sound mesh.

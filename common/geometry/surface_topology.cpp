@@ -21,7 +21,8 @@ void require_valid_faces(int vertex_count, std::span<const Face> faces)
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const auto [a, b, c] = faces[f];
         if (std::min({a, b, c}) < 0 || std::max({a, b, c}) >= vertex_count)
-            throw InputError("face " + std::to_string(f) + " names a vertex outside [0, " + std::to_string(vertex_count) + ")");
+            throw InputError("face " + std::to_string(f) + " names a vertex outside [0, " +
+                             std::to_string(vertex_count) + ")");
         if (a == b || b == c || c == a)
             throw InputError("face " + std::to_string(f) + " names a vertex twice");
     }
@@ -38,13 +39,16 @@ std::vector<Side> sides_by_edge(std::span<const Face> faces)
             sides.push_back({{std::min(from, to), std::max(from, to)}, f, corner, from < to});
         }
     }
-    std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge < b.edge; });
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return a.edge < b.edge; });
     return sides;
 }
 
-/// Files every item under the vertices it names: item i appears in list[offsets[v], offsets[v + 1]) of each of its vertices v.
+/// Files every item under the vertices it names: item i appears in
+/// list[offsets[v], offsets[v + 1]) of each of its vertices v.
 template <class Items>
-void file_under_vertices(int vertex_count, const Items& items, std::vector<int>& offsets, std::vector<int>& list)
+void file_under_vertices(int vertex_count, const Items& items, std::vector<int>& offsets,
+                         std::vector<int>& list)
 {
     offsets.assign(static_cast<std::size_t>(vertex_count) + 1, 0);
     for (const auto& item : items)
@@ -74,14 +78,16 @@ SurfaceTopology::SurfaceTopology(int vertex_count, std::vector<Face> faces)
     const std::vector<Side> sides = sides_by_edge(faces_);
     for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
         while (last < sides.size() && sides[last].edge == sides[first].edge) {
-            const auto face = static_cast<std::size_t>(sides[last].face), corner = static_cast<std::size_t>(sides[last].corner);
+            const auto face = static_cast<std::size_t>(sides[last].face),
+                       corner = static_cast<std::size_t>(sides[last].corner);
             face_edges_[face][corner] = static_cast<int>(edges_.size());
             ++last;
         }
         edges_.push_back(sides[first].edge);
         edge_faces_.push_back({sides[first].face, last - first > 1 ? sides[first + 1].face : -1});
         manifold_ = manifold_ && last - first <= 2;
-        oriented_ = oriented_ && (last - first == 1 || (last - first == 2 && sides[first].forward != sides[first + 1].forward));
+        oriented_ = oriented_ && (last - first == 1 ||
+                                  (last - first == 2 && sides[first].forward != sides[first + 1].forward));
     }
     file_under_vertices(vertex_count_, faces_, vertex_face_offsets_, vertex_faces_);
     file_under_vertices(vertex_count_, edges_, vertex_edge_offsets_, vertex_edges_);
@@ -118,29 +124,18 @@ std::span<const int> SurfaceTopology::edges_around_vertex(int vertex) const
     return part(vertex_edge_offsets_, vertex_edges_, vertex);
 }
 
-const std::array<int, 2>& SurfaceTopology::faces_at_edge(int edge) const
-{
-    return edge_faces_[edge];
-}
+const std::array<int, 2>& SurfaceTopology::faces_at_edge(int edge) const { return edge_faces_[edge]; }
 
-const std::array<int, 3>& SurfaceTopology::edges_of_face(int face) const
-{
-    return face_edges_[face];
-}
+const std::array<int, 3>& SurfaceTopology::edges_of_face(int face) const { return face_edges_[face]; }
 
 bool SurfaceTopology::is_closed() const
 {
-    return std::all_of(edge_faces_.begin(), edge_faces_.end(), [](const auto& faces) { return faces[1] >= 0; });
+    return std::all_of(edge_faces_.begin(), edge_faces_.end(),
+                       [](const auto& faces) { return faces[1] >= 0; });
 }
 
-bool SurfaceTopology::is_manifold() const
-{
-    return manifold_;
-}
+bool SurfaceTopology::is_manifold() const { return manifold_; }
 
-bool SurfaceTopology::is_consistently_oriented() const
-{
-    return oriented_;
-}
+bool SurfaceTopology::is_consistently_oriented() const { return oriented_; }
 
 }  // namespace enduring

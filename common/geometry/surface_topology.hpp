@@ -9,9 +9,11 @@ namespace enduring {
 using Face = std::array<int, 3>;  ///< vertex indices, counter-clockwise seen from outside
 using Edge = std::array<int, 2>;  ///< vertex indices, the smaller first
 
-/// Who is whose neighbour on a triangle surface. Holds no positions, so one topology serves a body for its whole life.
+/// Who is whose neighbour on a triangle surface. Holds no positions, so
+/// one topology serves a body for its whole life.
 ///
-/// The neighbourhoods are compact arrays (offsets into one list), read as spans; every list is in ascending order.
+/// The neighbourhoods are compact arrays (offsets into one list), read
+/// as spans; every list is in ascending order.
 class SurfaceTopology {
 public:
     SurfaceTopology() = default;

@@ -10,7 +10,8 @@
 namespace enduring {
 namespace {
 
-/// Where the line from `point` along `direction` meets the plane of a triangle, in units of `direction`; infinite beside it.
+/// Where the line from `point` along `direction` meets the plane of a
+/// triangle, in units of `direction`; infinite beside it.
 double meeting(const Vec3& point, const Vec3& direction, Vec3 a, Vec3 b, Vec3 c)
 {
     a -= point;
@@ -35,7 +36,8 @@ struct SurfaceTree::Ray {
 
     bool intersectVolume(const Box& box)
     {
-        const Vec3 to_low = (box.min() - point).cwiseQuotient(direction()), to_high = (box.max() - point).cwiseQuotient(direction());
+        const Vec3 to_low = (box.min() - point).cwiseQuotient(direction()),
+                   to_high = (box.max() - point).cwiseQuotient(direction());
         const double leaves = to_high.minCoeff();  // all of the direction's parts are positive
         return leaves >= 0 && to_low.maxCoeff() <= leaves;
     }
@@ -67,7 +69,10 @@ struct SurfaceTree::Segment {
     Vec3 before, behind;
     bool found = false;
 
-    bool intersectVolume(const Box& box) const { return box.intersects(Box(before.cwiseMin(behind), before.cwiseMax(behind))); }
+    bool intersectVolume(const Box& box) const
+    {
+        return box.intersects(Box(before.cwiseMin(behind), before.cwiseMax(behind)));
+    }
     bool intersectObject(int face)
     {
         const auto [a, b, c] = tree.triangle(face);
@@ -77,7 +82,8 @@ struct SurfaceTree::Segment {
     }
 };
 
-SurfaceTree::SurfaceTree(std::span<const Face> faces, std::span<const Vec3> positions) : faces_(faces), positions_(positions)
+SurfaceTree::SurfaceTree(std::span<const Face> faces, std::span<const Vec3> positions)
+    : faces_(faces), positions_(positions)
 {
     std::vector<int> numbers(faces.size());
     std::iota(numbers.begin(), numbers.end(), 0);

@@ -9,13 +9,15 @@
 
 namespace enduring {
 
-/// Says where points lie to a surface that stands still: a tree of boxes over its faces, for checks of a scene before it runs.
+/// Says where points lie to a surface that stands still: a tree of boxes over
+/// its faces, for checks of a scene before it runs.
 class SurfaceTree {
 public:
     /// @param faces, positions  of the surface [m]; they have to outlive the tree
     SurfaceTree(std::span<const Face> faces, std::span<const Vec3> positions);
 
-    /// Whether a closed surface that faces outwards has the point inside: a ray from there leaves it once more than it enters.
+    /// Whether a closed surface that faces outwards has the point inside: a ray
+    /// from there leaves it once more than it enters.
     /// @param point  on the surface it may be either
     bool contains(const Vec3& point) const;
 

@@ -8,16 +8,14 @@ namespace {
 /// Corners of a cell are numbered by bits: 1 for +x, 2 for +y, 4 for +z.
 using CellTetrahedron = std::array<int, 4>;
 
-Vec3 cell_corner(int bits)
-{
-    return {double(bits & 1), double(bits >> 1 & 1), double(bits >> 2 & 1)};
-}
+Vec3 cell_corner(int bits) { return {double(bits & 1), double(bits >> 1 & 1), double(bits >> 2 & 1)}; }
 
 /// Exchanges two corners where needed, so that the determinant is positive.
 CellTetrahedron oriented(CellTetrahedron t)
 {
     Mat3 edges;
-    edges << cell_corner(t[1]) - cell_corner(t[0]), cell_corner(t[2]) - cell_corner(t[0]), cell_corner(t[3]) - cell_corner(t[0]);
+    edges << cell_corner(t[1]) - cell_corner(t[0]), cell_corner(t[2]) - cell_corner(t[0]),
+        cell_corner(t[3]) - cell_corner(t[0]);
     if (edges.determinant() < 0)
         std::swap(t[2], t[3]);
     return t;
@@ -71,17 +69,20 @@ TetrahedralMesh bar(const Vec3& size, std::array<int, 3> cells, CellSplit split)
     for (int k = 0; k <= nz; ++k)
         for (int j = 0; j <= ny; ++j)
             for (int i = 0; i <= nx; ++i)
-                mesh.nodes.push_back(size.cwiseProduct(Vec3(double(i) / nx, double(j) / ny, double(k) / nz) - Vec3::Constant(0.5)));
+                mesh.nodes.push_back(size.cwiseProduct(Vec3(double(i) / nx, double(j) / ny, double(k) / nz) -
+                                                       Vec3::Constant(0.5)));
 
     const bool alike = split == CellSplit::six;
-    const std::array pattern{alike ? six_around_the_diagonal() : five(false), alike ? six_around_the_diagonal() : five(true)};
+    const std::array pattern{alike ? six_around_the_diagonal() : five(false),
+                             alike ? six_around_the_diagonal() : five(true)};
     for (int k = 0; k < nz; ++k)
         for (int j = 0; j < ny; ++j)
             for (int i = 0; i < nx; ++i)
                 for (const CellTetrahedron& local : pattern[(i + j + k) % 2]) {
                     std::array<int, 4> element{};
                     for (std::size_t c = 0; c < 4; ++c)
-                        element[c] = node(i + (local[c] & 1), j + (local[c] >> 1 & 1), k + (local[c] >> 2 & 1));
+                        element[c] = node(i + (local[c] & 1), j + (local[c] >> 1 & 1),
+                                          k + (local[c] >> 2 & 1));
                     mesh.elements.push_back(element);
                 }
     return mesh;

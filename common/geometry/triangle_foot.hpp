@@ -11,12 +11,14 @@ namespace enduring {
 //! [triangle_foot]
 /// A point dropped at right angles onto the plane of a triangle.
 struct TriangleFoot {
-    std::array<double, 3> weights;  ///< barycentric, with sum 1; a negative one says beyond which side the foot lies
-    double depth;                   ///< of the point along the triangle's unit normal [m], negative below it
+    /// barycentric, with sum 1; a negative one says beyond which side the foot lies
+    std::array<double, 3> weights;
+    double depth;  ///< of the point along the triangle's unit normal [m], negative below it
 };
 
 /// None for a triangle a, b, c without area.
-inline std::optional<TriangleFoot> foot_on_triangle(const Vec3& point, const Vec3& a, const Vec3& b, const Vec3& c)
+inline std::optional<TriangleFoot> foot_on_triangle(const Vec3& point, const Vec3& a, const Vec3& b,
+                                                    const Vec3& c)
 {
     const Vec3 side_1 = b - a, side_2 = c - a, normal = side_1.cross(side_2), offset = point - a;
     const double squared_length = normal.squaredNorm();

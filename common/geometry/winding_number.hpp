@@ -7,8 +7,9 @@
 
 namespace enduring {
 
-/// How often a surface winds around a point: for a closed one that faces outwards 1 inside and 0 outside; over an open
-/// one it passes smoothly from one to the other. It looks at every face, so it serves checks, not solvers.
+/// How often a surface winds around a point: for a closed one that faces outwards 1
+/// inside and 0 outside; over an open one it passes smoothly from one to the other. It
+/// looks at every face, so it serves checks, not solvers.
 ///
 /// The sum of the faces' solid angles over 4 pi.
 /// @param faces      of the surface, counter-clockwise seen from outside

@@ -16,7 +16,8 @@ using Json = nlohmann::json;
 /// Deeper nesting than any scene needs would only exhaust the parser's stack.
 constexpr int deepest_nesting = 32;
 
-/// The library keeps the last of two equal keys without a word; a scene where one was meant to count is a mistake.
+/// The library keeps the last of two equal keys without a word; a scene
+/// where one was meant to count is a mistake.
 class KeyCheck {
 public:
     explicit KeyCheck(const std::string& file) : file_(file) {}
@@ -24,7 +25,8 @@ public:
     bool operator()(int depth, Json::parse_event_t event, Json& parsed)
     {
         if (depth > deepest_nesting)
-            throw InputError(file_ + ": lists and objects are nested more than " + std::to_string(deepest_nesting) + " deep");
+            throw InputError(file_ + ": lists and objects are nested more than " +
+                             std::to_string(deepest_nesting) + " deep");
         if (event == Json::parse_event_t::object_start)
             open_.emplace_back();
         else if (event == Json::parse_event_t::object_end)
@@ -59,7 +61,8 @@ Json* child(Json& parent, const std::string& step, bool may_create)
     if (!parent.is_array())
         return nullptr;
     for (std::size_t i = 0; i < parent.size(); ++i)
-        if (step == std::to_string(i) || (parent[i].is_object() && parent[i].contains("name") && parent[i]["name"] == step))
+        if (step == std::to_string(i) ||
+            (parent[i].is_object() && parent[i].contains("name") && parent[i]["name"] == step))
             return &parent[i];
     return nullptr;
 }
@@ -72,7 +75,8 @@ Json& resolve(Json& document, const std::string& path, const std::string& file)
         const std::size_t end = std::min(path.find('/', begin), path.size());
         place = child(*place, path.substr(begin, end - begin), end == path.size());
         if (!place)
-            throw InputError(file + ": the change at " + path + " leads nowhere: there is no " + path.substr(0, end));
+            throw InputError(file + ": the change at " + path + " leads nowhere: there is no " +
+                             path.substr(0, end));
         begin = end + 1;
     }
     return *place;

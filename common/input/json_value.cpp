@@ -62,10 +62,13 @@ std::string joined(const Words& words)
 std::string advice(const std::string& found, std::initializer_list<std::string_view> allowed)
 {
     constexpr std::size_t longest_compared = 40;
-    const auto nearest = std::min_element(allowed.begin(), allowed.end(), [&](std::string_view a, std::string_view b) {
-        return word_distance(a, found.substr(0, longest_compared)) < word_distance(b, found.substr(0, longest_compared));
-    });
-    if (nearest != allowed.end() && word_distance(*nearest, found.substr(0, longest_compared)) <= 1 + nearest->size() / 4)
+    const auto nearest = std::min_element(allowed.begin(), allowed.end(),
+                                          [&](std::string_view a, std::string_view b) {
+                                              return word_distance(a, found.substr(0, longest_compared)) <
+                                                     word_distance(b, found.substr(0, longest_compared));
+                                          });
+    if (nearest != allowed.end() &&
+        word_distance(*nearest, found.substr(0, longest_compared)) <= 1 + nearest->size() / 4)
         return "did you mean \"" + std::string(*nearest) + "\"?";
     return "allowed here: " + joined(allowed);
 }
@@ -87,13 +90,17 @@ std::string NumberRange::text() const
     if (std::isfinite(low))
         text += (low_allowed ? " from " : " above ") + shown(low);
     if (std::isfinite(high))
-        text += (std::isfinite(low) ? std::string(low_allowed && high_allowed ? " to " : high_allowed ? " up to " : " and below ")
-                                    : std::string(high_allowed ? " up to " : " below ")) + shown(high);
+        text += (std::isfinite(low) ? std::string(low_allowed && high_allowed ? " to "
+                                                  : high_allowed              ? " up to "
+                                                                              : " and below ")
+                                    : std::string(high_allowed ? " up to " : " below ")) +
+                shown(high);
     return unit.empty() ? text : text + " [" + unit + "]";
 }
 
 JsonValue::JsonValue(const nlohmann::json& value, std::string file, std::string path)
-    : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
+    : value_(&value), file_(std::move(file)), path_(std::move(path))
+{}
 
 void JsonValue::complain(const std::string& message) const
 {
@@ -118,7 +125,8 @@ void JsonValue::require_keys(std::initializer_list<std::string_view> allowed) co
         fail("an object with the keys " + joined(allowed));
     for (const auto& [key, value] : value_->items())
         if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
-            JsonValue(value, file_, path_ + "/" + escaped(key)).complain("unknown key; " + advice(key, allowed));
+            JsonValue(value, file_, path_ + "/" + escaped(key))
+                .complain("unknown key; " + advice(key, allowed));
 }
 
 std::optional<JsonValue> JsonValue::find(const std::string& key) const
@@ -152,8 +160,9 @@ std::vector<std::pair<std::string, JsonValue>> JsonValue::members() const
 std::vector<JsonValue> JsonValue::items(std::size_t at_least, std::size_t at_most) const
 {
     if (!value_->is_array() || value_->size() < at_least || value_->size() > at_most)
-        fail(at_least == at_most ? "a list of " + std::to_string(at_least)
-                                 : "a list of " + std::to_string(at_least) + " to " + std::to_string(at_most) + " entries");
+        fail(at_least == at_most
+                 ? "a list of " + std::to_string(at_least)
+                 : "a list of " + std::to_string(at_least) + " to " + std::to_string(at_most) + " entries");
     std::vector<JsonValue> all;
     for (std::size_t i = 0; i < value_->size(); ++i)
         all.emplace_back((*value_)[i], file_, path_ + "/" + std::to_string(i));
@@ -175,7 +184,8 @@ double JsonValue::angle(NumberRange degrees) const
 
 int JsonValue::integer(int low, int high) const
 {
-    const bool whole = value_->is_number_integer() && (!value_->is_number_unsigned() || value_->get<std::uint64_t>() <= INT64_MAX);
+    const bool whole = value_->is_number_integer() &&
+                       (!value_->is_number_unsigned() || value_->get<std::uint64_t>() <= INT64_MAX);
     if (!whole || value_->get<std::int64_t>() < low || value_->get<std::int64_t>() > high)
         fail("a whole number from " + std::to_string(low) + " to " + std::to_string(high));
     return static_cast<int>(value_->get<std::int64_t>());

@@ -14,13 +14,17 @@
 
 namespace enduring {
 
-/// The numbers a value may take, with the unit for the message: "a number above 0 and at most 1e+06 [kg/m^3]".
+/// The numbers a value may take, with the unit for the message: "a
+/// number above 0 and at most 1e+06 [kg/m^3]".
 struct NumberRange {
     double low, high;
     bool low_allowed = true, high_allowed = true;
     std::string unit{};
 
-    bool contains(double x) const { return (low_allowed ? x >= low : x > low) && (high_allowed ? x <= high : x < high); }
+    bool contains(double x) const
+    {
+        return (low_allowed ? x >= low : x > low) && (high_allowed ? x <= high : x < high);
+    }
     std::string text() const;
 };
 
@@ -51,7 +55,10 @@ public:
     std::string text() const;
     /// Index of the word that stands here among those allowed.
     std::size_t choice(std::span<const std::string_view> words) const;
-    std::size_t choice(std::initializer_list<std::string_view> words) const { return choice(std::span(words.begin(), words.size())); }
+    std::size_t choice(std::initializer_list<std::string_view> words) const
+    {
+        return choice(std::span(words.begin(), words.size()));
+    }
     Vec3 vector(const NumberRange& each) const;
     Vec3 direction() const;  ///< three numbers, not all zero; returned with unit length
 
@@ -65,7 +72,8 @@ public:
     [[noreturn]] void fail(const std::string& expected) const;
     /// @throws InputError  "FILE: PATH: MESSAGE"
     [[noreturn]] void complain(const std::string& message) const;
-    /// For a mistake found elsewhere, as in a mesh file: puts file and path before it, unless it has them already.
+    /// For a mistake found elsewhere, as in a mesh file: puts file and
+    /// path before it, unless it has them already.
     [[noreturn]] void pass_on(const InputError& error) const;
 
 private:

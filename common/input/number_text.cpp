@@ -38,10 +38,7 @@ std::string superscript(int exponent)
 
 }  // namespace
 
-std::string shortest(double value)
-{
-    return text_of(value);
-}
+std::string shortest(double value) { return text_of(value); }
 
 std::string readable(double value, int digits)
 {

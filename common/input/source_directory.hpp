@@ -4,7 +4,8 @@
 
 namespace enduring {
 
-/// The root of the project's sources, as it was when this program was built: scenes, meshes and reference pictures lie there.
+/// The root of the project's sources, as it was when this program was built:
+/// scenes, meshes and reference pictures lie there.
 std::filesystem::path source_directory();
 
 }  // namespace enduring

@@ -34,7 +34,8 @@ TextLines::TextLines(std::istream& stream, std::string name) : name_(std::move(n
     if (text_.find_first_not_of(" \t\r\n") == std::string::npos)
         throw InputError(name_ + ": the file is empty");
     if (const auto at = text_.find('\0'); at != std::string::npos) {
-        const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+        const auto line = 1 +
+                          std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at), '\n');
         fail_at(static_cast<int>(line), "binary data; only text files can be read");
     }
     unread_ = text_;
@@ -97,10 +98,7 @@ std::string TextLines::quoted(std::string_view word)
     return std::string(1, '\'').append(word.substr(0, 40)).append(1, '\'');
 }
 
-void TextLines::fail(const std::string& message) const
-{
-    fail_at(number_, message);
-}
+void TextLines::fail(const std::string& message) const { fail_at(number_, message); }
 
 void TextLines::fail_at(int line, const std::string& message) const
 {

@@ -14,9 +14,10 @@ namespace enduring {
 /// @param principal_inertia  J, diagonal, positive [kg m^2]
 /// @param w0                 angular velocity in body axes [rad/s]
 /// @param dt                 length of the step [s]; accurate to second order
-/// @return                   w1 [rad/s]; w0 where Newton finds no answer (from turns of about two radians a step on)
-/// @see Simo and Wong 1991, "Unconditionally stable algorithms for rigid body dynamics that exactly preserve energy
-///      and momentum", ALGO-C1
+/// @return                   w1 [rad/s]; w0 where Newton finds no answer
+///     (from turns of about two radians a step on)
+/// @see Simo and Wong 1991, "Unconditionally stable algorithms for rigid body dynamics that exactly preserve
+///      energy and momentum", ALGO-C1
 Vec3 freely_turned(const Vec3& principal_inertia, const Vec3& w0, double dt);
 
 }  // namespace enduring

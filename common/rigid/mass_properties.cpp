@@ -17,8 +17,8 @@ struct Moments {
     Mat3 second = Mat3::Zero();
 };
 
-/// Sum over the signed tetrahedra (origin, a, b, c), one a face. What such a tetrahedron covers outside the body,
-/// another one takes away again, so the origin may lie anywhere.
+/// Sum over the signed tetrahedra (origin, a, b, c), one a face. What such a tetrahedron covers outside the
+/// body, another one takes away again, so the origin may lie anywhere.
 Moments integrate(const SurfaceMesh& mesh, const Vec3& origin)
 {
     Moments sum;
@@ -30,7 +30,8 @@ Moments integrate(const SurfaceMesh& mesh, const Vec3& origin)
         const Vec3 s = a + b + c;
         sum.volume += determinant / 6;
         sum.first += determinant / 24 * s;
-        sum.second += determinant / 120 * (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+        sum.second += determinant / 120 *
+                      (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
     }
     return sum;
 }
@@ -57,7 +58,8 @@ double extent(const SurfaceMesh& mesh)
 void check_positive(const char* what, double value)
 {
     if (!(value > 0) || !std::isfinite(value))
-        throw InputError(std::string(what) + " is " + std::to_string(value) + ", it has to be positive and finite");
+        throw InputError(std::string(what) + " is " + std::to_string(value) +
+                         ", it has to be positive and finite");
 }
 
 }  // namespace
@@ -68,7 +70,8 @@ MassProperties mass_properties(const SurfaceMesh& mesh, double density)
     check_positive("density", density);
     check_solid(mesh);
 
-    // An origin on the body: far away, the large terms of the sum would cancel and leave their rounding errors.
+    // An origin on the body: far away, the large terms of the sum would
+    // cancel and leave their rounding errors.
     const Vec3 origin = mesh.vertices[mesh.faces.front()[0]];
     const Moments moments = integrate(mesh, origin);
     if (!(moments.volume > 1e-12 * std::pow(extent(mesh), 3)))

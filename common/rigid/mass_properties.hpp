@@ -7,17 +7,19 @@ namespace enduring {
 
 /// Everything a rigid body's motion knows of its shape.
 struct MassProperties {
-    double mass = 0;               ///< [kg]
-    Vec3 centre = Vec3::Zero();    ///< centre of mass [m], in the mesh's coordinates
-    Mat3 inertia = Mat3::Zero();   ///< about the centre, along the mesh's axes [kg m^2]
+    double mass = 0;              ///< [kg]
+    Vec3 centre = Vec3::Zero();   ///< centre of mass [m], in the mesh's coordinates
+    Mat3 inertia = Mat3::Zero();  ///< about the centre, along the mesh's axes [kg m^2]
 };
 
-/// Mass, centre and inertia of a homogeneous body, exact for a closed polyhedron: every face spans a signed
-/// tetrahedron with one common point, and the polynomials 1, x and x x^T are integrated over each in closed form.
+/// Mass, centre and inertia of a homogeneous body, exact for a closed polyhedron:
+/// every face spans a signed tetrahedron with one common point, and the polynomials 1,
+/// x and x x^T are integrated over each in closed form.
 ///
 /// @param mesh     closed, consistently oriented, faces counter-clockwise seen from outside
 /// @param density  [kg/m^3], positive
-/// @throws InputError  density not positive and finite; mesh open or inconsistently oriented; volume not positive
+/// @throws InputError  density not positive and finite; mesh open or
+///     inconsistently oriented; volume not positive
 MassProperties mass_properties(const SurfaceMesh& mesh, double density);
 
 /// The same shape with another mass [kg], positive; the inertia scales along.

@@ -19,7 +19,8 @@ struct PrincipalAxes {
 
 PrincipalAxes principal_axes(const Mat3& inertia)
 {
-    // A body that lies along its axes keeps them. For a cube any axes would do, and rounding would choose some that are askew.
+    // A body that lies along its axes keeps them. For a cube any axes would do,
+    // and rounding would choose some that are askew.
     const Vec3 diagonal = inertia.diagonal();
     const double coupling = (inertia - Mat3(diagonal.asDiagonal())).cwiseAbs().maxCoeff();
     if (inertia.allFinite() && diagonal.minCoeff() > 0 && coupling <= 1e-14 * diagonal.minCoeff())
@@ -40,7 +41,8 @@ RigidMotion::RigidMotion(const MassProperties& properties, const Vec3& velocity,
     : mass_(properties.mass)
 {
     if (!(mass_ > 0) || !std::isfinite(mass_))
-        throw InputError("rigid body: mass is " + std::to_string(mass_) + " kg, it has to be positive and finite");
+        throw InputError("rigid body: mass is " + std::to_string(mass_) +
+                         " kg, it has to be positive and finite");
     if (!velocity.allFinite() || !angular_velocity.allFinite() || !properties.centre.allFinite())
         throw InputError("rigid body: position and velocities have to be finite");
     const PrincipalAxes principal = principal_axes(properties.inertia);
@@ -78,7 +80,8 @@ void RigidMotion::predict(const Vec3& gravity, double dt)
 //! [predicted_pose]
 Pose RigidMotion::predicted_pose(double dt) const
 {
-    const Eigen::AngleAxisd turn(dt * angular_velocity_.norm(), angular_velocity_.stableNormalized());  // of no velocity: none
+    // of no velocity: none
+    const Eigen::AngleAxisd turn(dt * angular_velocity_.norm(), angular_velocity_.stableNormalized());
     return {pose_.position + dt * velocity_, (turn * pose_.orientation).normalized()};
 }
 //! [predicted_pose]

@@ -5,10 +5,11 @@
 
 namespace enduring {
 
-/// Where a rigid body is: body coordinates (origin at the centre of mass, principal axes) to world coordinates.
+/// Where a rigid body is: body coordinates (origin at the centre of
+/// mass, principal axes) to world coordinates.
 struct Pose {
-    Vec3 position = Vec3::Zero();                       ///< of the centre of mass [m]
-    Quaternion orientation = Quaternion::Identity();    ///< unit length
+    Vec3 position = Vec3::Zero();                     ///< of the centre of mass [m]
+    Quaternion orientation = Quaternion::Identity();  ///< unit length
 
     Vec3 to_world(const Vec3& body_point) const { return position + orientation * body_point; }
     Vec3 to_body(const Vec3& world_point) const { return orientation.conjugate() * (world_point - position); }
@@ -16,10 +17,11 @@ struct Pose {
 
 /// The motion of one rigid body, in steps of the thesis' scheme: predict, push, commit.
 ///
-/// The free rotation is the energy and momentum conserving step of Simo and Wong (1991); the turn of a step is the exponential map.
+/// The free rotation is the energy and momentum conserving step of Simo and Wong
+/// (1991); the turn of a step is the exponential map.
 ///
-/// Between predict() and commit(), angular_velocity() is the constant one that turns the body through the step; after
-/// commit() it is the one the body has at that moment.
+/// Between predict() and commit(), angular_velocity() is the constant one that turns the body through the
+/// step; after commit() it is the one the body has at that moment.
 class RigidMotion {
 public:
     /// Starts where the mesh of `properties` lies in world coordinates.
@@ -33,28 +35,31 @@ public:
     void predict(const Vec3& gravity, double dt);
     /// The pose that commit(dt) would produce with the present velocities (thesis 3.2, 3.8).
     Pose predicted_pose(double dt) const;
-    /// Adds an impulse [N s] at a point [m] of the world, with its lever from the committed pose (thesis 3.9 to 3.12).
+    /// Adds an impulse [N s] at a point [m] of the world, with its lever
+    /// from the committed pose (thesis 3.9 to 3.12).
     void apply_impulse(const Vec3& impulse, const Vec3& point);
     /// The same by its effect: a momentum [N s] and an angular momentum about the centre [N m s].
     void apply_momentum(const Vec3& momentum, const Vec3& turning);
     /// The predicted pose becomes the pose.
     void commit(double dt);
 
-    const Pose& pose() const { return pose_; }                             ///< committed
-    const Vec3& centre() const { return pose_.position; }                  ///< [m]
-    const Vec3& velocity() const { return velocity_; }                     ///< of the centre of mass [m/s]
-    const Vec3& angular_velocity() const { return angular_velocity_; }     ///< in world axes [rad/s]
+    const Pose& pose() const { return pose_; }                          ///< committed
+    const Vec3& centre() const { return pose_.position; }               ///< [m]
+    const Vec3& velocity() const { return velocity_; }                  ///< of the centre of mass [m/s]
+    const Vec3& angular_velocity() const { return angular_velocity_; }  ///< in world axes [rad/s]
     /// Velocity [m/s] of the material point that is at `point` in the committed pose.
     Vec3 velocity_at(const Vec3& point) const;
-    /// Velocity change at `point` per impulse there [1/kg]: 1/m + [r]x J^-1 [r]x^T with r from the centre to the point.
+    /// Velocity change at `point` per impulse there [1/kg]: 1/m + [r]x J^-1
+    /// [r]x^T with r from the centre to the point.
     Mat3 inverse_mass_at(const Vec3& point) const;
 
-    const Mat3& inverse_inertia() const { return inverse_inertia_; }  ///< about the centre, world axes, of the committed pose [1/(kg m^2)]
+    /// about the centre, world axes, of the committed pose [1/(kg m^2)]
+    const Mat3& inverse_inertia() const { return inverse_inertia_; }
 
     double mass() const { return mass_; }
-    Vec3 linear_momentum() const { return mass_ * velocity(); }   ///< [kg m/s]
-    Vec3 angular_momentum(const Vec3& about) const;               ///< orbital and own [kg m^2/s]
-    double kinetic_energy() const;                                ///< of translation and rotation [J]
+    Vec3 linear_momentum() const { return mass_ * velocity(); }  ///< [kg m/s]
+    Vec3 angular_momentum(const Vec3& about) const;              ///< orbital and own [kg m^2/s]
+    double kinetic_energy() const;                               ///< of translation and rotation [J]
 
 private:
     void place(const Pose& pose);
@@ -63,9 +68,10 @@ private:
     double mass_ = 0;
     Vec3 principal_inertia_ = Vec3::Zero();  ///< along the body axes [kg m^2]
     Pose pose_;
-    Mat3 inverse_inertia_ = Mat3::Zero();    ///< belongs to the pose
+    Mat3 inverse_inertia_ = Mat3::Zero();  ///< belongs to the pose
     Vec3 velocity_ = Vec3::Zero(), angular_velocity_ = Vec3::Zero();
-    Vec3 spin_momentum_ = Vec3::Zero();      ///< angular momentum about the centre, world axes: what a free body keeps
+    /// angular momentum about the centre, world axes: what a free body keeps
+    Vec3 spin_momentum_ = Vec3::Zero();
 };
 
 }  // namespace enduring

@@ -29,7 +29,8 @@ std::unique_ptr<Body> read_static(const JsonValue& value, const SceneSurrounding
     value.require_keys({"name", "type", "shape", "position", "rotation", "look"});
     SurfaceMesh mesh = placed_surface(value, surroundings, Border::allowed);
     SurfaceTopology surface(static_cast<int>(mesh.vertices.size()), std::move(mesh.faces));
-    return std::make_unique<StaticBody>(value.at("name").text(), std::move(surface), std::move(mesh.vertices));
+    return std::make_unique<StaticBody>(value.at("name").text(), std::move(surface),
+                                        std::move(mesh.vertices));
 }
 
 MassProperties read_mass_properties(const JsonValue& value, const SurfaceMesh& mesh)
@@ -40,12 +41,14 @@ MassProperties read_mass_properties(const JsonValue& value, const SurfaceMesh& m
 
 std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys({"name", "type", "shape", "density", "mass", "position", "rotation", "velocity", "angular_velocity", "look"});
+    value.require_keys({"name", "type", "shape", "density", "mass", "position", "rotation", "velocity",
+                        "angular_velocity", "look"});
     const SurfaceMesh mesh = placed_surface(value, surroundings, Border::refused);
     const InitialMotion motion = read_motion(value);
     try {
         const MassProperties properties = read_mass_properties(value, mesh);
-        return std::make_unique<RigidBody>(value.at("name").text(), mesh, properties, motion.velocity, motion.angular_velocity);
+        return std::make_unique<RigidBody>(value.at("name").text(), mesh, properties, motion.velocity,
+                                           motion.angular_velocity);
     } catch (const InputError& error) {
         value.pass_on(error);
     }
@@ -56,12 +59,12 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
 std::unique_ptr<Body> read_body(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     switch (value.at("type").choice({"static", "rigid", "deformable"})) {
-    case 0:
-        return read_static(value, surroundings);
-    case 1:
-        return read_rigid(value, surroundings);
-    default:
-        return read_deformable(value, surroundings);
+        case 0:
+            return read_static(value, surroundings);
+        case 1:
+            return read_rigid(value, surroundings);
+        default:
+            return read_deformable(value, surroundings);
     }
 }
 

@@ -15,14 +15,18 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A box in the shape's coordinates: every node in it stays where it is.
 struct FixedRegion {
     Vec3 low, high;
-    bool contains(const Vec3& point) const { return (point.array() >= low.array()).all() && (point.array() <= high.array()).all(); }
+    bool contains(const Vec3& point) const
+    {
+        return (point.array() >= low.array()).all() && (point.array() <= high.array()).all();
+    }
 };
 
 FixedRegion read_region(const JsonValue& value)
 {
     value.require_keys({"min", "max"});
     const NumberRange coordinate{-1e6, 1e6, true, true, "m"};
-    return {value.vector_or("min", coordinate, Vec3::Constant(-infinity)), value.vector_or("max", coordinate, Vec3::Constant(infinity))};
+    return {value.vector_or("min", coordinate, Vec3::Constant(-infinity)),
+            value.vector_or("max", coordinate, Vec3::Constant(infinity))};
 }
 
 std::vector<int> read_fixed_nodes(const JsonValue& body, const std::vector<Vec3>& nodes)
@@ -49,8 +53,10 @@ ElasticMaterial read_material(const JsonValue& body, const TetrahedralMesh& mesh
     material.poisson = body.at("poisson").number({-0.99, 0.4999});
     if (const std::optional<JsonValue> damping = body.find("rayleigh")) {
         damping->require_keys({"mass", "stiffness"});
-        material.mass_damping = damping->number_or("mass", {0, 1e6, true, true, "1/s"}, material.mass_damping);
-        material.stiffness_damping = damping->number_or("stiffness", {0, 1e3, true, true, "s"}, material.stiffness_damping);
+        material.mass_damping = damping->number_or("mass", {0, 1e6, true, true, "1/s"},
+                                                   material.mass_damping);
+        material.stiffness_damping = damping->number_or("stiffness", {0, 1e3, true, true, "s"},
+                                                        material.stiffness_damping);
     }
     return material;
 }
@@ -76,9 +82,11 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
     settings.velocity = motion.velocity;
     settings.angular_velocity = motion.angular_velocity;
     if (const std::optional<JsonValue> response = value.find("impulse_response"))
-        settings.impulse_response = response->choice({"lumped", "implicit"}) == 1 ? ImpulseResponse::implicit : ImpulseResponse::lumped;
+        settings.impulse_response = response->choice({"lumped", "implicit"}) == 1 ? ImpulseResponse::implicit
+                                                                                  : ImpulseResponse::lumped;
 
-    settings.options.solver_tolerance = value.number_or("solver_tolerance", {1e-14, 1e-2}, settings.options.solver_tolerance);
+    settings.options.solver_tolerance = value.number_or("solver_tolerance", {1e-14, 1e-2},
+                                                        settings.options.solver_tolerance);
 
     const std::optional<JsonValue> basis = value.find("basis");
     if (!basis || basis->choice({"linear", "quadratic"}) == 1) {
@@ -94,8 +102,9 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
 
 std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis", "fixed", "impulse_response",
-                        "solver_tolerance", "position", "rotation", "velocity", "angular_velocity", "look"});
+    value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis",
+                        "fixed", "impulse_response", "solver_tolerance", "position", "rotation", "velocity",
+                        "angular_velocity", "look"});
     try {
         return build(value, surroundings);
     } catch (const InputError& error) {

@@ -8,7 +8,8 @@
 namespace enduring {
 namespace {
 
-/// A scene may switch friction off and keep its numbers; a key that would do nothing beside others that do is a mistake.
+/// A scene may switch friction off and keep its numbers; a key that would
+/// do nothing beside others that do is a mistake.
 void refuse_foreign_keys(const JsonValue&, const NoFriction&) {}
 
 void refuse_foreign_keys(const JsonValue& value, const YamaneNakamura&)
@@ -31,7 +32,8 @@ void read_coefficients(const JsonValue& value, Friction& friction)
     friction.mu_s = value.number_or("mu_s", range, friction.mu_s);
     friction.mu_d = value.number_or("mu_d", range, std::min(friction.mu_d, friction.mu_s));
     if (friction.mu_d > friction.mu_s)
-        value.complain("\"mu_d\" is above \"mu_s\"; a body that slides is never held better than one at rest");
+        value.complain(
+            "\"mu_d\" is above \"mu_s\"; a body that slides is never held better than one at rest");
 }
 
 void read_damping(const JsonValue& value, YamaneNakamura& friction)
@@ -48,9 +50,13 @@ template <class Friction>
 void read_constants(const JsonValue& value, Friction& friction, Mistakes& mistakes)
 {
     mistakes.gather([&] { read_coefficients(value, friction); });
-    mistakes.gather([&] { friction.spring = value.number_or("spring", {0, 1e12, false, true, "N/m"}, friction.spring); });
+    mistakes.gather([&] {
+        friction.spring = value.number_or("spring", {0, 1e12, false, true, "N/m"}, friction.spring);
+    });
     mistakes.gather([&] { read_damping(value, friction); });
-    mistakes.gather([&] { friction.weighting = value.number_or("weighting", {0, 1e9, false, true, "s/m"}, friction.weighting); });
+    mistakes.gather([&] {
+        friction.weighting = value.number_or("weighting", {0, 1e9, false, true, "s/m"}, friction.weighting);
+    });
 }
 
 /// What is switched off is still read, for its mistakes.
@@ -65,7 +71,8 @@ void read_constants(const JsonValue& value, NoFriction&, Mistakes& mistakes)
 /// With what a scene leaves out.
 FrictionParameters read_model(const JsonValue& value, double stiffness)
 {
-    const std::array<FrictionParameters, friction_words.size()> models{NoFriction{}, YamaneNakamura{}, MassSplitting{.spring = stiffness}};
+    const std::array<FrictionParameters, friction_words.size()> models{NoFriction{}, YamaneNakamura{},
+                                                                       MassSplitting{.spring = stiffness}};
     return models[value.at("model").choice(friction_words)];
 }
 

@@ -17,7 +17,8 @@ Placement read_placement(const JsonValue& body)
     placement.position = body.vector_or("position", {-1e4, 1e4, true, true, "m"}, Vec3::Zero());
     if (const std::optional<JsonValue> rotation = body.find("rotation")) {
         rotation->require_keys({"axis", "angle_deg"});
-        placement.rotation = Eigen::AngleAxisd(rotation->at("angle_deg").angle({-360, 360}), rotation->at("axis").direction());
+        placement.rotation = Eigen::AngleAxisd(rotation->at("angle_deg").angle({-360, 360}),
+                                               rotation->at("axis").direction());
     }
     return placement;
 }
@@ -26,7 +27,8 @@ InitialMotion read_motion(const JsonValue& body)
 {
     InitialMotion motion;
     motion.velocity = body.vector_or("velocity", {-1e4, 1e4, true, true, "m/s"}, Vec3::Zero());
-    motion.angular_velocity = body.vector_or("angular_velocity", {-1e4, 1e4, true, true, "rad/s"}, Vec3::Zero());
+    motion.angular_velocity = body.vector_or("angular_velocity", {-1e4, 1e4, true, true, "rad/s"},
+                                             Vec3::Zero());
     return motion;
 }
 

@@ -9,7 +9,7 @@ namespace enduring {
 
 /// Where a body of a scene starts: x = rotation * X + position for a point X of its shape.
 struct Placement {
-    Vec3 position = Vec3::Zero();                  ///< [m]
+    Vec3 position = Vec3::Zero();  ///< [m]
     Quaternion rotation = Quaternion::Identity();
 
     Vec3 place(const Vec3& point) const { return rotation * point + position; }

@@ -23,8 +23,8 @@ struct BodyLook {
     bool smooth = false;
 };
 
-/// One documented JSON file, read by every chapter's solver (docs: the scene format). A scene read twice builds the same
-/// world to the last bit.
+/// One documented JSON file, read by every chapter's solver (docs: the scene format). A scene read twice
+/// builds the same world to the last bit.
 struct Scene {
     std::string name, description;
     double dt = 0.01;       ///< [s]
@@ -33,13 +33,15 @@ struct Scene {
     SceneCamera camera;
     std::map<std::string, BodyLook> looks;  ///< by body name
     World world;                            ///< bodies placed, velocities set, time 0
-    std::vector<std::string> warnings;      ///< what will probably go wrong, a sentence each (see scene_warnings()); run() tells them
+    /// what will probably go wrong, a sentence each (see scene_warnings()); run() tells them
+    std::vector<std::string> warnings;
 };
 
 /// Changes to a scene before it is built, as a JSON merge patch: {"contact": {"stiffness": 2000}}.
 /// @param path   the file; meshes it names are searched beside it, then in common/meshes
 /// @param patch  merge patch as text, empty for none (what experiments use to vary one number)
-/// @throws InputError  names the file, the JSON path as /bodies/0/density, what was expected and what stands there
+/// @throws InputError  names the file, the JSON path as /bodies/0/density,
+///     what was expected and what stands there
 Scene load_scene(const std::filesystem::path& path, const std::string& patch = "");
 
 /// A scene that ships with the course: common/scenes/NAME.json.

@@ -26,7 +26,8 @@ ContactParameters read_contact(const JsonValue& value)
         if (const std::optional<JsonValue> method = value.find("method"))
             contact.method = static_cast<PenaltyMethod>(method->choice(penalty_words));
     });
-    mistakes.gather([&] { contact.stiffness = value.number_or("stiffness", stiffness_range, contact.stiffness); });
+    mistakes.gather(
+        [&] { contact.stiffness = value.number_or("stiffness", stiffness_range, contact.stiffness); });
     mistakes.gather([&] {
         if (const std::optional<JsonValue> friction = value.find("friction"))
             contact.friction = read_friction(*friction, contact.stiffness);
@@ -42,7 +43,8 @@ SceneCamera read_camera(const JsonValue& value)
     SceneCamera camera;
     camera.eye = value.vector_or("eye", place, camera.eye);
     camera.target = value.vector_or("target", place, camera.target);
-    camera.field_of_view_deg = value.number_or("field_of_view_deg", {1, 120, true, true, "degrees"}, camera.field_of_view_deg);
+    camera.field_of_view_deg = value.number_or("field_of_view_deg", {1, 120, true, true, "degrees"},
+                                               camera.field_of_view_deg);
     if ((camera.eye - camera.target).norm() < 1e-9)
         value.complain("\"eye\" and \"target\" are the same point");
     return camera;
@@ -74,7 +76,8 @@ Plane read_plane(const JsonValue& value)
 void require_new_name(const JsonValue& entry, std::set<std::string>& names)
 {
     if (!names.insert(entry.at("name").text()).second)
-        entry.at("name").complain("another body or plane is already called \"" + entry.at("name").text() + "\"");
+        entry.at("name").complain("another body or plane is already called \"" + entry.at("name").text() +
+                                  "\"");
 }
 
 void read_planes(const JsonValue& root, std::set<std::string>& names, Scene& scene, Mistakes& mistakes)
@@ -89,7 +92,8 @@ void read_planes(const JsonValue& root, std::set<std::string>& names, Scene& sce
         });
 }
 
-void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings, std::set<std::string>& names, Scene& scene, Mistakes& mistakes)
+void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings, std::set<std::string>& names,
+                 Scene& scene, Mistakes& mistakes)
 {
     for (const JsonValue& entry : root.at("bodies").items(1, surroundings.limits.bodies)) {
         mistakes.gather([&] {
@@ -110,14 +114,22 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
     Scene scene;
     std::set<std::string> names;
     Mistakes mistakes;
-    mistakes.gather([&] { root.require_keys({"name", "description", "gravity", "dt", "duration", "contact", "planes", "bodies", "camera"}); });
+    mistakes.gather([&] {
+        root.require_keys(
+            {"name", "description", "gravity", "dt", "duration", "contact", "planes", "bodies", "camera"});
+    });
     mistakes.gather([&] { scene.name = root.at("name").text(); });
     mistakes.gather([&] { scene.description = root.text_or("description", ""); });
     mistakes.gather([&] { scene.dt = root.at("dt").number({1e-6, 1, true, true, "s"}); });
     mistakes.gather([&] { scene.duration = root.at("duration").number({0, 3600, false, true, "s"}); });
-    mistakes.gather([&] { scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"}, scene.world.gravity); });
-    mistakes.gather([&] { scene.contact = root.find("contact") ? read_contact(root.at("contact")) : scene.contact; });
-    mistakes.gather([&] { scene.camera = root.find("camera") ? read_camera(root.at("camera")) : scene.camera; });
+    mistakes.gather([&] {
+        scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"},
+                                             scene.world.gravity);
+    });
+    mistakes.gather(
+        [&] { scene.contact = root.find("contact") ? read_contact(root.at("contact")) : scene.contact; });
+    mistakes.gather(
+        [&] { scene.camera = root.find("camera") ? read_camera(root.at("camera")) : scene.camera; });
     mistakes.gather([&] { read_planes(root, names, scene, mistakes); });
     mistakes.gather([&] { read_bodies(root, surroundings, names, scene, mistakes); });
     mistakes.complain();
@@ -126,7 +138,8 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
 
 }  // namespace
 
-Scene read_scene(const std::string& text, const std::string& patch, const std::string& file, const SceneSurroundings& surroundings)
+Scene read_scene(const std::string& text, const std::string& patch, const std::string& file,
+                 const SceneSurroundings& surroundings)
 {
     nlohmann::json document = parse_json(text, file);
     if (!patch.empty())
@@ -138,7 +151,8 @@ Scene read_scene(const std::string& text, const std::string& patch, const std::s
 
 Scene load_scene(const std::filesystem::path& path, const std::string& patch)
 {
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path()
+                                                                : std::filesystem::path(".");
     const std::filesystem::path course_meshes = source_directory() / "common" / "meshes";
     return read_scene(read_text_file(path), patch, path.string(), {{folder, course_meshes}});
 }

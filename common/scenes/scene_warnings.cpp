@@ -9,18 +9,21 @@ namespace {
 
 std::string sentence(const StartOverlap& overlap)
 {
-    const std::string place = "'" + overlap.inner + "' begins " + (overlap.whole ? "wholly " : "") + "inside '" + overlap.outer + "', " +
-                              readable(overlap.depth, 3) + " m deep";
+    const std::string place = "'" + overlap.inner + "' begins " + (overlap.whole ? "wholly " : "") +
+                              "inside '" + overlap.outer + "', " + readable(overlap.depth, 3) + " m deep";
     if (overlap.in_plane)
         return place + ": all weight of the scene would not press it so far, so the plane throws it out";
-    return place + ": pairs are found where surfaces cross, so nothing holds what never crossed; move one of them";
+    return place +
+           ": pairs are found where surfaces cross, so nothing holds what never crossed; move one of them";
 }
 
 std::string sentence(const StiffestContact& contact, double dt)
 {
-    return "/contact/stiffness: too stiff for the step where '" + contact.a + "' meets '" + contact.b + "': even on " + std::to_string(contact.pairs) +
-           " pairs (n k = " + readable(contact.stiffness, 3) + " N/m, on " + readable(contact.mass, 3) + " kg) steps are stable up to " +
-           readable(contact.stable_step, 3) + " s, and dt is " + readable(dt, 3) + " s; make dt shorter, the stiffness smaller, or the bodies heavier";
+    return "/contact/stiffness: too stiff for the step where '" + contact.a + "' meets '" + contact.b +
+           "': even on " + std::to_string(contact.pairs) + " pairs (n k = " + readable(contact.stiffness, 3) +
+           " N/m, on " + readable(contact.mass, 3) + " kg) steps are stable up to " +
+           readable(contact.stable_step, 3) + " s, and dt is " + readable(dt, 3) +
+           " s; make dt shorter, the stiffness smaller, or the bodies heavier";
 }
 
 }  // namespace

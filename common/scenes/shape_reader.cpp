@@ -26,7 +26,8 @@ std::array<int, n> read_cells(const JsonValue& value, const std::array<int, n>& 
         return otherwise;
     std::array<int, n> cells{};
     const std::vector<JsonValue> items = list->items(n, n);
-    std::transform(items.begin(), items.end(), cells.begin(), [](const JsonValue& item) { return item.integer(1, most_cells); });
+    std::transform(items.begin(), items.end(), cells.begin(),
+                   [](const JsonValue& item) { return item.integer(1, most_cells); });
     return cells;
 }
 
@@ -84,7 +85,8 @@ Shape read_plane_grid(const JsonValue& value, const SceneLimits& limits)
     const std::vector<JsonValue> size = value.at("size").items(2, 2);
     const std::array<int, 2> cells = read_cells<2>(value, {1, 1});
     const std::optional<JsonValue> word = value.find("diagonals");
-    constexpr std::array<GridDiagonals, 3> diagonals{GridDiagonals::same, GridDiagonals::alternating, GridDiagonals::crossed};
+    constexpr std::array<GridDiagonals, 3> diagonals{GridDiagonals::same, GridDiagonals::alternating,
+                                                     GridDiagonals::crossed};
     const std::size_t chosen = word ? word->choice({"same", "alternating", "crossed"}) : 0;
     require_at_most(value, 4.0 * cells[0] * cells[1], limits.surface_faces, "faces");
     return surface_only(plane_grid(size[0].number(length), size[1].number(length), cells, diagonals[chosen]));
@@ -107,7 +109,8 @@ Shape read_sphere(const JsonValue& value, const SceneLimits& limits)
 
 Shape read_bowl(const JsonValue& value, const SceneLimits& limits)
 {
-    value.require_keys({"inner_radius", "thickness", "rim_angle_deg", "foot_radius", "segments_around", "segments_along", "segments_rim"});
+    value.require_keys({"inner_radius", "thickness", "rim_angle_deg", "foot_radius", "segments_around",
+                        "segments_along", "segments_rim"});
     const auto segments = [&](const std::string& key, int low, int otherwise) {
         const std::optional<JsonValue> count = value.find(key);
         return count ? count->integer(low, most_cells) : otherwise;
@@ -121,7 +124,8 @@ Shape read_bowl(const JsonValue& value, const SceneLimits& limits)
     shape.segments_around = segments("segments_around", 3, shape.segments_around);
     shape.segments_along = segments("segments_along", 2, shape.segments_along);
     shape.segments_rim = segments("segments_rim", 2, shape.segments_rim);
-    require_at_most(value, 4.0 * shape.segments_around * (shape.segments_along + shape.segments_rim), limits.surface_faces, "faces");
+    require_at_most(value, 4.0 * shape.segments_around * (shape.segments_along + shape.segments_rim),
+                    limits.surface_faces, "faces");
     return surface_only(bowl(shape));
 }
 
@@ -165,16 +169,21 @@ constexpr std::array<NamedReader, 7> generated{{{"bar", read_bar},
 /// The one entry of the object that says which shape it is; "scale" may stand beside it.
 Shape read_unscaled(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys({"bar", "bowl", "box", "file", "plane_grid", "slope", "sphere", "tetrahedron", "scale"});
+    value.require_keys(
+        {"bar", "bowl", "box", "file", "plane_grid", "slope", "sphere", "tetrahedron", "scale"});
     std::vector<std::pair<std::string, JsonValue>> kinds = value.members();
-    kinds.erase(std::remove_if(kinds.begin(), kinds.end(), [](const auto& member) { return member.first == "scale"; }), kinds.end());
+    kinds.erase(std::remove_if(kinds.begin(), kinds.end(),
+                               [](const auto& member) { return member.first == "scale"; }),
+                kinds.end());
     if (kinds.size() != 1)
-        value.fail("an object with exactly one of \"bar\", \"bowl\", \"box\", \"file\", \"plane_grid\", \"slope\", \"sphere\", \"tetrahedron\"");
+        value.fail(
+            "an object with exactly one of \"bar\", \"bowl\", \"box\", \"file\", \"plane_grid\", \"slope\", \"sphere\", \"tetrahedron\"");
     const auto& [kind, description] = kinds.front();
     try {
         if (kind == "file")
             return read_file(description, surroundings);
-        const auto reader = std::find_if(generated.begin(), generated.end(), [&k = kind](const NamedReader& r) { return r.name == k; });
+        const auto reader = std::find_if(generated.begin(), generated.end(),
+                                         [&k = kind](const NamedReader& r) { return r.name == k; });
         return reader->read(description, surroundings.limits);
     } catch (const InputError& error) {
         description.pass_on(error);

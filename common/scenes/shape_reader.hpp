@@ -22,7 +22,8 @@ struct SceneSurroundings {
     SceneLimits limits{};
 };
 
-/// A shape in its own coordinates, scaled, not yet placed: a surface, and the solid inside it where there is one.
+/// A shape in its own coordinates, scaled, not yet placed: a surface,
+/// and the solid inside it where there is one.
 struct Shape {
     SurfaceMesh surface;
     std::optional<TetrahedralMesh> solid;

@@ -87,7 +87,8 @@ bool lies_wholly_in(const Placed& inner, Placed& outer)
 {
     const auto vertices = inner.positions();
     return outer.body().surface().is_closed() &&
-           std::all_of(vertices.begin(), vertices.end(), [&](const Vec3& vertex) { return outer.tree().contains(vertex); });
+           std::all_of(vertices.begin(), vertices.end(),
+                       [&](const Vec3& vertex) { return outer.tree().contains(vertex); });
 }
 
 std::optional<StartOverlap> overlap_of(Placed& one, Placed& other)
@@ -97,13 +98,18 @@ std::optional<StartOverlap> overlap_of(Placed& one, Placed& other)
     const double of_one = depth_in(one, other), of_other = depth_in(other, one);
     if (std::max(of_one, of_other) <= rounding(one.box(), other.box()))
         return std::nullopt;
-    const bool is_one = one.body().is_static() ? false : other.body().is_static() || of_one > of_other + rounding(one.box(), other.box());
+    const bool is_one = one.body().is_static() ? false
+                                               : other.body().is_static() ||
+                                                     of_one > of_other + rounding(one.box(), other.box());
     Placed &inner = is_one ? one : other, &outer = is_one ? other : one;
-    return StartOverlap{inner.body().name(), outer.body().name(), std::max(of_one, of_other), lies_wholly_in(inner, outer), false};
+    return StartOverlap{inner.body().name(), outer.body().name(), std::max(of_one, of_other),
+                        lies_wholly_in(inner, outer), false};
 }
 
-/// A scene may begin with its bodies as deep in the ground as they rest, so only what presses harder than all weight is told.
-std::optional<StartOverlap> overlap_of(const Placed& placed, const Plane& plane, double stiffness, double weight)
+/// A scene may begin with its bodies as deep in the ground as they rest, so
+/// only what presses harder than all weight is told.
+std::optional<StartOverlap> overlap_of(const Placed& placed, const Plane& plane, double stiffness,
+                                       double weight)
 {
     double deepest = 0, push = 0;
     bool whole = true;

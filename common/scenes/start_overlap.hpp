@@ -9,17 +9,21 @@ namespace enduring {
 
 /// A body that begins inside another body, or deeper in a plane than all weight of the scene could press it.
 struct StartOverlap {
-    std::string inner, outer;  ///< of two bodies the inner one moves; of two that move it has the deepest point
-    double depth;              ///< of the deepest point of either [m]: its distance to the surface of the other
-    bool whole = false;        ///< no vertex of the inner one is outside
-    bool in_plane = false;     ///< the outer one is a plane
+    /// of two bodies the inner one moves; of two that move it has the deepest point
+    std::string inner, outer;
+    /// of the deepest point of either [m]: its distance to the surface of the other
+    double depth;
+    bool whole = false;     ///< no vertex of the inner one is outside
+    bool in_plane = false;  ///< the outer one is a plane
 };
 
-/// All overlaps between bodies of which one moves at least, and between moving bodies and planes. Touching is none.
+/// All overlaps between bodies of which one moves at least, and between
+/// moving bodies and planes. Touching is none.
 ///
-/// Points are looked at that every surface has: its vertices, and the middles of its edges and faces, as a box that stands in
-/// another of its size has all its corners on the surface of that. An open surface has no inside: there a body overlaps
-/// if an edge of it passes through a face, and the depth is that of the edge's end behind the face.
+/// Points are looked at that every surface has: its vertices, and the middles of its edges and
+/// faces, as a box that stands in another of its size has all its corners on the surface of
+/// that. An open surface has no inside: there a body overlaps if an edge of it passes through a
+/// face, and the depth is that of the edge's end behind the face.
 std::vector<StartOverlap> start_overlaps(const World& world, const ContactParameters& contact);
 
 }  // namespace enduring

@@ -12,9 +12,9 @@ namespace {
 struct Softness {
     const std::string* name;
     int pairs = std::numeric_limits<int>::max();  ///< on which it can stand; what does not move sets none
-    double inverse_mass = 0;   ///< of the body as one [1/kg]
-    double inverse_pair = 0;   ///< of the heaviest vertex, for a body whose nodes answer alone [1/kg]
-    double stiffness;          ///< k of a pair with it [N/m]
+    double inverse_mass = 0;                      ///< of the body as one [1/kg]
+    double inverse_pair = 0;  ///< of the heaviest vertex, for a body whose nodes answer alone [1/kg]
+    double stiffness;         ///< k of a pair with it [N/m]
 };
 
 Softness softness_of(const Body& body, double stiffness)
@@ -29,7 +29,8 @@ Softness softness_of(const Body& body, double stiffness)
     }
     softness.inverse_pair = std::numeric_limits<double>::infinity();
     for (int vertex = 0; vertex < body.surface().vertex_count(); ++vertex)
-        if (const double inverse = body.inverse_mass(vertex).trace() / 3; inverse > 0)  // a fixed node bears any step
+        // a fixed node bears any step
+        if (const double inverse = body.inverse_mass(vertex).trace() / 3; inverse > 0)
             softness.inverse_pair = std::min(softness.inverse_pair, inverse);
     return softness;
 }
@@ -74,7 +75,8 @@ int corners_of_smallest_side(const SurfaceTopology& surface, std::span<const Vec
             corners.insert(faces[face].begin(), faces[face].end());
             for (const int edge : surface.edges_of_face(static_cast<int>(face)))
                 for (const int next : surface.faces_at_edge(edge))
-                    if (next >= 0 && normal_of(faces[face], positions).dot(normal_of(faces[next], positions)) > flat)
+                    if (next >= 0 &&
+                        normal_of(faces[face], positions).dot(normal_of(faces[next], positions)) > flat)
                         take(static_cast<std::size_t>(next));
         }
         fewest = std::min(fewest, corners.size());
@@ -88,7 +90,8 @@ std::optional<StiffestContact> stiffest_contact(const World& world, const Contac
     for (const auto& body : world.bodies)
         (body->is_static() ? still : moving).push_back(softness_of(*body, contact.stiffness));
     for (const Plane& plane : world.planes)
-        still.push_back({&plane.name, std::numeric_limits<int>::max(), 0, 0, plane.stiffness.value_or(contact.stiffness)});
+        still.push_back({&plane.name, std::numeric_limits<int>::max(), 0, 0,
+                         plane.stiffness.value_or(contact.stiffness)});
 
     std::optional<StiffestContact> stiffest;
     const auto look = [&](const Softness& a, const Softness& b) {

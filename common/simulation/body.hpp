@@ -16,7 +16,8 @@ namespace enduring {
 
 /// What a body carries besides its surface; the sum over all bodies tells whether contact adds energy.
 struct Energy {
-    double kinetic = 0, gravitational = 0, elastic = 0;  ///< [J]; the gravitational part is zero at the origin
+    /// [J]; the gravitational part is zero at the origin
+    double kinetic = 0, gravitational = 0, elastic = 0;
     double total() const { return kinetic + gravitational + elastic; }
 };
 
@@ -26,7 +27,8 @@ struct Push {
     double weight;  ///< not negative
 };
 
-/// How a surface vertex moves with its body's coordinates in contact: its velocity is `rate` times those from `first` on.
+/// How a surface vertex moves with its body's coordinates in contact: its
+/// velocity is `rate` times those from `first` on.
 struct VertexMotion {
     int first = 0;
     Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 6> rate{3, 0};
@@ -51,8 +53,9 @@ public:
     const std::string& name() const { return name_; }
     const SurfaceTopology& surface() const { return surface_; }
 
-    /// Surface vertices at the start of the step and at its predicted end [m]. For a rigid body the end is the pose that
-    /// committing would produce, so positions_t1 - positions_t0 is not exactly dt times a velocity.
+    /// Surface vertices at the start of the step and at its predicted end [m]. For a
+    /// rigid body the end is the pose that committing would produce, so positions_t1 -
+    /// positions_t0 is not exactly dt times a velocity.
     std::span<const Vec3> positions_t0() const { return positions_t0_; }
     std::span<const Vec3> positions_t1() const { return positions_t1_; }
     /// Where a surface vertex is at tau in [0, 1] of the step [m].
@@ -77,48 +80,61 @@ public:
     /// The prediction becomes the state.
     virtual void commit(double dt) = 0;
 
-    /// Adds an impulse [N s] at a surface vertex to the predicted velocities; a deformable body that answers implicitly
-    /// collects impulses and lets them act at the next update_prediction().
+    /// Adds an impulse [N s] at a surface vertex to the predicted velocities; a deformable body that answers
+    /// implicitly collects impulses and lets them act at the next update_prediction().
     virtual void apply_impulse(int vertex, const Vec3& impulse) = 0;
     /// Predicted velocity of a surface vertex [m/s].
     virtual Vec3 velocity(int vertex) const = 0;
     /// Velocity change at a surface vertex per impulse there [1/kg]; zero for what does not move.
     virtual Mat3 inverse_mass(int vertex) const = 0;
 
-    /// Impulses may be tried out on a copy of the predicted velocities before any is applied: friction is worth no more than
-    /// what all its pairs do together. begin_trial() makes the copy. What does not move does not answer.
+    /// Impulses may be tried out on a copy of the predicted velocities before any is
+    /// applied: friction is worth no more than what all its pairs do together. begin_trial()
+    /// makes the copy. What does not move does not answer.
     virtual void begin_trial() {}
     virtual void try_impulse(int, const Vec3&) {}
     virtual Vec3 tried_velocity(int vertex) const { return velocity(vertex); }
 
-    /// Parts of the body, each moved as one by an impulse on it within a step: pairs that push on the same part share its
-    /// mass. A rigid body is one part, and so is a deformable one that answers implicitly; else every node is its own.
+    /// Parts of the body, each moved as one by an impulse on it within a step: pairs that
+    /// push on the same part share its mass. A rigid body is one part, and so is a deformable
+    /// one that answers implicitly; else every node is its own.
     virtual int part_count() const { return 1; }
     /// The parts that an impulse at a surface vertex moves.
     virtual std::span<const int> moved_parts(int) const { return {&whole, 1}; }
 
-    /// The same question answered better by a body whose parts hang together, if it can: a bound on what all `pushes` change
-    /// at a vertex together, each weight's worth of impulse in its own worst direction [1/kg]; infinite where it knows none.
-    virtual double response_bound(int, std::span<const Push>) const { return std::numeric_limits<double>::infinity(); }
+    /// The same question answered better by a body whose parts hang together, if it can: a bound on what all
+    /// `pushes` change at a vertex together, each weight's worth of impulse in its own worst direction
+    /// [1/kg]; infinite where it knows none.
+    virtual double response_bound(int, std::span<const Push>) const
+    {
+        return std::numeric_limits<double>::infinity();
+    }
 
-    /// For a solver that treats all bodies as one: the velocities that contact can change, as a few coordinates. A rigid body's are the
-    /// velocity of its centre and its angular velocity; what does not move has none.
+    /// For a solver that treats all bodies as one: the velocities that contact can
+    /// change, as a few coordinates. A rigid body's are the velocity of its centre and
+    /// its angular velocity; what does not move has none.
     ///
-    /// They belong to `touched`, the vertices in contact, each once. Returns the mass matrix A of the coordinates: an impulse P on them
-    /// changes them by A^-1 P.
+    /// They belong to `touched`, the vertices in contact, each once. Returns the mass matrix A of the
+    /// coordinates: an impulse P on them changes them by A^-1 P.
     virtual Eigen::MatrixXd contact_mass(std::span<const int> /*touched*/) const { return {}; }
-    /// How touched[index] moves with them. The last argument is the moment of the step whose lever counts, in [0, 1].
-    virtual VertexMotion contact_motion(std::span<const int> /*touched*/, std::size_t /*index*/, double /*tau*/) const { return {}; }
+    /// How touched[index] moves with them. The last argument is the moment
+    /// of the step whose lever counts, in [0, 1].
+    virtual VertexMotion contact_motion(std::span<const int> /*touched*/, std::size_t /*index*/,
+                                        double /*tau*/) const
+    {
+        return {};
+    }
     /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
-    virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/) {}
+    virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/)
+    {}
 
     virtual bool is_static() const { return false; }
-    virtual double mass() const = 0;                                  ///< [kg]; 0 for a static body
-    virtual Energy energy(const Vec3& gravity) const = 0;             ///< of the committed state
-    virtual Vec3 linear_momentum() const = 0;                         ///< [kg m/s]
+    virtual double mass() const = 0;                       ///< [kg]; 0 for a static body
+    virtual Energy energy(const Vec3& gravity) const = 0;  ///< of the committed state
+    virtual Vec3 linear_momentum() const = 0;              ///< [kg m/s]
     /// Of the centre of mass [m/s]; zero for a static body.
     Vec3 mean_velocity() const { return mass() > 0 ? Vec3(linear_momentum() / mass()) : Vec3(Vec3::Zero()); }
-    virtual Vec3 angular_momentum(const Vec3& about) const = 0;       ///< [kg m^2/s]
+    virtual Vec3 angular_momentum(const Vec3& about) const = 0;  ///< [kg m^2/s]
     virtual int inverted_elements() const { return 0; }
 
 protected:

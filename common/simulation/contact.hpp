@@ -10,27 +10,32 @@ namespace enduring {
 
 enum class ContactKind : std::uint8_t { vertex_plane, vertex_face, edge_edge };
 
-/// Whether a pair waits for its impulse of this step, has received it, or takes none while it stays in the list.
+/// Whether a pair waits for its impulse of this step, has received it,
+/// or takes none while it stays in the list.
 enum class ContactState : std::uint8_t { waiting, answered, held };
 
 /// Whether a pair pushes its bodies apart or along each other.
 enum class ContactCategory : std::uint8_t { unknown, regular, hooked };
 
-/// One pair of features in contact: a point p of body A and a point q of body B, each a fixed combination of vertices.
+/// One pair of features in contact: a point p of body A and a point q of
+/// body B, each a fixed combination of vertices.
 ///
-/// Whatever the kind, p - q = sum_i weights[i] x[vertices[i]], and an impulse I on p reaches vertex i as weights[i] I.
+/// Whatever the kind, p - q = sum_i weights[i] x[vertices[i]], and an
+/// impulse I on p reaches vertex i as weights[i] I.
 ///   vertex_plane  vertices {v, -, -, -}          weights {1, 0, 0, 0}, and q is the foot on the plane
 ///   vertex_face   vertices {v, f0, f1, f2}       weights {1, -w0, -w1, -w2}; normal (f1-f0) x (f2-f0)
 ///   edge_edge     vertices {a0, a1, b0, b1}      weights {1-s, s, -(1-t), -t}; normal orientation * (a1-a0) x (b1-b0)
 /// The normal points out of B, towards A; depth is n . (p - q), negative inside.
 struct Contact {
     ContactKind kind = ContactKind::vertex_face;
-    int body_a = -1, body_b = -1;        ///< indices into World::bodies; for a plane body_b indexes World::planes
+    /// indices into World::bodies; for a plane body_b indexes World::planes
+    int body_a = -1, body_b = -1;
     int feature_a = -1, feature_b = -1;  ///< vertex and face, or the two edges; feature_b is -1 for a plane
     std::array<int, 4> vertices{-1, -1, -1, -1};
     std::array<double, 4> weights{};
-    double orientation = 1;   ///< edge_edge: the sign that made the normal point from B to A at first contact
-    double start = 0;         ///< part of the step from which the pair pushes: its time of impact, 0 when it endures
+    double orientation = 1;  ///< edge_edge: the sign that made the normal point from B to A at first contact
+    /// part of the step from which the pair pushes: its time of impact, 0 when it endures
+    double start = 0;
     Vec3 impulse = Vec3::Zero();  ///< along the normal, on A in this step [N s]; kept for probes and pictures
 
     Vec3 friction = Vec3::Zero();  ///< friction impulse on A in this step [N s]
@@ -41,7 +46,8 @@ struct Contact {
     double load = 0;               ///< normal force that such a pair carried at the end of the last step [N]
     ContactCategory category = ContactCategory::unknown;
     ContactState state = ContactState::waiting;
-    bool resolved = false;  ///< separated in this step, whatever its state: seen by the probes, gone with the next
+    /// separated in this step, whatever its state: seen by the probes, gone with the next
+    bool resolved = false;
 
     bool waiting() const { return state == ContactState::waiting && !resolved; }
     bool answered() const { return state == ContactState::answered; }

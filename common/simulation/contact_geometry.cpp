@@ -27,12 +27,15 @@ Vec3 normal_direction(const Contact& contact, const std::array<Vec3, 4>& x)
 PairStep plane_step(const Body& body, std::size_t vertex, const Plane& plane)
 {
     const Vec3 side_1 = plane.normal.unitOrthogonal(), side_2 = plane.normal.cross(side_1);
-    return {{side_1, side_2, body.positions_t0()[vertex] - plane.point}, {side_1, side_2, body.positions_t1()[vertex] - plane.point}, plane.normal};
+    return {{side_1, side_2, body.positions_t0()[vertex] - plane.point},
+            {side_1, side_2, body.positions_t1()[vertex] - plane.point},
+            plane.normal};
 }
 
 PairInstant instant(const Contact& contact, const PairVertices& x)
 {
-    return contact.kind == ContactKind::vertex_face ? vertex_face_instant(x) : edge_edge_instant(x, contact.orientation);
+    return contact.kind == ContactKind::vertex_face ? vertex_face_instant(x)
+                                                    : edge_edge_instant(x, contact.orientation);
 }
 
 }  // namespace
@@ -45,8 +48,7 @@ Vec3 contact_vertex(const World& world, const Contact& contact, int i, double ta
 ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau)
 {
     if (contact.kind == ContactKind::vertex_plane)
-        return plane_geometry(world.planes[contact.body_b],
-                              contact_vertex(world, contact, 0, tau));
+        return plane_geometry(world.planes[contact.body_b], contact_vertex(world, contact, 0, tau));
 
     std::array<Vec3, 4> x;
     ContactGeometry geometry;

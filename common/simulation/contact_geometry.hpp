@@ -14,10 +14,11 @@ struct ContactGeometry {
     double depth = 0;            ///< normal . (p - q) [m], negative inside
 };
 
-/// Points, normal and depth of a contact at tau in [0, 1], from vertices that move linearly between the ends of the step.
+/// Points, normal and depth of a contact at tau in [0, 1], from vertices
+/// that move linearly between the ends of the step.
 ///
-/// After a step has been committed both ends are the new state, so any tau reads that state. The solvers integrate
-/// over tau by closed forms of their own; this is for probes, pictures and checks.
+/// After a step has been committed both ends are the new state, so any tau reads that state. The solvers
+/// integrate over tau by closed forms of their own; this is for probes, pictures and checks.
 ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau);
 
 /// A contact over the step as a normal law sees it, from its bodies' positions.

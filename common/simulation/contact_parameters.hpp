@@ -19,17 +19,21 @@ struct NoFriction {};
 /// A spring and a damper that let go, with the thesis' constants (its section 7.3).
 struct YamaneNakamura {
     double mu_s = 0.5, mu_d = 0.3;
-    double spring = 100;       ///< tangential stiffness of one pair [N/m]; k_FP of (5.22)
-    double damper = 25;        ///< k_FD of (5.22), of one pair [N s/m]
-    double weighting = 10000;  ///< k_w of (5.24) [s/m]: 1/k_w is the slip speed at which friction becomes dynamic
+    double spring = 100;  ///< tangential stiffness of one pair [N/m]; k_FP of (5.22)
+    double damper = 25;   ///< k_FD of (5.22), of one pair [N s/m]
+    /// k_w of (5.24) [s/m]: 1/k_w is the slip speed at which friction becomes dynamic
+    double weighting = 10000;
 };
 
 /// A spring that gives where its pair slips, all pairs together.
 struct MassSplitting {
     double mu_s = 0.5, mu_d = 0.3;
-    double spring = 1000;       ///< tangential stiffness of one pair [N/m]; a scene that leaves it out takes that along the normal
-    double damping_ratio = 20;  ///< of the damper beside the spring, relative to critical for the pair's share of mass
-    double weighting = 20;      ///< 1/weighting is the slip speed at which friction becomes dynamic [s/m]: 5 cm/s
+    /// tangential stiffness of one pair [N/m]; a scene that leaves it out takes that along the normal
+    double spring = 1000;
+    /// of the damper beside the spring, relative to critical for the pair's share of mass
+    double damping_ratio = 20;
+    /// 1/weighting is the slip speed at which friction becomes dynamic [s/m]: 5 cm/s
+    double weighting = 20;
 };
 
 /// In the order of their words in the file.
@@ -45,7 +49,7 @@ struct ContactParameters {
     PenaltyMethod method = PenaltyMethod::continuous;
     double stiffness = 1000;  ///< k of one pair [N/m], positive
     FrictionParameters friction{};
-    NormalLaw law{};          ///< a normal law of one's own, in place of the method's
+    NormalLaw law{};  ///< a normal law of one's own, in place of the method's
 };
 
 }  // namespace enduring

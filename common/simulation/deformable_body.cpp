@@ -19,27 +19,29 @@ void set_motion(ElasticBody& elastic, const Vec3& velocity, const Vec3& angular_
 {
     const Vec3 centre = elastic.centre_of_mass();
     for (Eigen::Index node = 0; node < elastic.positions().cols(); ++node)
-        elastic.velocities().col(node) = velocity + angular_velocity.cross(elastic.positions().col(node) - centre);
+        elastic.velocities().col(node) = velocity +
+                                         angular_velocity.cross(elastic.positions().col(node) - centre);
 }
 
 }  // namespace
 
-DeformableBody::DeformableBody(std::string name, const TetrahedralMesh& mesh, const DeformableSettings& settings)
-    : DeformableBody(std::move(name), topology_of(surface_of(mesh)), ElasticMesh(mesh),
-                     SurfaceEmbedding(mesh, surface_of(mesh).nodes), settings)
-{
-}
-
-DeformableBody::DeformableBody(std::string name, const QuadraticTetrahedralMesh& mesh, const DeformableSettings& settings)
-    : DeformableBody(std::move(name), topology_of(surface_of(mesh)), ElasticMesh(mesh),
-                     SurfaceEmbedding(mesh, surface_of(mesh).nodes), settings)
-{
-}
-
-DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh, SurfaceEmbedding embedding,
+DeformableBody::DeformableBody(std::string name, const TetrahedralMesh& mesh,
                                const DeformableSettings& settings)
-    : Body(std::move(name), std::move(surface)), elastic_(std::move(mesh), settings.material, settings.options),
-      embedding_(std::move(embedding)), impulse_response_(settings.impulse_response),
+    : DeformableBody(std::move(name), topology_of(surface_of(mesh)), ElasticMesh(mesh),
+                     SurfaceEmbedding(mesh, surface_of(mesh).nodes), settings)
+{}
+
+DeformableBody::DeformableBody(std::string name, const QuadraticTetrahedralMesh& mesh,
+                               const DeformableSettings& settings)
+    : DeformableBody(std::move(name), topology_of(surface_of(mesh)), ElasticMesh(mesh),
+                     SurfaceEmbedding(mesh, surface_of(mesh).nodes), settings)
+{}
+
+DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh,
+                               SurfaceEmbedding embedding, const DeformableSettings& settings)
+    : Body(std::move(name), std::move(surface)),
+      elastic_(std::move(mesh), settings.material, settings.options), embedding_(std::move(embedding)),
+      impulse_response_(settings.impulse_response),
       waiting_impulses_(NodalVectors::Zero(3, elastic_.node_count())), vertex_response_(elastic_, embedding_)
 {
     elastic_.place(settings.rotation, settings.position);
@@ -80,7 +82,8 @@ void DeformableBody::commit(double dt)
 void DeformableBody::apply_impulse(int vertex, const Vec3& impulse)
 {
     if (impulse_response_ == ImpulseResponse::implicit)
-        embedding_.apply_impulse(vertex, impulse, Eigen::VectorXd::Ones(elastic_.node_count()), waiting_impulses_);
+        embedding_.apply_impulse(vertex, impulse, Eigen::VectorXd::Ones(elastic_.node_count()),
+                                 waiting_impulses_);
     else
         embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), elastic_.velocities());
 }
@@ -106,14 +109,15 @@ Mat3 DeformableBody::response_between(int u, int v) const
 
 Eigen::MatrixXd DeformableBody::contact_mass(std::span<const int> touched) const
 {
-    // Learned in other positions of the elements, the blocks need not belong to a positive matrix: a part of the diagonal on
-    // top makes it one, and the vertices a little softer than they are.
+    // Learned in other positions of the elements, the blocks need not belong to a positive matrix: a part of
+    // the diagonal on top makes it one, and the vertices a little softer than they are.
     constexpr double softening = 0.05;
     const auto size = static_cast<Eigen::Index>(3 * touched.size());
     Eigen::MatrixXd response(size, size);
     for (std::size_t i = 0; i < touched.size(); ++i)
         for (std::size_t j = 0; j < touched.size(); ++j)
-            response.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)) = response_between(touched[i], touched[j]);
+            response.block<3, 3>(static_cast<Eigen::Index>(3 * i),
+                                 static_cast<Eigen::Index>(3 * j)) = response_between(touched[i], touched[j]);
     response.diagonal() *= 1 + softening;
     return response.llt().solve(Eigen::MatrixXd::Identity(size, size));
 }
@@ -157,12 +161,14 @@ Vec3 DeformableBody::tried_velocity(int vertex) const
 
 std::span<const int> DeformableBody::moved_parts(int vertex) const
 {
-    return impulse_response_ == ImpulseResponse::implicit ? Body::moved_parts(vertex) : embedding_.node_numbers_of(vertex);
+    return impulse_response_ == ImpulseResponse::implicit ? Body::moved_parts(vertex)
+                                                          : embedding_.node_numbers_of(vertex);
 }
 
 double DeformableBody::response_bound(int vertex, std::span<const Push> pushes) const
 {
-    return impulse_response_ == ImpulseResponse::implicit ? vertex_response_.response_bound(vertex, pushes) : Body::response_bound(vertex, pushes);
+    return impulse_response_ == ImpulseResponse::implicit ? vertex_response_.response_bound(vertex, pushes)
+                                                          : Body::response_bound(vertex, pushes);
 }
 
 Energy DeformableBody::energy(const Vec3& gravity) const

@@ -10,11 +10,12 @@ namespace enduring {
 
 /// How contact impulses change a deformable body's velocities.
 enum class ImpulseResponse {
-    /// At once, each node by its row sum of the mass matrix alone, as the thesis does. The linear momentum is exact. The body between
-    /// the nodes lags behind them, though: it gains less than the lever's angular momentum, and another energy than the work.
+    /// At once, each node by its row sum of the mass matrix alone, as the thesis does. The linear momentum is
+    /// exact. The body between the nodes lags behind them, though: it gains less than the lever's angular
+    /// momentum, and another energy than the work.
     lumped,
-    /// At the next update_prediction, through the elasticity's system: light nodes move with their neighbours. Momenta and work are
-    /// exact up to the strain there is.
+    /// At the next update_prediction, through the elasticity's system: light nodes move with their
+    /// neighbours. Momenta and work are exact up to the strain there is.
     implicit
 };
 
@@ -30,13 +31,15 @@ struct DeformableSettings {
     ElasticOptions options;
 };
 
-/// An elastic body as the contact code sees it; it moves, and its energy and momenta are, by the consistent mass matrix. Each surface vertex is a fixed combination of nodes, x = sum_i w_i c_i;
-/// an impulse on it goes back through the transpose, w_i of it to node i.
+/// An elastic body as the contact code sees it; it moves, and its energy and momenta are, by the consistent
+/// mass matrix. Each surface vertex is a fixed combination of nodes, x = sum_i w_i c_i; an impulse on it goes
+/// back through the transpose, w_i of it to node i.
 class DeformableBody final : public Body {
 public:
     /// @throws InputError  a mesh, material constant or fixed node that cannot be
     DeformableBody(std::string name, const TetrahedralMesh& mesh, const DeformableSettings& settings);
-    DeformableBody(std::string name, const QuadraticTetrahedralMesh& mesh, const DeformableSettings& settings);
+    DeformableBody(std::string name, const QuadraticTetrahedralMesh& mesh,
+                   const DeformableSettings& settings);
 
     void predict(const Vec3& gravity, double dt) override;
     void update_prediction(double dt) override;
@@ -44,13 +47,13 @@ public:
 
     void apply_impulse(int vertex, const Vec3& impulse) override;
     Vec3 velocity(int vertex) const override { return embedding_.at(vertex, elastic_.velocities()); }
-    /// With the implicit response and after the first predict(), of the whole body as its elements tie it together; else of the
-    /// vertex's nodes alone.
+    /// With the implicit response and after the first predict(), of the whole body as its elements tie it
+    /// together; else of the vertex's nodes alone.
     Mat3 inverse_mass(int vertex) const override;
 
-    /// One coordinate for each component of the velocity of each touched vertex. The implicit response's blocks are the learned ones,
-    /// turned with their elements, so the mass is an approximation, made stiffer than it is nowhere: a solver has to look at what its
-    /// impulses really did.
+    /// One coordinate for each component of the velocity of each touched vertex. The implicit response's
+    /// blocks are the learned ones, turned with their elements, so the mass is an approximation, made stiffer
+    /// than it is nowhere: a solver has to look at what its impulses really did.
     Eigen::MatrixXd contact_mass(std::span<const int> touched) const override;
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
@@ -59,7 +62,10 @@ public:
     void try_impulse(int vertex, const Vec3& impulse) override;
     Vec3 tried_velocity(int vertex) const override;
 
-    int part_count() const override { return impulse_response_ == ImpulseResponse::implicit ? 1 : elastic_.node_count(); }
+    int part_count() const override
+    {
+        return impulse_response_ == ImpulseResponse::implicit ? 1 : elastic_.node_count();
+    }
     std::span<const int> moved_parts(int vertex) const override;
     double response_bound(int vertex, std::span<const Push> pushes) const override;
 
@@ -81,9 +87,10 @@ private:
     ElasticBody elastic_;
     SurfaceEmbedding embedding_;
     ImpulseResponse impulse_response_;
-    NodalVectors waiting_impulses_;  ///< on the nodes, until the next update_prediction; only for the implicit response
+    /// on the nodes, until the next update_prediction; only for the implicit response
+    NodalVectors waiting_impulses_;
     mutable VertexResponse vertex_response_;  ///< filled when asked; only for the implicit response
-    NodalVectors tried_velocities_;  ///< of the nodes; only for the lumped response
+    NodalVectors tried_velocities_;           ///< of the nodes; only for the lumped response
 };
 
 }  // namespace enduring

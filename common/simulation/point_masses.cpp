@@ -5,9 +5,10 @@
 
 namespace enduring {
 
-PointMasses::PointMasses(std::string name, std::vector<Vec3> positions, std::vector<Face> faces, double mass_of_each, const Vec3& velocity)
-    : Body(std::move(name), SurfaceTopology(static_cast<int>(positions.size()), std::move(faces))), mass_(mass_of_each),
-      velocities_(positions.size(), velocity), numbers_(positions.size())
+PointMasses::PointMasses(std::string name, std::vector<Vec3> positions, std::vector<Face> faces,
+                         double mass_of_each, const Vec3& velocity)
+    : Body(std::move(name), SurfaceTopology(static_cast<int>(positions.size()), std::move(faces))),
+      mass_(mass_of_each), velocities_(positions.size(), velocity), numbers_(positions.size())
 {
     std::iota(numbers_.begin(), numbers_.end(), 0);
     positions_t1_ = positions;

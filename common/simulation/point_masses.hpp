@@ -4,8 +4,8 @@
 
 namespace enduring {
 
-/// The simplest body that moves: point masses that share a surface but no forces. Its step can be followed by hand,
-/// which is what the worked step and the tests want.
+/// The simplest body that moves: point masses that share a surface but no forces. Its step can be followed by
+/// hand, which is what the worked step and the tests want.
 class PointMasses final : public Body {
 public:
     /// @param positions     one point a surface vertex [m]
@@ -25,11 +25,17 @@ public:
     Mat3 inverse_mass(int) const override { return Mat3::Identity() / mass_; }
 
     void begin_trial() override { tried_velocities_ = velocities_; }
-    void try_impulse(int vertex, const Vec3& impulse) override { tried_velocities_[vertex] += impulse / mass_; }
+    void try_impulse(int vertex, const Vec3& impulse) override
+    {
+        tried_velocities_[vertex] += impulse / mass_;
+    }
     Vec3 tried_velocity(int vertex) const override { return tried_velocities_[vertex]; }
 
     int part_count() const override { return static_cast<int>(velocities_.size()); }
-    std::span<const int> moved_parts(int vertex) const override { return std::span(numbers_).subspan(static_cast<std::size_t>(vertex), 1); }
+    std::span<const int> moved_parts(int vertex) const override
+    {
+        return std::span(numbers_).subspan(static_cast<std::size_t>(vertex), 1);
+    }
 
     double mass() const override { return mass_ * static_cast<double>(velocities_.size()); }
     Energy energy(const Vec3& gravity) const override;

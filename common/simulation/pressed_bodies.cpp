@@ -70,7 +70,8 @@ double stable_step(double inverse_mass, double stiffness, PenaltyMethod method)
 
 double stable_step(const World& world, const PressedBodies& pressed, PenaltyMethod method)
 {
-    const double inverse = inverse_mass(world, pressed.a) + (pressed.with_plane ? 0 : inverse_mass(world, pressed.b));
+    const double inverse = inverse_mass(world, pressed.a) +
+                           (pressed.with_plane ? 0 : inverse_mass(world, pressed.b));
     return stable_step(inverse, pressed.stiffness, method);
 }
 

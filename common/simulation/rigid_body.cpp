@@ -4,8 +4,8 @@
 
 namespace enduring {
 
-RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties, const Vec3& velocity,
-                     const Vec3& angular_velocity)
+RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties,
+                     const Vec3& velocity, const Vec3& angular_velocity)
     : Body(std::move(name), SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces)),
       motion_(properties, velocity, angular_velocity)
 {
@@ -41,7 +41,10 @@ void RigidBody::commit(double dt)
 }
 
 // The lever is that of the start of the step: one prediction, one place for all its impulses.
-void RigidBody::apply_impulse(int vertex, const Vec3& impulse) { motion_.apply_impulse(impulse, start_of(vertex)); }
+void RigidBody::apply_impulse(int vertex, const Vec3& impulse)
+{
+    motion_.apply_impulse(impulse, start_of(vertex));
+}
 
 Vec3 RigidBody::velocity(int vertex) const { return motion_.velocity_at(start_of(vertex)); }
 
@@ -55,7 +58,8 @@ Eigen::MatrixXd RigidBody::contact_mass(std::span<const int>) const
     return mass;
 }
 
-// The free end's orientation, not the predicted one: all impulses of a step have one lever, however often they are mended.
+// The free end's orientation, not the predicted one: all impulses of a step
+// have one lever, however often they are mended.
 VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t index, double tau) const
 {
     const Vec3& point = body_points_[static_cast<std::size_t>(touched[index])];
@@ -74,7 +78,8 @@ void RigidBody::apply_contact_impulse(std::span<const int>, const Eigen::VectorX
 
 void RigidBody::begin_trial()
 {
-    trial_ = {motion_.pose().position, motion_.velocity(), motion_.angular_velocity(), motion_.inverse_inertia()};
+    trial_ = {motion_.pose().position, motion_.velocity(), motion_.angular_velocity(),
+              motion_.inverse_inertia()};
 }
 
 void RigidBody::try_impulse(int vertex, const Vec3& impulse)

@@ -7,8 +7,8 @@
 
 namespace enduring {
 
-/// A rigid body as the contact code sees it: surface points fixed in the body, so that an impulse at one of them moves
-/// them all, and the inverse mass at a point is a full 3x3 matrix.
+/// A rigid body as the contact code sees it: surface points fixed in the body, so that an impulse at one of
+/// them moves them all, and the inverse mass at a point is a full 3x3 matrix.
 class RigidBody final : public Body {
 public:
     /// @param mesh              closed surface where it starts in the world [m]
@@ -54,7 +54,7 @@ private:
     RigidMotion motion_;
     Trial trial_{};
     Quaternion free_orientation_t1_ = Quaternion::Identity();  ///< at the end of the step, before any contact
-    std::vector<Vec3> body_points_;  ///< surface vertices in body coordinates [m]
+    std::vector<Vec3> body_points_;                            ///< surface vertices in body coordinates [m]
 };
 
 }  // namespace enduring

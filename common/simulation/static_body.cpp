@@ -9,7 +9,8 @@ StaticBody::StaticBody(std::string name, SurfaceTopology surface, std::vector<Ve
     : Body(std::move(name), std::move(surface))
 {
     if (static_cast<int>(vertices.size()) != this->surface().vertex_count())
-        throw std::invalid_argument("static body '" + this->name() + "': one position for each vertex is needed");
+        throw std::invalid_argument("static body '" + this->name() +
+                                    "': one position for each vertex is needed");
     positions_t1_ = vertices;
     positions_t0_ = std::move(vertices);
 }

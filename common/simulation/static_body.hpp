@@ -4,8 +4,8 @@
 
 namespace enduring {
 
-/// A surface that never moves: the ground, a slope, a bowl held in place. It takes every impulse without an answer,
-/// as a body of infinite mass would.
+/// A surface that never moves: the ground, a slope, a bowl held in place. It takes every impulse without an
+/// answer, as a body of infinite mass would.
 class StaticBody final : public Body {
 public:
     /// @param vertices  world positions [m], one for each vertex of `surface`

@@ -11,7 +11,8 @@ namespace {
 /// How often a step answers what its own answers brought about (thesis 3.3, item 4).
 constexpr int max_responses = 5;
 
-void run_passes(const std::vector<Pass>& passes, World& world, Contacts& contacts, double dt, const PassObserver& done)
+void run_passes(const std::vector<Pass>& passes, World& world, Contacts& contacts, double dt,
+                const PassObserver& done)
 {
     for (const Pass& pass : passes) {
         pass.run(world, contacts, dt);
@@ -32,7 +33,8 @@ void begin_step(Contacts& contacts)
 
 bool any_waiting(const Contacts& contacts)
 {
-    return std::any_of(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.waiting(); });
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [](const Contact& contact) { return contact.waiting(); });
 }
 
 /// Stops a NaN where it first shows: every later number would only repeat it.
@@ -42,9 +44,9 @@ void require_finite(const World& world, const std::string& stage)
         const std::span<const Vec3> positions = body->positions_t1();
         for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
             if (!positions[vertex].allFinite())
-                throw std::runtime_error("step " + std::to_string(world.step + 1) + ": body '" + body->name() +
-                                         "', vertex " + std::to_string(vertex) + ": the position " + stage +
-                                         " is not a finite number");
+                throw std::runtime_error("step " + std::to_string(world.step + 1) + ": body '" +
+                                         body->name() + "', vertex " + std::to_string(vertex) +
+                                         ": the position " + stage + " is not a finite number");
     }
 }
 
@@ -136,7 +138,8 @@ Solver::Place Solver::place_of(const std::string& called) const
         for (std::size_t index = 0; index < lists_[list].size(); ++index)
             if (lists_[list][index].name == called)
                 return {list, index};
-    throw std::invalid_argument("solver \"" + name + "\" has no pass \"" + called + "\"; it has " + all_names());
+    throw std::invalid_argument("solver \"" + name + "\" has no pass \"" + called + "\"; it has " +
+                                all_names());
 }
 
 void Solver::require_free(const std::string& called) const
@@ -144,7 +147,8 @@ void Solver::require_free(const std::string& called) const
     for (const std::vector<Pass>& list : lists_)
         for (const Pass& pass : list)
             if (pass.name == called)
-                throw std::invalid_argument("solver \"" + name + "\" has a pass \"" + called + "\" already; it has " + all_names());
+                throw std::invalid_argument("solver \"" + name + "\" has a pass \"" + called +
+                                            "\" already; it has " + all_names());
 }
 
 std::string Solver::all_names() const
@@ -165,7 +169,8 @@ void apply_impulses(World& world, Contacts& contacts)
         const Vec3 impulse = contact.impulse + contact.friction;
         for (int i = 0; i < contact.vertex_count(); ++i) {
             const auto vertex = static_cast<std::size_t>(i);
-            body_of_vertex(world, contact, i).apply_impulse(contact.vertices[vertex], contact.weights[vertex] * impulse);
+            body_of_vertex(world, contact, i)
+                .apply_impulse(contact.vertices[vertex], contact.weights[vertex] * impulse);
         }
         contact.state = ContactState::answered;
     }

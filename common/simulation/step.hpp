@@ -18,7 +18,8 @@ struct Plane {
     std::string name;
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();  ///< unit length, points out
-    std::optional<double> stiffness{};  ///< k of one vertex on it [N/m], positive; without it, that of all pairs
+    /// k of one vertex on it [N/m], positive; without it, that of all pairs
+    std::optional<double> stiffness{};
 };
 
 /// The bodies and planes of a scene, and where time stands.
@@ -46,11 +47,12 @@ enum class StepStage {
     finish    ///< once, from the last prediction, before it becomes the state: friction anchors move
 };
 
-/// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line: a chapter takes the
-/// solver of the one before and adds, replaces or removes passes by name. No two passes share a name, in all stages together.
+/// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line: a
+/// chapter takes the solver of the one before and adds, replaces or removes passes by name. No two passes
+/// share a name, in all stages together.
 ///
-/// Whatever names a pass throws std::invalid_argument, with the passes there are, if that name is not there; and so does
-/// whatever brings one, if its name is taken.
+/// Whatever names a pass throws std::invalid_argument, with the passes there are, if that name is not there;
+/// and so does whatever brings one, if its name is taken.
 class Solver {
 public:
     std::string name;
@@ -86,19 +88,23 @@ private:
 using PassObserver = std::function<void(const std::string& pass)>;
 inline void nobody_observes(const std::string&) {}
 
-/// Applies the impulses of every waiting contact, normal and friction together, which is answered then: vertex i receives
-/// its weight times their sum (thesis 5.10, 5.16). On a plane only the vertex does.
+/// Applies the impulses of every waiting contact, normal and friction together, which is answered then:
+/// vertex i receives its weight times their sum (thesis 5.10, 5.16). On a plane only the vertex does.
 void apply_impulses(World& world, Contacts& contacts);
 
 /// One step of the thesis' scheme (its section 3.3, made precise in the book's page on the step):
-///   predict; refresh passes; at most 5 x (detect, respond, apply impulses, update the prediction) until nothing new
-///   appears; finish; commit velocities, then positions. Pairs found by the last detection stay, waiting, for the next step.
+///   predict; refresh passes; at most 5 x (detect, respond, apply
+///   impulses, update the prediction) until nothing new
+///   appears; finish; commit velocities, then positions. Pairs found by the
+///   last detection stay, waiting, for the next step.
 ///
 /// @param world     bodies, changed in place
 /// @param contacts  pairs that live on from the last step; on return those alive after this one
 /// @param dt        length of the step [s], positive
-/// @param done      is told of each pass, and of "predict", "apply impulses", "update prediction" and "commit"
+/// @param done      is told of each pass, and of "predict", "apply
+///     impulses", "update prediction" and "commit"
 /// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex
-void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done = nobody_observes);
+void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
+             const PassObserver& done = nobody_observes);
 
 }  // namespace enduring

@@ -5,8 +5,8 @@
 
 namespace enduring {
 
-/// A surface that turns about an axis at a constant rate, whatever pushes it: a turntable, a drum. It takes impulses as a static
-/// body does. Only code can make one; scenes have none.
+/// A surface that turns about an axis at a constant rate, whatever pushes it: a turntable, a drum. It takes
+/// impulses as a static body does. Only code can make one; scenes have none.
 class TurningBody final : public Body {
 public:
     /// @param mesh              where it is at first [m]
@@ -28,7 +28,8 @@ public:
     Vec3 linear_momentum() const override { return Vec3::Zero(); }
     Vec3 angular_momentum(const Vec3&) const override { return Vec3::Zero(); }
 
-    /// Where a point of the world [m] would lie if it had turned along since the beginning, and now came back.
+    /// Where a point of the world [m] would lie if it had turned along
+    /// since the beginning, and now came back.
     Vec3 turned_back(const Vec3& point) const;
 
 private:

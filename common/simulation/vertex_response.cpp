@@ -76,15 +76,20 @@ int VertexResponse::column_of(int vertex)
         return place;
     place = static_cast<int>(vertices_.size());
     new_.push_back(place);
-    vertices_.push_back({vertex, elements_at(body_.mesh(), embedding_.nodes_of(vertex).front().node), unit_responses(vertex), {}});
+    vertices_.push_back({vertex,
+                         elements_at(body_.mesh(), embedding_.nodes_of(vertex).front().node),
+                         unit_responses(vertex),
+                         {}});
     Vertex& own = vertices_.back();
     const Mat3 own_frame = frame(own);
     for (Vertex& other : vertices_) {
         // Both responses tell the same block up to rounding; the lower vertex's does where there is a choice.
         const bool others = other.responses[0].size() > 0 && other.vertex < vertex;
-        const Mat3 block = others ? block_to(other.responses, vertex) : Mat3(block_to(own.responses, other.vertex).transpose());
+        const Mat3 block = others ? block_to(other.responses, vertex)
+                                  : Mat3(block_to(own.responses, other.vertex).transpose());
         const Mat3 local = own_frame.transpose() * block * frame(other);
-        own.blocks.push_back({&other == &own ? Mat3(0.5 * (local + local.transpose())) : local, local.norm()});
+        own.blocks.push_back(
+            {&other == &own ? Mat3(0.5 * (local + local.transpose())) : local, local.norm()});
     }
     return place;
 }

@@ -9,24 +9,27 @@
 
 namespace enduring {
 
-/// What impulses at surface vertices do to the velocities there, for a body whose elements pass them on within the step: the
-/// blocks S_u A^-1 S_v^T of its system's inverse.
+/// What impulses at surface vertices do to the velocities there, for a body whose elements pass them on
+/// within the step: the blocks S_u A^-1 S_v^T of its system's inverse.
 ///
-/// A vertex costs three passes through the factor, so it is computed when first asked for. Its blocks are kept in the frames
-/// of the elements around both vertices and turn with them; that the elements also deform changes them little. In which
-/// order the vertices of one step are asked for changes no bit.
+/// A vertex costs three passes through the factor, so it is computed when first asked for. Its blocks are
+/// kept in the frames of the elements around both vertices and turn with them; that the elements also deform
+/// changes them little. In which order the vertices of one step are asked for changes no bit.
 class VertexResponse {
 public:
     /// Both outlive it.
-    VertexResponse(const ElasticBody& body, const SurfaceEmbedding& embedding) : body_(body), embedding_(embedding) {}
+    VertexResponse(const ElasticBody& body, const SurfaceEmbedding& embedding)
+        : body_(body), embedding_(embedding)
+    {}
 
-    /// A new step has begun: the elements have turned, and where dt [s] is another one the system is another, too.
+    /// A new step has begun: the elements have turned, and where dt [s]
+    /// is another one the system is another, too.
     void begin_step(double dt);
     /// Velocity change at vertex u per impulse at vertex v [1/kg]; block(v, u) is its transpose.
     Mat3 block(int u, int v);
 
-    /// Sum of weight times length of block(vertex, .) over the pushes [1/kg]. As a matrix of blocks has no eigenvalue above its
-    /// largest such sum, this bounds what they do together.
+    /// Sum of weight times length of block(vertex, .) over the pushes [1/kg]. As a matrix of blocks has no
+    /// eigenvalue above its largest such sum, this bounds what they do together.
     double response_bound(int vertex, std::span<const Push> pushes);
 
     /// Impulses to be tried: forgets those before.
@@ -44,9 +47,10 @@ private:
     };
     struct Vertex {
         int vertex;
-        std::vector<int> elements;   ///< around its first node
-        UnitResponses responses;     ///< kept for the step in which it was computed
-        std::vector<Block> blocks;   ///< of this vertex with each one computed before and itself, in the frames of both
+        std::vector<int> elements;  ///< around its first node
+        UnitResponses responses;    ///< kept for the step in which it was computed
+        /// of this vertex with each one computed before and itself, in the frames of both
+        std::vector<Block> blocks;
         Mat3 frame = Mat3::Identity();
         int frame_of_step = -1;
         bool is_tried = false;       ///< was pushed in this trial
@@ -64,11 +68,11 @@ private:
     const SurfaceEmbedding& embedding_;
     double dt_ = 0;
     int step_ = 0;
-    long trial_state_ = 0;  ///< counts what is tried
+    long trial_state_ = 0;    ///< counts what is tried
     std::vector<int> place_;  ///< of each surface vertex among those computed, -1 before
     std::vector<Vertex> vertices_;
-    std::vector<int> tried_;      ///< places of vertices that were pushed in this trial
-    std::vector<int> new_;        ///< places of those computed in this step
+    std::vector<int> tried_;  ///< places of vertices that were pushed in this trial
+    std::vector<int> new_;    ///< places of those computed in this step
 };
 
 }  // namespace enduring

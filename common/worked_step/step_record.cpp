@@ -26,7 +26,8 @@ StageRecord record_of(const std::string& stage, const World& world, const Contac
 std::vector<StageRecord> record_step(World& world, Contacts& contacts, const Solver& solver, double dt)
 {
     std::vector<StageRecord> records{record_of("start", world, contacts)};
-    advance(world, contacts, solver, dt, [&](const std::string& stage) { records.push_back(record_of(stage, world, contacts)); });
+    advance(world, contacts, solver, dt,
+            [&](const std::string& stage) { records.push_back(record_of(stage, world, contacts)); });
     return records;
 }
 

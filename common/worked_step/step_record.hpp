@@ -19,8 +19,8 @@ struct StageRecord {
     Contacts contacts;
 };
 
-/// Runs advance() and copies every array before it and after each of its stages: for the worked step, and for finding
-/// the pass where a number first goes wrong.
+/// Runs advance() and copies every array before it and after each of its stages: for the worked step, and for
+/// finding the pass where a number first goes wrong.
 std::vector<StageRecord> record_step(World& world, Contacts& contacts, const Solver& solver, double dt);
 
 }  // namespace enduring

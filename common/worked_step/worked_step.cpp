@@ -10,8 +10,7 @@
 namespace enduring {
 
 //! [start]
-static Contact on_face_0(int vertex, const std::array<double, 4>& weights,
-                         double last_impulse)
+static Contact on_face_0(int vertex, const std::array<double, 4>& weights, double last_impulse)
 {
     const std::array<int, 4> vertices{vertex, 0, 1, 2};
     Contact contact{ContactKind::vertex_face, 0, 1, vertex, 0, vertices, weights};
@@ -34,8 +33,7 @@ WorkedStep worked_step()
     step.world.gravity.setZero();
     step.world.bodies.push_back(std::move(above));
     step.world.bodies.push_back(std::move(below));
-    step.contacts = {on_face_0(1, {1, -0.25, -0.5, -0.25}, 0.1),
-                     on_face_0(2, {1, 0, -0.5, -0.5}, 0.2)};
+    step.contacts = {on_face_0(1, {1, -0.25, -0.5, -0.25}, 0.1), on_face_0(2, {1, 0, -0.5, -0.5}, 0.2)};
     return step;
 }
 //! [start]
@@ -53,7 +51,10 @@ std::array<Vec3, 3> face_at(const Body& body, int face, double tau)
     return corners;
 }
 
-Weights foot_weights(const Vec3& point, const std::array<Vec3, 3>& f) { return foot_on_triangle(point, f[0], f[1], f[2])->weights; }
+Weights foot_weights(const Vec3& point, const std::array<Vec3, 3>& f)
+{
+    return foot_on_triangle(point, f[0], f[1], f[2])->weights;
+}
 
 double height(const Vec3& point, const std::array<Vec3, 3>& f)
 {
@@ -70,10 +71,12 @@ void put_on_face(Contact& contact, const Body& below, int face, const Weights& w
     }
 }
 
-/// The face across the edge opposite to the corner whose weight is most negative; -1 at a border or if none is negative.
+/// The face across the edge opposite to the corner whose weight is most
+/// negative; -1 at a border or if none is negative.
 int face_across(const SurfaceTopology& surface, int face, const Weights& weights)
 {
-    const std::size_t worst = static_cast<std::size_t>(std::min_element(weights.begin(), weights.end()) - weights.begin());
+    const std::size_t worst =
+        static_cast<std::size_t>(std::min_element(weights.begin(), weights.end()) - weights.begin());
     if (weights[worst] >= 0)
         return -1;
     const int edge = surface.edges_of_face(face)[(worst + 1) % 3];  // edge i runs from corner i to i + 1
@@ -109,7 +112,9 @@ void detect_pair(const Body& above, const Body& below, int vertex, int face, Con
 Pass stand_in_resolve()
 {
     return {"resolve", [](World& world, Contacts& contacts, double) {
-                const auto resolved = [&](const Contact& contact) { return contact_geometry(world, contact, 0).depth > 0; };
+                const auto resolved = [&](const Contact& contact) {
+                    return contact_geometry(world, contact, 0).depth > 0;
+                };
                 contacts.erase(std::remove_if(contacts.begin(), contacts.end(), resolved), contacts.end());
             }};
 }
@@ -124,7 +129,8 @@ Pass stand_in_redefine()
                     const Weights weights = foot_weights(vertex, face_at(below, contact.feature_b, 0));
                     const int neighbour = face_across(below.surface(), contact.feature_b, weights);
                     if (neighbour >= 0)
-                        put_on_face(contact, below, neighbour, foot_weights(vertex, face_at(below, neighbour, 0)));
+                        put_on_face(contact, below, neighbour,
+                                    foot_weights(vertex, face_at(below, neighbour, 0)));
                 }
             }};
 }
@@ -158,7 +164,10 @@ Pass stand_in_respond(double stiffness)
 
 Solver worked_step_solver(double stiffness)
 {
-    return {"stand-ins", {stand_in_resolve(), stand_in_redefine()}, {stand_in_detect()}, {stand_in_respond(stiffness)}};
+    return {"stand-ins",
+            {stand_in_resolve(), stand_in_redefine()},
+            {stand_in_detect()},
+            {stand_in_respond(stiffness)}};
 }
 
 }  // namespace enduring

@@ -88,7 +88,8 @@ std::string list(const std::array<int, 4>& numbers)
 
 bool same(const Contact& a, const Contact& b)
 {
-    return a.vertices == b.vertices && a.weights == b.weights && a.start == b.start && a.answered() == b.answered() && a.impulse == b.impulse;
+    return a.vertices == b.vertices && a.weights == b.weights && a.start == b.start &&
+           a.answered() == b.answered() && a.impulse == b.impulse;
 }
 
 /// The one list of contacts; an entry stands again after each stage that changed it.
@@ -103,8 +104,8 @@ Table contacts_table(const Records& records)
             const Contact& contact = record.contacts[i];
             if (i < before.size() && same(contact, before[i]))
                 continue;
-            table.add({names[stage], static_cast<long>(i), list(contact.vertices), list(contact.weights), contact.start,
-                       contact.answered() ? "yes" : "no", contact.impulse.y()});
+            table.add({names[stage], static_cast<long>(i), list(contact.vertices), list(contact.weights),
+                       contact.start, contact.answered() ? "yes" : "no", contact.impulse.y()});
         }
         before = record.contacts;
     }
@@ -117,9 +118,12 @@ void write_worked_step(const Solver& solver, Report& report)
 {
     WorkedStep step = worked_step();
     const Records records = record_step(step.world, step.contacts, solver, step.dt);
-    report.page_table("worked_step_velocities", array_table(step.world, records, &BodyRecord::velocities), digits);
-    report.page_table("worked_step_predictions", array_table(step.world, records, &BodyRecord::positions_t1), digits);
-    report.page_table("worked_step_positions", array_table(step.world, records, &BodyRecord::positions_t0), digits);
+    report.page_table("worked_step_velocities", array_table(step.world, records, &BodyRecord::velocities),
+                      digits);
+    report.page_table("worked_step_predictions", array_table(step.world, records, &BodyRecord::positions_t1),
+                      digits);
+    report.page_table("worked_step_positions", array_table(step.world, records, &BodyRecord::positions_t0),
+                      digits);
     report.page_table("worked_step_contacts", contacts_table(records), digits);
 }
 

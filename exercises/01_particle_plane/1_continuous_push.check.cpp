@@ -43,7 +43,8 @@ TEST_CASE("interval: a line that stays inside is inside all the time")
 
 TEST_CASE("interval: a line that stays outside, or only touches, is never inside")
 {
-    for (const auto& [depth_t0, depth_t1] : {std::pair(0.03, 0.01), std::pair(0.0, 0.02), std::pair(0.02, 0.0), std::pair(0.0, 0.0)}) {
+    for (const auto& [depth_t0, depth_t1] :
+         {std::pair(0.03, 0.01), std::pair(0.0, 0.02), std::pair(0.02, 0.0), std::pair(0.0, 0.0)}) {
         given("depth from ", depth_t0, " m to ", depth_t1, " m");
         expect_that("there is no interval", !find_plane_interval(depth_t0, depth_t1).has_value());
     }
@@ -72,7 +73,8 @@ TEST_CASE("continuous: inside throughout it is the force of the mean depth times
 TEST_CASE("continuous: half a step inside charges a triangle, on the way in and on the way out")
 {
     given("depth from 0.02 m to -0.02 m and back, k 1000 N/m, dt 0.01 s");
-    const double in = continuous_plane_impulse(0.02, -0.02, k, dt), out = continuous_plane_impulse(-0.02, 0.02, k, dt);
+    const double in = continuous_plane_impulse(0.02, -0.02, k, dt),
+                 out = continuous_plane_impulse(-0.02, 0.02, k, dt);
     expect("impulse on the way in", in, 0.05, 1e-15, "N s");
     expect("impulse on the way out", out, 0.05, 1e-15, "N s");
 
@@ -85,9 +87,11 @@ TEST_CASE("continuous: half a step inside charges a triangle, on the way in and 
 
 TEST_CASE("continuous: it is what many short discrete steps along the way add up to")
 {
-    for (const auto& [depth_t0, depth_t1] : {std::pair(0.07, -0.02), std::pair(-0.05, 0.01), std::pair(-0.04, -0.013)}) {
+    for (const auto& [depth_t0, depth_t1] :
+         {std::pair(0.07, -0.02), std::pair(-0.05, 0.01), std::pair(-0.04, -0.013)}) {
         given("depth from ", depth_t0, " m to ", depth_t1, " m, k 1000 N/m, dt 0.01 s");
-        expect("impulse", continuous_plane_impulse(depth_t0, depth_t1, k, dt), many_looks(depth_t0, depth_t1), 1e-8, "N s");
+        expect("impulse", continuous_plane_impulse(depth_t0, depth_t1, k, dt), many_looks(depth_t0, depth_t1),
+               1e-8, "N s");
     }
 }
 

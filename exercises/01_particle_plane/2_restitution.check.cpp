@@ -57,7 +57,8 @@ TEST_CASE("bounce: a short step keeps the speed that was asked for")
     const double mass = 2, k = 5000, dt = 1e-5;
     for (const double restitution : {0.9, 0.5, 0.2}) {
         given("restitution ", restitution, ", mass 2 kg, k 5000 N/m, dt 1e-5 s, 3 m/s");
-        const double kept = kept_by_a_bounce(3, mass, k, damper_for_restitution(restitution, mass, k, dt), dt);
+        const double kept = kept_by_a_bounce(3, mass, k, damper_for_restitution(restitution, mass, k, dt),
+                                             dt);
         expect("part of the speed that is kept", kept, restitution, 2e-3);
         say("wanted ", restitution, " of the speed, kept ", two_digits(kept));
     }
@@ -67,7 +68,8 @@ TEST_CASE("bounce: without a damper of your own a long step still loses speed, a
 {
     given("mass 1 kg, k 1000 N/m, c 0, dt 0.01 s, 1 m/s");
     const double ratio = 0.5 * 1000 * 0.01 / (2 * std::sqrt(1000.0));
-    expect("part of the speed that is kept", kept_by_a_bounce(1, 1, 1000, 0, 0.01), std::exp(-std::numbers::pi * ratio), 0.04);
+    expect("part of the speed that is kept", kept_by_a_bounce(1, 1, 1000, 0, 0.01),
+           std::exp(-std::numbers::pi * ratio), 0.04);
 }
 
 }  // namespace enduring

@@ -1,6 +1,6 @@
+#include "exercises/01_particle_plane/3_stiffness_for_a_step.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
 #include "chapters/01_particle_plane/settling.hpp"
-#include "exercises/01_particle_plane/3_stiffness_for_a_step.hpp"
 #include "exercises/checking.hpp"
 
 #include <stdexcept>
@@ -42,7 +42,8 @@ TEST_CASE("stiffness: the lightest particle settles with it, and not with a litt
     for (const PenaltyMethod method : {PenaltyMethod::discrete, PenaltyMethod::continuous}) {
         given(short_name(method), ", dt 0.01 s, 0.2 kg, dropped from 0.1 m");
         expect_that("it settles with safety 0.9", settles_with(method, 0.9, 1));
-        expect_that("it does not settle with 1.05 times the stiffness of safety 1", !settles_with(method, 1, 1.05));
+        expect_that("it does not settle with 1.05 times the stiffness of safety 1",
+                    !settles_with(method, 1, 1.05));
     }
 }
 
@@ -90,7 +91,8 @@ TEST_CASE("rest: the step for a depth gives that depth back")
         expect("g dt^2 (1 / (2 safety) - 1/2)", 9.81 * dt * dt * (1 / 1.8 - 0.5), depth, 1e-9 * depth, "m");
     }
     const double k = stiffness_for_step(masses, 0.01, PenaltyMethod::continuous, 0.9);
-    say("dt 0.01 s, lightest 0.2 kg, safety 0.9: k = ", readable(k), " N/m, and any particle of that mass rests ",
+    say("dt 0.01 s, lightest 0.2 kg, safety 0.9: k = ", readable(k),
+        " N/m, and any particle of that mass rests ",
         1000 * depth_at_rest(0.01, PenaltyMethod::continuous, 0.9, 9.81), " mm deep");
     say("a depth of 0.01 mm needs dt = ", step_for_depth(1e-5, 0.9, 9.81), " s");
 }

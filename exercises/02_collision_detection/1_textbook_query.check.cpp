@@ -11,7 +11,8 @@ VertexFaceStep over_a_face(const Vec3& from, const Vec3& to)
     return {from, f0, f1, f2, to, f0, f1, f2};
 }
 
-/// An edge along x from (x0, y, 0) to (x0 + 1, y, 0) falls from y = from to y = to; the other lies along z through the origin, from -1/2 to 1/2.
+/// An edge along x from (x0, y, 0) to (x0 + 1, y, 0) falls from y = from to y = to; the other lies along z
+/// through the origin, from -1/2 to 1/2.
 EdgeEdgeStep falling_edge(double x0, double from, double to)
 {
     const Vec3 b0(0, 0, -0.5), b1(0, 0, 0.5);
@@ -55,7 +56,8 @@ TEST_CASE("vertex: it touches a face when it comes through, from above and from 
     expect_time(over_a_face({0.2, -1, 0.2}, {0.2, 1, 0.2}), 0.5);
     given("a vertex from (0.2, 1, 0.2) m to (0.2, -2, 0.2) m");
     expect_time(over_a_face({0.2, 1, 0.2}, {0.2, -2, 0.2}), 1 / 3.0);
-    say("a vertex falls through a face: touch at ", textbook_time_of_impact(over_a_face({0.2, 1, 0.2}, {0.2, -1, 0.2})).value_or(-1));
+    say("a vertex falls through a face: touch at ",
+        textbook_time_of_impact(over_a_face({0.2, 1, 0.2}, {0.2, -1, 0.2})).value_or(-1));
 }
 
 TEST_CASE("vertex: it misses a face that it passes on any of three sides")
@@ -69,7 +71,8 @@ TEST_CASE("vertex: it misses a face that it passes on any of three sides")
 TEST_CASE("vertex: one within the tolerance of a side touches, on any of three sides")
 {
     for (const Vec3& beside : {Vec3(-0.1, 0, 0.5), Vec3(0.5, 0, -0.1), Vec3(0.6, 0, 0.5)}) {
-        given("a vertex that falls through the face's plane at ", readable(beside), " m, tolerance 0.2 on the weights");
+        given("a vertex that falls through the face's plane at ", readable(beside),
+              " m, tolerance 0.2 on the weights");
         expect_time(over_a_face(beside + Vec3(0, 1, 0), beside - Vec3(0, 1, 0)), 0.5, {.weight = 0.2});
     }
 }
@@ -91,22 +94,26 @@ TEST_CASE("vertex: a meeting within the tolerance of the step's end counts, and 
 TEST_CASE("vertex: face and vertex may both move, and turning the whole world changes nothing")
 {
     // The face rises by 1 while the vertex falls by 1; the face also spreads.
-    const VertexFaceStep both{Vec3(0.2, 1, 0.2), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0.2, 0, 0.2), Vec3(0, 1, 0), Vec3(3, 1, 0), Vec3(0, 1, 3)};
+    const VertexFaceStep both{Vec3(0.2, 1, 0.2), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1),
+                              Vec3(0.2, 0, 0.2), Vec3(0, 1, 0), Vec3(3, 1, 0), Vec3(0, 1, 3)};
     given("a vertex that falls by 1 m, a face that rises by 1 m and grows");
     expect_time(both, 0.5);
     given("the same, turned and moved");
     expect_time(moved(both), 0.5);
     // The face's plane is y = 0.4 tau (x + z): the vertex meets it when 1 - 2 tau = 0.2 tau.
-    const VertexFaceStep tilting{Vec3(0.2, 1, 0.3), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1), Vec3(0.2, -1, 0.3), Vec3(0, 0, 0), Vec3(1, 0.4, 0), Vec3(0, 0.4, 1)};
+    const VertexFaceStep tilting{Vec3(0.2, 1, 0.3),  Vec3(0, 0, 0), Vec3(1, 0, 0),   Vec3(0, 0, 1),
+                                 Vec3(0.2, -1, 0.3), Vec3(0, 0, 0), Vec3(1, 0.4, 0), Vec3(0, 0.4, 1)};
     given("a vertex that falls by 2 m, a face that tilts about its corner f0");
     expect_time(tilting, 1 / 2.2);
 }
 
 TEST_CASE("vertex: of several meetings the first one inside the face counts")
 {
-    // The corner f2 swings, so the vertex lies in the face's plane at 0.2, where z is -1/4 and it is beside the face, and at 0.8, where z is 1/2.
+    // The corner f2 swings, so the vertex lies in the face's plane at 0.2, where z is -1/4 and it is beside
+    // the face, and at 0.8, where z is 1/2.
     const Vec3 f0(0, 0, 0), f1(1, 0, 0);
-    const VertexFaceStep step{Vec3(0.25, -0.1, -0.5), f0, f1, Vec3(0, 0.4, 1), Vec3(0.25, 0.025, 0.75), f0, f1, Vec3(0, -0.1, 1)};
+    const VertexFaceStep step{Vec3(0.25, -0.1, -0.5),  f0, f1, Vec3(0, 0.4, 1),
+                              Vec3(0.25, 0.025, 0.75), f0, f1, Vec3(0, -0.1, 1)};
     given("a face whose corner swings while a vertex crosses its plane twice, first beside the face");
     expect_time(step, 0.8);
 }

@@ -16,17 +16,22 @@ struct Linear {
     Vec3 operator()(double tau) const { return at + tau * rate; }
 };
 
-/// Coefficients of (a x b) . c in powers of tau, lowest first: the volume of a, b, c, zero where they lie in one plane.
+/// Coefficients of (a x b) . c in powers of tau, lowest first: the volume
+/// of a, b, c, zero where they lie in one plane.
 std::array<double, 4> volume(const Linear& a, const Linear& b, const Linear& c)
 {
     not_implemented_yet("2.1");
 }
 
-bool in_unit_interval(double value, double tolerance) { return value >= -tolerance && value <= 1 + tolerance; }
+bool in_unit_interval(double value, double tolerance)
+{
+    return value >= -tolerance && value <= 1 + tolerance;
+}
 
 /// The first root in the step at which `inside` holds.
 template <class Inside>
-std::optional<double> first_root(const std::array<double, 4>& cubic, const TextbookTolerances& tolerances, const Inside& inside)
+std::optional<double> first_root(const std::array<double, 4>& cubic, const TextbookTolerances& tolerances,
+                                 const Inside& inside)
 {
     not_implemented_yet("2.1");
 }

@@ -24,7 +24,8 @@ double distance_by_search(const Vec3& point, const Vec3& f0, const Vec3& f1, con
 
 double distance_at(const VertexFaceStep& s, double tau)
 {
-    return distance_by_search(at_time(s.v_t0, s.v_t1, tau), at_time(s.f0_t0, s.f0_t1, tau), at_time(s.f1_t0, s.f1_t1, tau), at_time(s.f2_t0, s.f2_t1, tau));
+    return distance_by_search(at_time(s.v_t0, s.v_t1, tau), at_time(s.f0_t0, s.f0_t1, tau),
+                              at_time(s.f1_t0, s.f1_t1, tau), at_time(s.f2_t0, s.f2_t1, tau));
 }
 
 std::vector<VertexFaceStep> random_steps(int count)
@@ -48,7 +49,8 @@ TEST_CASE("distance: above the face, beside a side, before a corner")
     expect("from (0.5, 0.4, -0.3)", distance_to_triangle({0.5, 0.4, -0.3}, f0, f1, f2), 0.5, 1e-12, "m");
     expect("from (4, 0, -4)", distance_to_triangle({4, 0, -4}, f0, f1, f2), 5.0, 1e-12, "m");
     expect("from (1, 1, 1)", distance_to_triangle({1, 1, 1}, f0, f1, f2), std::sqrt(1.5), 1e-12, "m");
-    expect("from (0, 3, 0) of a face that is a line", distance_to_triangle({0, 3, 0}, {1, 3, 0}, {2, 3, 0}, {4, 3, 0}), 1.0, 1e-12, "m");
+    expect("from (0, 3, 0) of a face that is a line",
+           distance_to_triangle({0, 3, 0}, {1, 3, 0}, {2, 3, 0}, {4, 3, 0}), 1.0, 1e-12, "m");
 }
 
 TEST_CASE("distance: a face with equal corners is a segment or a point")
@@ -65,8 +67,10 @@ TEST_CASE("distance: a face with equal corners is a segment or a point")
 TEST_CASE("distance: it is that of the nearest of many points of the triangle")
 {
     for (const VertexFaceStep& s : random_steps(60)) {
-        given("the point ", readable(s.v_t0), " and the face ", readable(s.f0_t0), ", ", readable(s.f1_t0), ", ", readable(s.f2_t0));
-        expect("distance", distance_to_triangle(s.v_t0, s.f0_t0, s.f1_t0, s.f2_t0), distance_by_search(s.v_t0, s.f0_t0, s.f1_t0, s.f2_t0), 5e-3, "m");
+        given("the point ", readable(s.v_t0), " and the face ", readable(s.f0_t0), ", ", readable(s.f1_t0),
+              ", ", readable(s.f2_t0));
+        expect("distance", distance_to_triangle(s.v_t0, s.f0_t0, s.f1_t0, s.f2_t0),
+               distance_by_search(s.v_t0, s.f0_t0, s.f1_t0, s.f2_t0), 5e-3, "m");
     }
 }
 
@@ -89,7 +93,8 @@ TEST_CASE("time: a straight fall stops at the gap")
         say("a vertex falls from 1 m to -1 m, gap 0.1 m: it stops at ", *time);
     }
     given("a vertex that stops 0.2 m above the face");
-    expect_that("there is no time", !conservative_time(over_a_face({0.2, 1, 0.2}, {0.2, 0.2, 0.2}), 0.1, 1e-6).has_value());
+    expect_that("there is no time",
+                !conservative_time(over_a_face({0.2, 1, 0.2}, {0.2, 0.2, 0.2}), 0.1, 1e-6).has_value());
     given("a vertex that begins 0.05 m above it");
     const auto begin = conservative_time(over_a_face({0.2, 0.05, 0.2}, {0.2, 1, 0.2}), 0.1, 1e-6);
     expect_that("the time is 0", begin.has_value() && *begin == 0);
@@ -97,14 +102,16 @@ TEST_CASE("time: a straight fall stops at the gap")
     const auto rest = conservative_time(over_a_face({0.2, 0.05, 0.2}, {0.2, 0.05, 0.2}), 0.1, 1e-6);
     expect_that("the time is 0", rest.has_value() && *rest == 0);
     given("a vertex at rest 1 m above the face");
-    expect_that("there is no time", !conservative_time(over_a_face({0.2, 1, 0.2}, {0.2, 1, 0.2}), 0.1, 1e-6).has_value());
+    expect_that("there is no time",
+                !conservative_time(over_a_face({0.2, 1, 0.2}, {0.2, 1, 0.2}), 0.1, 1e-6).has_value());
 }
 
 TEST_CASE("time: it is never too late, and at it the gap is as good as reached")
 {
     const double gap = 0.05, close = 1e-3;
     for (const VertexFaceStep& step : random_steps(40)) {
-        given("the vertex goes from ", readable(step.v_t0), " to ", readable(step.v_t1), "; gap 0.05 m, close 0.001 m");
+        given("the vertex goes from ", readable(step.v_t0), " to ", readable(step.v_t1),
+              "; gap 0.05 m, close 0.001 m");
         const auto time = conservative_time(step, gap, close);
         const double until = time.value_or(1.0);
         double least = 1e300;

@@ -1,5 +1,5 @@
-#include "chapters/02_collision_detection/certified.hpp"
 #include "exercises/02_collision_detection/3_gliding_edges.hpp"
+#include "chapters/02_collision_detection/certified.hpp"
 #include "exercises/checking.hpp"
 
 #include <random>
@@ -12,16 +12,22 @@ struct Case {
     Vec3 a0, a1, way, b0, b1;
 
     std::optional<double> answer() const { return first_touch_of_gliding_edge(a0, a1, way, b0, b1); }
-    std::optional<double> certified() const { return time_of_impact(EdgeEdgeStep{a0, a1, b0, b1, a0 + way, a1 + way, b0, b1}); }
+    std::optional<double> certified() const
+    {
+        return time_of_impact(EdgeEdgeStep{a0, a1, b0, b1, a0 + way, a1 + way, b0, b1});
+    }
 };
 
 std::string name_of(const Case& c)
 {
-    return "a from " + readable(c.a0) + " to " + readable(c.a1) + " glides by " + readable(c.way) + "; b from " + readable(c.b0) + " to " +
-           readable(c.b1) + " m";
+    return "a from " + readable(c.a0) + " to " + readable(c.a1) + " glides by " + readable(c.way) +
+           "; b from " + readable(c.b0) + " to " + readable(c.b1) + " m";
 }
 
-std::string told(const std::optional<double>& time) { return time ? "tau = " + readable(*time) : std::string("no touch"); }
+std::string told(const std::optional<double>& time)
+{
+    return time ? "tau = " + readable(*time) : std::string("no touch");
+}
 
 bool same(const std::optional<double>& a, const std::optional<double>& b)
 {
@@ -35,8 +41,8 @@ void expect_touch(const Case& c, std::optional<double> expected)
     expect_that(told(expected) + "; your answer: " + told(got), same(got, expected));
 }
 
-/// Small whole coordinates: edges touch at corners and slide in one plane far more often than chance would have it, and
-/// all products are exact.
+/// Small whole coordinates: edges touch at corners and slide in one plane far more often than chance would
+/// have it, and all products are exact.
 std::vector<Case> random_cases(int count, int spread)
 {
     std::mt19937 generator(7);
@@ -57,8 +63,8 @@ std::vector<Case> random_cases(int count, int spread)
 /// Edge a, along x, moves from one height to another; edge b lies along z at height 0. Both are 2 m long.
 Case crossing(double height_t0, double height_t1, double shift_of_a = 0, double shift_of_b = 0)
 {
-    return {Vec3(-1 + shift_of_a, height_t0, 0), Vec3(1 + shift_of_a, height_t0, 0), Vec3(0, height_t1 - height_t0, 0),
-            Vec3(0, 0, -1 + shift_of_b), Vec3(0, 0, 1 + shift_of_b)};
+    return {Vec3(-1 + shift_of_a, height_t0, 0), Vec3(1 + shift_of_a, height_t0, 0),
+            Vec3(0, height_t1 - height_t0, 0), Vec3(0, 0, -1 + shift_of_b), Vec3(0, 0, 1 + shift_of_b)};
 }
 
 }  // namespace
@@ -81,7 +87,8 @@ TEST_CASE("times: a value that falls is between its bounds from the upper to the
 
 TEST_CASE("times: a value that stays leaves all of the times or none")
 {
-    const Times inside = when_between({0.25, 0.5}, 1, 0, 0, 1), outside = when_between({0.25, 0.5}, 2, 0, 0, 1);
+    const Times inside = when_between({0.25, 0.5}, 1, 0, 0, 1),
+                outside = when_between({0.25, 0.5}, 2, 0, 0, 1);
     given("1 and 2 between 0 and 1, in [0.25, 0.5]");
     expect("first, for 1", inside.first, 0.25, 0);
     expect("last, for 1", inside.last, 0.5, 0);
@@ -112,8 +119,10 @@ TEST_CASE("one plane: an edge that slides over the floor meets another that lies
 {
     // a lies along z and moves along x; b lies along x, from 2 on.
     expect_touch({Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(4, 0, 0), Vec3(2, 0, 0.5), Vec3(5, 0, 0.5)}, 0.5);
-    expect_touch({Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(4, 0, 0), Vec3(2, 0, 1.5), Vec3(5, 0, 1.5)}, std::nullopt);
-    expect_touch({Vec3(0, 1, -1), Vec3(0, 1, 1), Vec3(4, 0, 0), Vec3(2, 0, 0.5), Vec3(5, 0, 0.5)}, std::nullopt);
+    expect_touch({Vec3(0, 0, -1), Vec3(0, 0, 1), Vec3(4, 0, 0), Vec3(2, 0, 1.5), Vec3(5, 0, 1.5)},
+                 std::nullopt);
+    expect_touch({Vec3(0, 1, -1), Vec3(0, 1, 1), Vec3(4, 0, 0), Vec3(2, 0, 0.5), Vec3(5, 0, 0.5)},
+                 std::nullopt);
 }
 
 TEST_CASE("one plane: edges that cross at the start touch at once")
@@ -158,7 +167,7 @@ TEST_CASE("oracle: the chapter's certified query says the same, for whole coordi
                 expect_touch(c, expected);
             }
         }
-        say(cases.size(), " pairs of edges, coordinates up to ", spread, ": ", touching, " touch; of these ", in_one_plane, " slide in one plane, ",
-            parallel, " are parallel");
+        say(cases.size(), " pairs of edges, coordinates up to ", spread, ": ", touching, " touch; of these ",
+            in_one_plane, " slide in one plane, ", parallel, " are parallel");
     }
 }

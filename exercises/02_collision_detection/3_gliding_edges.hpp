@@ -21,6 +21,7 @@ Times when_between(const Times& times, double at_start, double rate, double low,
 /// @param way     by which both its ends have moved at tau = 1 [m]
 /// @param b0, b1  the resting edge [m]
 /// @return        tau in [0, 1], or nothing
-std::optional<double> first_touch_of_gliding_edge(const Vec3& a0, const Vec3& a1, const Vec3& way, const Vec3& b0, const Vec3& b1);
+std::optional<double> first_touch_of_gliding_edge(const Vec3& a0, const Vec3& a1, const Vec3& way,
+                                                  const Vec3& b0, const Vec3& b1);
 
 }  // namespace enduring

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double k = 800, dt = 0.01;
 
-/// A vertex at a height over the floor y = 0, of which the face is a right angle with two sides of this length [m].
+/// A vertex at a height over the floor y = 0, of which the face is a
+/// right angle with two sides of this length [m].
 PairVertices over_floor(double height, double side = 1)
 {
     return {Vec3(0.2 * side, height, 0.2 * side), Vec3(0, 0, 0), Vec3(0, 0, side), Vec3(side, 0, 0)};
@@ -60,18 +61,17 @@ std::array<PairVertices, 2> two_visits()
              {Vec3(-0.45, 0.01, 0), Vec3(-1, 0.08, -1), Vec3(-1, 0.08, 1), Vec3(1, -0.08, 0)}}};
 }
 
-double binomial(int n, int i)
-{
-    return i == 0 ? 1 : binomial(n, i - 1) * (n - i + 1) / i;
-}
+double binomial(int n, int i) { return i == 0 ? 1 : binomial(n, i - 1) * (n - i + 1) / i; }
 
 }  // namespace
 
-TEST_CASE("discrete impulse: a vertex 2 mm under the floor is pushed up by k dt times 2 mm, on large faces and on small ones")
+TEST_CASE(
+    "discrete impulse: a vertex 2 mm under the floor is pushed up by k dt times 2 mm, on large faces and on small ones")
 {
     for (const double side : {1.0, 0.1, 3.0}) {
         given("a face of sides ", side, " m, k = 800 N/m, dt = 0.01 s");
-        expect("impulse on the vertex", discrete_impulse(vertex_face_instant(over_floor(-0.002, side)), k, dt),
+        expect("impulse on the vertex",
+               discrete_impulse(vertex_face_instant(over_floor(-0.002, side)), k, dt),
                Vec3(0, k * dt * 0.002, 0), 1e-12, "N s");
     }
 }
@@ -79,7 +79,8 @@ TEST_CASE("discrete impulse: a vertex 2 mm under the floor is pushed up by k dt 
 TEST_CASE("discrete impulse: a vertex outside is not pulled back")
 {
     given("2 mm above the floor");
-    expect("impulse on the vertex", discrete_impulse(vertex_face_instant(over_floor(0.002)), k, dt), Vec3(0, 0, 0), 0, "N s");
+    expect("impulse on the vertex", discrete_impulse(vertex_face_instant(over_floor(0.002)), k, dt),
+           Vec3(0, 0, 0), 0, "N s");
 }
 
 TEST_CASE("without a normal: a face that is a needle gives no impulse, and no NaN")
@@ -104,11 +105,13 @@ TEST_CASE("integral of the product: right for each of the twelve products of bas
         }
 }
 
-TEST_CASE("continuous impulse: a vertex that falls through the floor gets k dt times the triangle under its depth")
+TEST_CASE(
+    "continuous impulse: a vertex that falls through the floor gets k dt times the triangle under its depth")
 {
     // Inside for the last half of the step, 3 mm deep at its end: the triangle is 1/2 * 1/2 * 3 mm.
     given("from 3 mm above the floor to 3 mm under it, k = 800 N/m, dt = 0.01 s");
-    expect("impulse on the vertex", continuous_impulse(fall(0.003, -0.003), 0, k, dt), Vec3(0, k * dt * 0.00075, 0), 1e-12, "N s");
+    expect("impulse on the vertex", continuous_impulse(fall(0.003, -0.003), 0, k, dt),
+           Vec3(0, k * dt * 0.00075, 0), 1e-12, "N s");
     say("falling in:  continuous ", continuous_impulse(fall(0.003, -0.003), 0, k, dt).y(), " N s, discrete ",
         discrete_impulse(fall(0.003, -0.003).t1, k, dt).y(), " N s");
     say("climbing out: continuous ", continuous_impulse(fall(-0.003, 0.003), 0, k, dt).y(), " N s, discrete ",
@@ -125,7 +128,8 @@ TEST_CASE("continuous impulse: it points out of the face, even when most of the 
 TEST_CASE("continuous impulse: half the step, half the impulse")
 {
     given("from 3 mm above the floor to 3 mm under it, dt = 0.01 s and dt = 0.005 s");
-    const Vec3 all = continuous_impulse(fall(0.003, -0.003), 0, k, 0.01), half = continuous_impulse(fall(0.003, -0.003), 0, k, 0.005);
+    const Vec3 all = continuous_impulse(fall(0.003, -0.003), 0, k, 0.01),
+               half = continuous_impulse(fall(0.003, -0.003), 0, k, 0.005);
     expect("twice the impulse of the shorter step", 2 * half, all, 1e-12, "N s");
 }
 
@@ -133,7 +137,8 @@ TEST_CASE("continuous impulse: how large the face is does not matter")
 {
     for (const double side : {0.1, 3.0}) {
         given("a face of sides ", side, " m; a vertex that stays 2 mm under it");
-        expect("impulse on the vertex", continuous_impulse(fall(-0.002, -0.002, side), 0, k, dt), Vec3(0, k * dt * 0.002, 0), 1e-12, "N s");
+        expect("impulse on the vertex", continuous_impulse(fall(-0.002, -0.002, side), 0, k, dt),
+               Vec3(0, k * dt * 0.002, 0), 1e-12, "N s");
     }
 }
 
@@ -141,7 +146,8 @@ TEST_CASE("continuous impulse: what lies before the start of the pair does not c
 {
     // At constant depth each part of the step gives the same: a quarter is left.
     given("2 mm under the floor all the time, start = 0.75");
-    expect("impulse on the vertex", continuous_impulse(fall(-0.002, -0.002), 0.75, k, dt), Vec3(0, k * dt * 0.0005, 0), 1e-12, "N s");
+    expect("impulse on the vertex", continuous_impulse(fall(-0.002, -0.002), 0.75, k, dt),
+           Vec3(0, k * dt * 0.0005, 0), 1e-12, "N s");
 }
 
 TEST_CASE("continuous impulse: a face that turns pushes along all its normals, not along one")
@@ -149,7 +155,8 @@ TEST_CASE("continuous impulse: a face that turns pushes along all its normals, n
     PairVertices t0{Vec3(0.2, -0.1, 0.2), Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0)};
     PairVertices t1{Vec3(0.2, -0.1, 0.2), Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(0.7, 0.7, 0)};
     given("a face that turns about the z axis by 45 degrees, over a vertex at (0.2, -0.1, 0.2) m");
-    expect("impulse on the vertex", continuous_impulse(vertex_face_step(t0, t1), 0, k, dt), summed_impulse(t0, t1), 1e-6, "N s");
+    expect("impulse on the vertex", continuous_impulse(vertex_face_step(t0, t1), 0, k, dt),
+           summed_impulse(t0, t1), 1e-6, "N s");
 }
 
 TEST_CASE("continuous impulse: a vertex that is inside twice gets the sum of both visits")
@@ -158,7 +165,8 @@ TEST_CASE("continuous impulse: a vertex that is inside twice gets the sum of bot
     given("a face that sways while a vertex passes over it");
     const Vec3 impulse = continuous_impulse(vertex_face_step(t0, t1), 0, k, dt);
     expect("impulse on the vertex", impulse, summed_impulse(t0, t1), 1e-6, "N s");
-    say("two visits:  continuous ", impulse.norm(), " N s, discrete ", discrete_impulse(vertex_face_instant(t1), k, dt).norm(), " N s");
+    say("two visits:  continuous ", impulse.norm(), " N s, discrete ",
+        discrete_impulse(vertex_face_instant(t1), k, dt).norm(), " N s");
 }
 
 TEST_CASE("two edges: the lower one keeps pushing up after the upper one went through")
@@ -168,5 +176,6 @@ TEST_CASE("two edges: the lower one keeps pushing up after the upper one went th
     const PairInstant pair = edge_edge_instant(x, 1);
     given("edge a along x lies 3 mm under edge b along -z, orientation 1");
     expect("discrete impulse on a", discrete_impulse(pair, k, dt), Vec3(0, k * dt * 0.003, 0), 1e-12, "N s");
-    expect("continuous impulse on a", continuous_impulse({pair, pair}, 0, k, dt), Vec3(0, k * dt * 0.003, 0), 1e-12, "N s");
+    expect("continuous impulse on a", continuous_impulse({pair, pair}, 0, k, dt), Vec3(0, k * dt * 0.003, 0),
+           1e-12, "N s");
 }

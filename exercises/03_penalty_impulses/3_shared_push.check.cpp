@@ -28,8 +28,8 @@ Patch six_around(double own_mass, double their_mass)
     return patch_of(positions, masses);
 }
 
-/// Nodes and masses at random, in a box of 20 cm or flat in a plane that lies askew. Coordinates are multiples of 2^-12 m, so
-/// that sums and halves of them are exact, and flat stays flat.
+/// Nodes and masses at random, in a box of 20 cm or flat in a plane that lies askew. Coordinates are
+/// multiples of 2^-12 m, so that sums and halves of them are exact, and flat stays flat.
 Patch random_patch(unsigned seed, bool flat)
 {
     std::mt19937_64 generator(seed);
@@ -38,7 +38,8 @@ Patch random_patch(unsigned seed, bool flat)
     std::vector<Vec3> positions;
     std::vector<double> masses;
     for (int i = 0; i < 8; ++i) {
-        const double x = place(generator) / 1024.0, y = place(generator) / 1024.0, z = place(generator) / 1024.0;
+        const double x = place(generator) / 1024.0, y = place(generator) / 1024.0,
+                     z = place(generator) / 1024.0;
         positions.emplace_back(x, flat ? 0.5 * x - 0.25 * z : y, z);
         masses.push_back(mass(generator));
     }
@@ -46,7 +47,10 @@ Patch random_patch(unsigned seed, bool flat)
 }
 
 /// A point in the plane of a patch: somewhere between its first three nodes.
-Vec3 a_point_of(const Patch& patch) { return 0.5 * patch.positions[0] + 0.25 * patch.positions[1] + 0.25 * patch.positions[2]; }
+Vec3 a_point_of(const Patch& patch)
+{
+    return 0.5 * patch.positions[0] + 0.25 * patch.positions[1] + 0.25 * patch.positions[2];
+}
 
 double sum_of(const std::vector<double>& weights)
 {
@@ -75,7 +79,8 @@ Patch shifted(Patch patch, const Vec3& way)
 
 TEST_CASE("weights: a heavy node between two light ones, by hand")
 {
-    const std::vector<double> weights = spread_weights(patch_of({Vec3(-1, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0)}, {1, 2, 1}), Vec3(0, 0, 0));
+    const std::vector<double> weights = spread_weights(
+        patch_of({Vec3(-1, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0)}, {1, 2, 1}), Vec3(0, 0, 0));
     given("nodes at x = -1, 0 and 1 m of 1, 2 and 1 kg, p in the middle");
     REQUIRE(weights.size() == 3);
     expect("weight of the left node", weights[0], 0.25, 1e-12);
@@ -85,8 +90,10 @@ TEST_CASE("weights: a heavy node between two light ones, by hand")
 
 TEST_CASE("weights: a point away from the middle weighs the nearer node more, by hand")
 {
-    const std::vector<double> weights = spread_weights(patch_of({Vec3(0, 0, 0), Vec3(1, 0, 0)}, {5, 1}), Vec3(0.25, 0, 0));
-    given("nodes at x = 0 and 1 m of 5 and 1 kg, p at x = 0.25 m: only one pair of weights has its mean there");
+    const std::vector<double> weights = spread_weights(patch_of({Vec3(0, 0, 0), Vec3(1, 0, 0)}, {5, 1}),
+                                                       Vec3(0.25, 0, 0));
+    given(
+        "nodes at x = 0 and 1 m of 5 and 1 kg, p at x = 0.25 m: only one pair of weights has its mean there");
     REQUIRE(weights.size() == 2);
     expect("weight of the first node", weights[0], 0.75, 1e-12);
     expect("weight of the second node", weights[1], 0.25, 1e-12);
@@ -117,7 +124,8 @@ TEST_CASE("weights: they do not depend on where the origin is")
 {
     const Patch patch = random_patch(3, true);
     const Vec3 p = a_point_of(patch), way(32, -16, 8);
-    const std::vector<double> here = spread_weights(patch, p), there = spread_weights(shifted(patch, way), p + way);
+    const std::vector<double> here = spread_weights(patch, p),
+                              there = spread_weights(shifted(patch, way), p + way);
     given("eight nodes in one plane, and the same moved by (32, -16, 8) m");
     REQUIRE(here.size() == there.size());
     for (std::size_t i = 0; i < here.size(); ++i)
@@ -127,13 +135,15 @@ TEST_CASE("weights: they do not depend on where the origin is")
 TEST_CASE("weights: a light node moves no faster than its place among the others says")
 {
     // Five nodes in a row: a field that is affine in x has differences that are all the same.
-    const Patch row = patch_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(3, 0, 0), Vec3(4, 0, 0)}, {1, 0.001, 0.5, 2, 0.7});
+    const Patch row = patch_of({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(3, 0, 0), Vec3(4, 0, 0)},
+                               {1, 0.001, 0.5, 2, 0.7});
     const std::vector<double> weights = spread_weights(row, Vec3(1.2, 0, 0));
     given("nodes at x = 0, 1, 2, 3, 4 m of 1, 0.001, 0.5, 2 and 0.7 kg, p at x = 1.2 m, an impulse of 1 N s");
     REQUIRE(weights.size() == 5);
     const auto speed = [&](std::size_t i) { return weights[i] / row.masses[i]; };
     for (std::size_t i = 1; i < 4; ++i)
-        expect("speed of node " + std::to_string(i) + ", as the mean of its neighbours'", speed(i), 0.5 * (speed(i - 1) + speed(i + 1)), 1e-9, "m/s");
+        expect("speed of node " + std::to_string(i) + ", as the mean of its neighbours'", speed(i),
+               0.5 * (speed(i - 1) + speed(i + 1)), 1e-9, "m/s");
 }
 
 TEST_CASE("push: the patch gains the impulse, and its moment about the origin")
@@ -165,26 +175,34 @@ TEST_CASE("push: a velocity that is there stays")
 TEST_CASE("effective mass: a node alone weighs what it weighs")
 {
     given("two nodes of 0.3 kg and 0.1 kg, all weight on the first");
-    expect("effective mass", effective_mass(patch_of({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {0.3, 0.1}), {1, 0}), 0.3, 1e-12, "kg");
+    expect("effective mass", effective_mass(patch_of({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {0.3, 0.1}), {1, 0}),
+           0.3, 1e-12, "kg");
 }
 
 TEST_CASE("effective mass: two equal nodes that share a push weigh as much as both")
 {
     given("two nodes of 0.3 kg, half on each");
-    expect("effective mass", effective_mass(patch_of({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {0.3, 0.3}), {0.5, 0.5}), 0.6, 1e-12, "kg");
+    expect("effective mass",
+           effective_mass(patch_of({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {0.3, 0.3}), {0.5, 0.5}), 0.6, 1e-12,
+           "kg");
 }
 
 TEST_CASE("effective mass: no other weights of the same sum and mean position make it larger")
 {
     // On a rectangle, plus and minus around the corners changes neither sum nor mean.
-    const Patch corners = patch_of({Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(2, 0, 1), Vec3(2, 0, 0)}, {1, 0.2, 0.7, 0.4});
+    const Patch corners = patch_of({Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(2, 0, 1), Vec3(2, 0, 0)},
+                                   {1, 0.2, 0.7, 0.4});
     const std::vector<double> best = spread_weights(corners, Vec3(0.8, 0, 0.4));
     const double mass = effective_mass(corners, best);
     REQUIRE(best.size() == 4);
     for (const double change : {-0.05, 0.05}) {
-        given("corners of a rectangle of 1, 0.2, 0.7 and 0.4 kg, p = (0.8, 0, 0.4) m, weights changed by ", change, " in turn");
-        const double other = effective_mass(corners, {best[0] + change, best[1] - change, best[2] + change, best[3] - change});
-        expect_that("the changed weights have less effective mass (" + readable(other) + " kg) than yours (" + readable(mass) + " kg)", other < mass);
+        given("corners of a rectangle of 1, 0.2, 0.7 and 0.4 kg, p = (0.8, 0, 0.4) m, weights changed by ",
+              change, " in turn");
+        const double other = effective_mass(
+            corners, {best[0] + change, best[1] - change, best[2] + change, best[3] - change});
+        expect_that("the changed weights have less effective mass (" + readable(other) + " kg) than yours (" +
+                        readable(mass) + " kg)",
+                    other < mass);
     }
 }
 
@@ -196,5 +214,6 @@ TEST_CASE("longest step: a light vertex with six neighbours bears the step of al
     expect("alone", longest_step(patch, alone, 800), std::sqrt(2 * 0.00007 / 800), 1e-9, "s");
     expect("shared", longest_step(patch, shared, 800), std::sqrt(2 * 1.80007 / 800), 1e-9, "s");
     say("a vertex of 0.07 g alone:     steps up to ", 1000 * longest_step(patch, alone, 800), " ms");
-    say("shared with six of 0.3 kg: ", effective_mass(patch, shared), " kg, steps up to ", 1000 * longest_step(patch, shared, 800), " ms");
+    say("shared with six of 0.3 kg: ", effective_mass(patch, shared), " kg, steps up to ",
+        1000 * longest_step(patch, shared, 800), " ms");
 }

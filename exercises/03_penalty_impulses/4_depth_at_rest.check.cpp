@@ -18,7 +18,8 @@ RestingCube cube_of(int cells, double dt = 0.01, PenaltyMethod method = PenaltyM
 
 std::string name_of(const RestingCube& cube)
 {
-    return "a cube of 20 kg, k = 2000 N/m a pair, dt = " + readable(cube.dt) + " s, cells a side: " + readable(cube.cells) +
+    return "a cube of 20 kg, k = 2000 N/m a pair, dt = " + readable(cube.dt) +
+           " s, cells a side: " + readable(cube.cells) +
            (cube.method == PenaltyMethod::continuous ? ", continuous" : ", discrete");
 }
 
@@ -29,10 +30,12 @@ double springs(int pairs) { return 1000 * 20 * 9.81 / (pairs * 2000.0); }
 
 TEST_CASE("prediction: a number is written down")
 {
-    expect_that("the predicted factor is a positive number", predicted_factor() > 0 && std::isfinite(predicted_factor()));
+    expect_that("the predicted factor is a positive number",
+                predicted_factor() > 0 && std::isfinite(predicted_factor()));
 }
 
-TEST_CASE("measurement: a cube on its four corners lies as deep as four springs are pressed, but for half of g dt^2")
+TEST_CASE(
+    "measurement: a cube on its four corners lies as deep as four springs are pressed, but for half of g dt^2")
 {
     given(name_of(cube_of(1)));
     expect("depth", 1000 * depth_at_rest(cube_of(1)), springs(4) - 0.5 * 9810 * 0.01 * 0.01, 0.01, "mm");
@@ -50,9 +53,12 @@ TEST_CASE("factor: the finer cube lies seven times less deep, not four times")
     given(name_of(cube_of(1)), ", and 4 cells a side");
     // Depths of 4 and of 25 springs, both less the part that is looked ahead.
     const double ahead = 0.5 * 9810 * 0.01 * 0.01;
-    expect("depth over depth", measured_factor(cube_of(1), 4), (springs(4) - ahead) / (springs(25) - ahead), 0.05);
-    say("1 cell a side: ", 1000 * depth_at_rest(cube_of(1)), " mm, by the law ", 1000 * law_of_depth(cube_of(1)), " mm");
-    say("4 cells a side: ", 1000 * depth_at_rest(cube_of(4)), " mm, by the law ", 1000 * law_of_depth(cube_of(4)), " mm");
+    expect("depth over depth", measured_factor(cube_of(1), 4), (springs(4) - ahead) / (springs(25) - ahead),
+           0.05);
+    say("1 cell a side: ", 1000 * depth_at_rest(cube_of(1)), " mm, by the law ",
+        1000 * law_of_depth(cube_of(1)), " mm");
+    say("4 cells a side: ", 1000 * depth_at_rest(cube_of(4)), " mm, by the law ",
+        1000 * law_of_depth(cube_of(4)), " mm");
     say("4 cells a side lie ", measured_factor(cube_of(1), 4), " times less deep");
 }
 
@@ -86,25 +92,33 @@ TEST_CASE("law: no cube lies deeper than its springs say")
     const RestingCube cube = cube_of(1, 0.02);
     given(name_of(cube));
     const double depth = 1000 * law_of_depth(cube);
-    expect_that("the depth (" + readable(depth) + " mm) is at most that of four springs (" + readable(springs(4)) + " mm)", depth <= springs(4) + 1e-9);
+    expect_that("the depth (" + readable(depth) + " mm) is at most that of four springs (" +
+                    readable(springs(4)) + " mm)",
+                depth <= springs(4) + 1e-9);
 }
 
-TEST_CASE("law: a longer step makes the depth smaller, by the square of the step, discrete twice as much as continuous")
+TEST_CASE(
+    "law: a longer step makes the depth smaller, by the square of the step, discrete twice as much as continuous")
 {
     const double short_step = law_of_depth(cube_of(1, 1e-6));
     for (const double dt : {0.01, 0.02}) {
         given("cells a side: 1, dt = 1e-6 s and ", dt, " s");
-        expect("missing, continuous", 1000 * (short_step - law_of_depth(cube_of(1, dt))), 0.5 * 9810 * dt * dt, 1e-6, "mm");
-        expect("missing, discrete", 1000 * (short_step - law_of_depth(cube_of(1, dt, PenaltyMethod::discrete))), 9810 * dt * dt, 1e-6, "mm");
+        expect("missing, continuous", 1000 * (short_step - law_of_depth(cube_of(1, dt))),
+               0.5 * 9810 * dt * dt, 1e-6, "mm");
+        expect("missing, discrete",
+               1000 * (short_step - law_of_depth(cube_of(1, dt, PenaltyMethod::discrete))), 9810 * dt * dt,
+               1e-6, "mm");
     }
 }
 
 TEST_CASE("law: measurement and law agree, for every cut, step and method")
 {
-    for (const RestingCube& cube : {cube_of(1, 0.02), cube_of(2), cube_of(3, 0.01, PenaltyMethod::discrete), cube_of(6, 0.005)}) {
+    for (const RestingCube& cube :
+         {cube_of(1, 0.02), cube_of(2), cube_of(3, 0.01, PenaltyMethod::discrete), cube_of(6, 0.005)}) {
         given(name_of(cube));
         const double law = 1000 * law_of_depth(cube), measured = 1000 * depth_at_rest(cube);
-        expect_that("law and measurement agree to 0.02 mm; your law says " + readable(law) + " mm, your measurement " + readable(measured) + " mm",
+        expect_that("law and measurement agree to 0.02 mm; your law says " + readable(law) +
+                        " mm, your measurement " + readable(measured) + " mm",
                     std::abs(measured - law) <= 0.02);
     }
 }
@@ -112,8 +126,10 @@ TEST_CASE("law: measurement and law agree, for every cut, step and method")
 TEST_CASE("comparison: the measured factor is the law's")
 {
     say("you predicted ", predicted_factor());
-    const double law = law_of_depth(cube_of(1)) / law_of_depth(cube_of(4)), measured = measured_factor(cube_of(1), 4);
+    const double law = law_of_depth(cube_of(1)) / law_of_depth(cube_of(4)),
+                 measured = measured_factor(cube_of(1), 4);
     given(name_of(cube_of(1)), ", and 4 cells a side");
-    expect_that("both factors agree to 0.05; your law says " + readable(law) + ", your measurement " + readable(measured),
+    expect_that("both factors agree to 0.05; your law says " + readable(law) + ", your measurement " +
+                    readable(measured),
                 std::abs(measured - law) <= 0.05);
 }

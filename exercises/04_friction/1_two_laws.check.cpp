@@ -9,7 +9,10 @@ namespace {
 /// mu_s 0.5, mu_d 0.2; spring 100 N/m, damper 25 N s/m; slip counts from 5 cm/s on.
 YamaneNakamura thesis() { return {.mu_s = 0.5, .mu_d = 0.2, .spring = 100, .damper = 25, .weighting = 1e4}; }
 
-MassSplitting mass_splitting() { return {.mu_s = 0.5, .mu_d = 0.3, .spring = 2000, .damping_ratio = 20, .weighting = 20}; }
+MassSplitting mass_splitting()
+{
+    return {.mu_s = 0.5, .mu_d = 0.3, .spring = 2000, .damping_ratio = 20, .weighting = 20};
+}
 
 constexpr double dt = 0.1;
 const SlidingPair holding{{0.03, 0}, {0, 0.2}, 1.2};
@@ -33,7 +36,8 @@ TEST_CASE("thesis: beyond mu_s dynamic friction acts against the slip, and the s
     expect("friction impulse", slipping.impulse, Vec2(0, -0.22), 1e-14, "N s");
     expect("slip", slipping.slip, 0.2, 1e-15, "m/s");
     const Vec2 held = yamane_nakamura(holding, thesis(), dt).impulse;
-    say("the thesis' law: held with ", readable(held), " N s; a lighter pair slips with ", readable(slipping.impulse), " N s");
+    say("the thesis' law: held with ", readable(held), " N s; a lighter pair slips with ",
+        readable(slipping.impulse), " N s");
 }
 
 TEST_CASE("thesis: a slip of almost nothing is braked in proportion, and none gives none")
@@ -43,7 +47,8 @@ TEST_CASE("thesis: a slip of almost nothing is braked in proportion, and none gi
     SlidingPair pair{{1, 0}, {0, 1e-6}, 1};
     {
         given("stretch (1, 0) m, slip (0, 1e-6) m/s, normal impulse 1 N s, k_w 20 s/m");
-        expect("friction impulse over mu_d k_w |I_n| v", yamane_nakamura(pair, friction, dt).impulse.y() / (0.2 * 20 * 1e-6), -1.0, 1e-4);
+        expect("friction impulse over mu_d k_w |I_n| v",
+               yamane_nakamura(pair, friction, dt).impulse.y() / (0.2 * 20 * 1e-6), -1.0, 1e-4);
     }
     pair.velocity.setZero();
     given("stretch (1, 0) m, no slip at all, normal impulse 1 N s, k_w 20 s/m");
@@ -70,15 +75,19 @@ TEST_CASE("mass splitting: a pair alone comes to rest on backward Euler of its s
     const double inverse_mass = 0.5, step = 0.01;
     const Anchor anchor = anchor_of(mass_splitting(), inverse_mass, {0.001, -0.002}, step);
     const Vec2 free_slip(0.03, 0.01);
-    const Vec2 impulse = better_impulse({0, 0}, free_slip, inverse_mass, 100, anchor, mass_splitting()).impulse;
+    const Vec2 impulse =
+        better_impulse({0, 0}, free_slip, inverse_mass, 100, anchor, mass_splitting()).impulse;
     const Vec2 slip = free_slip + inverse_mass * impulse;
     const Vec2 wanted = -step * (anchor.spring * (anchor.stretch + step * slip) + anchor.damper * slip);
     {
         given("stretch (0.001, -0.002) m, slip (0.03, 0.01) m/s without friction, share of 2 kg, dt 0.01 s");
         expect("J against -dt (k (s + dt u) + d u)", impulse, wanted, 1e-12, "N s");
     }
-    given("the same pair asked again: impulse ", readable(impulse), " N s and slip ", readable(slip), " m/s, as its first answer made them");
-    expect("friction impulse", better_impulse(impulse, slip, inverse_mass, 100, anchor, mass_splitting()).impulse, impulse, 1e-12, "N s");
+    given("the same pair asked again: impulse ", readable(impulse), " N s and slip ", readable(slip),
+          " m/s, as its first answer made them");
+    expect("friction impulse",
+           better_impulse(impulse, slip, inverse_mass, 100, anchor, mass_splitting()).impulse, impulse, 1e-12,
+           "N s");
 }
 
 TEST_CASE("mass splitting: who creeps carries mu_s, who slips fast mu_d, and never more than mu_s")
@@ -86,20 +95,25 @@ TEST_CASE("mass splitting: who creeps carries mu_s, who slips fast mu_d, and nev
     const double inverse_mass = 0.5, normal = 1.2;
     const Anchor anchor = anchor_of(mass_splitting(), inverse_mass, {0, 0}, 0.01);
     given("normal impulse 1.2 N s, mu_s 0.5, mu_d 0.3, k_w 20 s/m, share of 2 kg");
-    const FrictionImpulse creeping = better_impulse({0, 0}, {0.3236, 0}, inverse_mass, normal, anchor, mass_splitting());
-    const FrictionImpulse fast = better_impulse({0, 0}, {30, 0}, inverse_mass, normal, anchor, mass_splitting());
+    const FrictionImpulse creeping = better_impulse({0, 0}, {0.3236, 0}, inverse_mass, normal, anchor,
+                                                    mass_splitting());
+    const FrictionImpulse fast = better_impulse({0, 0}, {30, 0}, inverse_mass, normal, anchor,
+                                                mass_splitting());
     expect("carried at a creep", creeping.impulse.norm(), 0.6, 0.02, "N s");
     expect_that("at a creep it is no more than mu_s |I_n|", creeping.impulse.norm() <= 0.6);
     expect("carried at 30 m/s", fast.impulse, Vec2(-0.36, 0), 1e-9, "N s");
-    expect("slip of the anchor, r (|J'| - mu_s |I_n|)", fast.slip, 30 - (inverse_mass + anchor.yielding()) * 0.6, 1e-9, "m/s");
-    say("mass-splitting friction: at the limit it carries ", std::round(10 * creeping.impulse.norm()) / 10, " N s, at a fast slip ", fast.impulse.norm(), " N s");
+    expect("slip of the anchor, r (|J'| - mu_s |I_n|)", fast.slip,
+           30 - (inverse_mass + anchor.yielding()) * 0.6, 1e-9, "m/s");
+    say("mass-splitting friction: at the limit it carries ", std::round(10 * creeping.impulse.norm()) / 10,
+        " N s, at a fast slip ", fast.impulse.norm(), " N s");
 }
 
 TEST_CASE("after slip: the anchor lags by what the pull can hold, and less the faster it slips")
 {
     given("impulse 0.4 N s, spring 2000 N/m, dt 0.01 s, k_w 20 s/m");
     expect("stretch at no slip", stretch_after_slip(0, 0.4, mass_splitting(), 0.01), 0.02, 1e-15, "m");
-    expect("stretch at ln(2)/20 m/s", stretch_after_slip(std::log(2.0) / 20, 0.4, mass_splitting(), 0.01), 0.01, 1e-15, "m");
+    expect("stretch at ln(2)/20 m/s", stretch_after_slip(std::log(2.0) / 20, 0.4, mass_splitting(), 0.01),
+           0.01, 1e-15, "m");
 }
 
 }  // namespace enduring

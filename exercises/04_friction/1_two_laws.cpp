@@ -20,8 +20,8 @@ double stretch_after_slip(double slip, double impulse, const MassSplitting& fric
     not_implemented_yet("4.1");
 }
 
-FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass, double normal_impulse,
-                               const Anchor& anchor, const MassSplitting& friction)
+FrictionImpulse better_impulse(const Vec2& impulse, const Vec2& velocity, double inverse_mass,
+                               double normal_impulse, const Anchor& anchor, const MassSplitting& friction)
 {
     not_implemented_yet("4.1");
 }

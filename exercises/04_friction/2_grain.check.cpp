@@ -17,7 +17,8 @@ Vec2 most_dissipating(const Grain& grain, const Vec2& velocity, double normal_im
     const Vec2 across(-grain.direction.y(), grain.direction.x());
     for (int i = 0; i < 20000; ++i) {
         const double angle = i * std::numbers::pi / 10000;
-        const Vec2 impulse = normal_impulse * (grain.mu_along * std::cos(angle) * grain.direction + grain.mu_across * std::sin(angle) * across);
+        const Vec2 impulse = normal_impulse * (grain.mu_along * std::cos(angle) * grain.direction +
+                                               grain.mu_across * std::sin(angle) * across);
         if (impulse.dot(velocity) < best.dot(velocity))
             best = impulse;
     }
@@ -33,8 +34,10 @@ TEST_CASE("ellipse: it holds mu_along along the grain, mu_across across it, and 
     expect_that("2.01 N s along the grain is not", !holds(turned, Vec2(0.6, 0.8) * 2.01, 10));
     expect_that("4.99 N s across the grain is held", holds(turned, Vec2(0.8, -0.6) * 4.99, 10));
     expect_that("5.01 N s across the grain is not", !holds(turned, Vec2(0.8, -0.6) * 5.01, 10));
-    expect_that("1.5 N s along and 4 N s across together are not", !holds(turned, Vec2(0.6, 0.8) * 1.5 + Vec2(-0.8, 0.6) * 4, 10));
-    expect_that("1.3 N s along and 3.6 N s across together are", holds(turned, Vec2(0.6, 0.8) * 1.3 + Vec2(-0.8, 0.6) * 3.6, 10));
+    expect_that("1.5 N s along and 4 N s across together are not",
+                !holds(turned, Vec2(0.6, 0.8) * 1.5 + Vec2(-0.8, 0.6) * 4, 10));
+    expect_that("1.3 N s along and 3.6 N s across together are",
+                holds(turned, Vec2(0.6, 0.8) * 1.3 + Vec2(-0.8, 0.6) * 3.6, 10));
 }
 
 TEST_CASE("slip: along and across the grain friction is straight against it")
@@ -48,7 +51,8 @@ TEST_CASE("slip: along and across the grain friction is straight against it")
 TEST_CASE("slip: no impulse on the ellipse takes more energy")
 {
     for (const Vec2& velocity : {Vec2(1, 1), Vec2(-2, 0.3), Vec2(0.1, -4)}) {
-        given("slip ", readable(velocity), " m/s, grain along (0.6, 0.8), mu 0.2 along and 0.5 across, normal impulse 10 N s");
+        given("slip ", readable(velocity),
+              " m/s, grain along (0.6, 0.8), mu 0.2 along and 0.5 across, normal impulse 10 N s");
         const Vec2 best = most_dissipating(turned, velocity, 10);
         expect("friction impulse", sliding_impulse(turned, velocity, 10), best, 2e-3, "N s");
     }
@@ -64,15 +68,18 @@ TEST_CASE("slip: without a grain it is Coulomb's law")
 TEST_CASE("floor: along and across the grain a block stops after v^2 / (2 mu g)")
 {
     given("2 m/s, mu 0.2 along and 0.5 across, g 9.81 m/s^2, dt 0.1 ms");
-    const Vec2 along = stopping_place(brushed, {2, 0}, 9.81, 1e-4), across = stopping_place(brushed, {0, 2}, 9.81, 1e-4);
+    const Vec2 along = stopping_place(brushed, {2, 0}, 9.81, 1e-4),
+               across = stopping_place(brushed, {0, 2}, 9.81, 1e-4);
     expect("place, launched along the grain", along, Vec2(4 / (0.4 * 9.81), 0), 5e-4, "m");
     expect("place, launched across it", across, Vec2(0, 4 / 9.81), 5e-4, "m");
-    say("launched at 2 m/s, g 9.81 m/s^2: along the grain it stops after ", along.norm(), " m, across after ", across.norm(), " m");
+    say("launched at 2 m/s, g 9.81 m/s^2: along the grain it stops after ", along.norm(), " m, across after ",
+        across.norm(), " m");
 }
 
 TEST_CASE("floor: in each step the block moves by the new velocity")
 {
-    given("2 m/s along the grain, mu 0.2 along it, g 9.81 m/s^2, dt 0.1 s: it slows down by 0.1962 m/s a step, and moves in ten of them");
+    given(
+        "2 m/s along the grain, mu 0.2 along it, g 9.81 m/s^2, dt 0.1 s: it slows down by 0.1962 m/s a step, and moves in ten of them");
     const double ten_steps = 0.1 * (10 * 2 - 55 * 0.1962);
     expect("place", stopping_place(brushed, {2, 0}, 9.81, 0.1), Vec2(ten_steps, 0), 1e-6, "m");
 }
@@ -82,8 +89,10 @@ TEST_CASE("floor: launched at an angle the block turns towards the grain")
     given("2 m/s at 45 degrees to the grain, mu 0.2 along and 0.5 across, g 9.81 m/s^2, dt 0.1 ms");
     const Vec2 place = stopping_place(brushed, Vec2(1, 1) * std::sqrt(2.0), 9.81, 1e-4);
     expect_that("it gets further along the grain than across", place.x() > 1.3 * place.y());
-    expect("place with half the step", stopping_place(brushed, Vec2(1, 1) * std::sqrt(2.0), 9.81, 5e-5), place, 5e-4, "m");
-    say("at 45 degrees it stops at ", readable(Vec2((place * 1000).array().round() / 1000)), " m: the grain turns it");
+    expect("place with half the step", stopping_place(brushed, Vec2(1, 1) * std::sqrt(2.0), 9.81, 5e-5),
+           place, 5e-4, "m");
+    say("at 45 degrees it stops at ", readable(Vec2((place * 1000).array().round() / 1000)),
+        " m: the grain turns it");
 }
 
 }  // namespace enduring

@@ -55,7 +55,8 @@ TEST_CASE("step: it is what a million pieces add up to")
 TEST_CASE("step: one step is two steps of half its length")
 {
     given("bend -0.0004 m, -0.03 m/s, dt 0.05 s");
-    const BristleStep first = bend_bristles(brush, -4e-4, -0.03, 0.025), second = bend_bristles(brush, first.bend, -0.03, 0.025);
+    const BristleStep first = bend_bristles(brush, -4e-4, -0.03, 0.025),
+                      second = bend_bristles(brush, first.bend, -0.03, 0.025);
     const BristleStep whole = bend_bristles(brush, -4e-4, -0.03, 0.05);
     expect("bend", 1000 * whole.bend, 1000 * second.bend, 1e-9, "mm");
     expect("impulse", 1000 * whole.impulse, 1000 * (first.impulse + second.impulse), 1e-6, "mN s");
@@ -86,9 +87,11 @@ TEST_CASE("cycle: a long way costs Coulomb's four amplitudes, a short one far le
     for (const double amplitude : {0.1, 1e-4}) {
         given("amplitude ", amplitude, " m, 0.2 m/s, stiffness 1000 N/m, limit 1 N");
         lost[i] = loss_per_cycle(brush, amplitude, 0.2, 200);
-        say("amplitude ", 1000 * amplitude, " mm: ", lost[i++], " J a cycle, Coulomb's law says ", 4 * amplitude, " J");
+        say("amplitude ", 1000 * amplitude, " mm: ", lost[i++], " J a cycle, Coulomb's law says ",
+            4 * amplitude, " J");
     }
-    // In the steady cycle a half begins at the bend -b and ends at b = z tanh(A/z), z = 1 mm: the loss is 4 A f - 4 f z tanh(A/z).
+    // In the steady cycle a half begins at the bend -b and ends at b = z
+    // tanh(A/z), z = 1 mm: the loss is 4 A f - 4 f z tanh(A/z).
     expect("loss at 100 mm", lost[0], 0.4 - 0.004 * std::tanh(100.0), 1e-5, "J");
     expect("loss at 0.1 mm over Coulomb's", lost[1] / 4e-4, 1 - std::tanh(0.1) / 0.1, 1e-6);
 }

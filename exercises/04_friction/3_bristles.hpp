@@ -22,8 +22,8 @@ struct BristleStep {
 /// @param dt        length of the step [s], positive
 BristleStep bend_bristles(const Bristles& bristles, double bend, double velocity, double dt);
 
-/// The energy that is lost when a point is dragged to and fro at constant speed, once the bristles have forgotten how
-/// they began: minus the work of friction over one cycle.
+/// The energy that is lost when a point is dragged to and fro at constant speed, once the bristles have
+/// forgotten how they began: minus the work of friction over one cycle.
 /// @param amplitude  half the way between the turning points [m]
 /// @param speed      [m/s], positive
 /// @param steps      in each half of the cycle

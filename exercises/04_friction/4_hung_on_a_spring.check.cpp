@@ -7,11 +7,14 @@ namespace enduring {
 
 TEST_CASE("prediction: a number is written down")
 {
-    expect_that("the predicted ratio is at least 1", predicted_ratio() >= 1 && std::isfinite(predicted_ratio()));
-    say("zeta 0: ", std::round(100 * smallest_ratio(0)) / 100, " times the tangent, the law says ", overshoot_law(0));
+    expect_that("the predicted ratio is at least 1",
+                predicted_ratio() >= 1 && std::isfinite(predicted_ratio()));
+    say("zeta 0: ", std::round(100 * smallest_ratio(0)) / 100, " times the tangent, the law says ",
+        overshoot_law(0));
 }
 
-TEST_CASE("measurement: without a damper a little more than twice the tangent holds, and a little less does not")
+TEST_CASE(
+    "measurement: without a damper a little more than twice the tangent holds, and a little less does not")
 {
     given("1 kg on a spring of 1000 N/m, no damper");
     expect_that("2.02 times the tangent holds", holds_the_block(2.02, 0));
@@ -46,9 +49,11 @@ TEST_CASE("law: the measured ratio is the law's")
     for (const double damping : {0.2, 0.5}) {
         given("zeta ", damping);
         const double measured = smallest_ratio(damping), law = overshoot_law(damping);
-        expect_that("law and measurement agree to 0.01; your law says " + readable(law) + ", your measurement " + readable(measured),
+        expect_that("law and measurement agree to 0.01; your law says " + readable(law) +
+                        ", your measurement " + readable(measured),
                     std::abs(measured - law) <= 0.01);
-        say("zeta ", damping, ": ", std::round(100 * measured) / 100, " times the tangent, the law says ", law);
+        say("zeta ", damping, ": ", std::round(100 * measured) / 100, " times the tangent, the law says ",
+            law);
     }
     say("you predicted ", predicted_ratio());
 }

@@ -2,12 +2,12 @@
 
 namespace enduring {
 
-/// Your prediction, written down before anything is measured: how many times the tangent of the slope mu_s has to be, so that
-/// an anchor without a damper holds a block that is set down on it.
+/// Your prediction, written down before anything is measured: how many times the tangent of the slope mu_s
+/// has to be, so that an anchor without a damper holds a block that is set down on it.
 double predicted_ratio();
 
-/// Does the thesis' friction hold a block that is set down on a slope, at rest and with an unstretched spring? The block is
-/// one pair: mass 1 kg, normal force m g cos(alpha), spring 1000 N/m, mu_d = mu_s.
+/// Does the thesis' friction hold a block that is set down on a slope, at rest and with an unstretched
+/// spring? The block is one pair: mass 1 kg, normal force m g cos(alpha), spring 1000 N/m, mu_d = mu_s.
 ///
 /// @param ratio    mu_s over the tangent of the slope
 /// @param damping  zeta, the damper over the critical one 2 sqrt(k m)

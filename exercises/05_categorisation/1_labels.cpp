@@ -13,12 +13,17 @@ const Body& body(const World& world, int index) { return *world.bodies[index]; }
 bool has_normal(const PairInstant& pair, const Vec3& normal)
 {
     constexpr double smallest_sine = 1e-12;
-    return normal.squaredNorm() > smallest_sine * smallest_sine * pair.side_1.squaredNorm() * pair.side_2.squaredNorm();
+    return normal.squaredNorm() >
+           smallest_sine * smallest_sine * pair.side_1.squaredNorm() * pair.side_2.squaredNorm();
 }
 
-ContactCategory hooked_or_regular(bool hooked) { return hooked ? ContactCategory::hooked : ContactCategory::regular; }
+ContactCategory hooked_or_regular(bool hooked)
+{
+    return hooked ? ContactCategory::hooked : ContactCategory::regular;
+}
 
-ContactCategory categorise_edge_pair(const SurfaceMoment& a, const SurfaceMoment& b, const Contact& contact, EdgeRule rule)
+ContactCategory categorise_edge_pair(const SurfaceMoment& a, const SurfaceMoment& b, const Contact& contact,
+                                     EdgeRule rule)
 {
     not_implemented_yet("5.1");
 }
@@ -30,7 +35,8 @@ bool is_hooked_vertex(const SurfaceMoment& a, int vertex, const Vec3& normal)
     not_implemented_yet("5.1");
 }
 
-bool is_hooked_edge_pair(const SurfaceMoment& a, int edge_a, const SurfaceMoment& b, int edge_b, const Vec3& normal, EdgeRule rule)
+bool is_hooked_edge_pair(const SurfaceMoment& a, int edge_a, const SurfaceMoment& b, int edge_b,
+                         const Vec3& normal, EdgeRule rule)
 {
     not_implemented_yet("5.1");
 }
@@ -40,7 +46,8 @@ ContactCategory categorise(const World& world, const Contact& contact, double ta
     not_implemented_yet("5.1");
 }
 
-ContactCategory categorise_vertex_face(const World& world, int body_a, int vertex, int body_b, int face, double tau)
+ContactCategory categorise_vertex_face(const World& world, int body_a, int vertex, int body_b, int face,
+                                       double tau)
 {
     not_implemented_yet("5.1");
 }

@@ -1,5 +1,5 @@
-#include "chapters/05_categorisation/experiments/corner.hpp"
 #include "exercises/05_categorisation/2_cone.hpp"
+#include "chapters/05_categorisation/experiments/corner.hpp"
 #include "exercises/checking.hpp"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ std::vector<Vec3> all_directions(int count)
 {
     std::vector<Vec3> directions;
     for (int i = 0; i < count; ++i) {
-        const double y = 1 - (2 * i + 1.0) / count, turn = i * std::numbers::pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - y * y);
+        const double y = 1 - (2 * i + 1.0) / count, turn = i * std::numbers::pi * (3 - std::sqrt(5.0)),
+                     r = std::sqrt(1 - y * y);
         directions.emplace_back(r * std::cos(turn), y, r * std::sin(turn));
     }
     return directions;
@@ -45,41 +46,49 @@ TEST_CASE("cone: of one direction it is that direction, of two it is halfway bet
 
 TEST_CASE("cone: at a cube's corner and at a tetrahedron's tip it touches all three normals")
 {
-    const Cone cube = smallest_cone(face_normals(sphere_corner("cube"))), tip = smallest_cone(face_normals(sphere_corner("tetrahedron")));
+    const Cone cube = smallest_cone(face_normals(sphere_corner("cube"))),
+               tip = smallest_cone(face_normals(sphere_corner("tetrahedron")));
     given("the three normals at a cube's corner");
     expect("half angle", cube.half_angle / degree, std::acos(1 / std::sqrt(3.0)) / degree, 0.01, "degrees");
     std::vector<Vec3> backwards = face_normals(sphere_corner("cube"));
     std::reverse(backwards.begin(), backwards.end());
     given("the three normals at a cube's corner, in the opposite order");
-    expect("half angle", smallest_cone(backwards).half_angle / degree, cube.half_angle / degree, 0.01, "degrees");
+    expect("half angle", smallest_cone(backwards).half_angle / degree, cube.half_angle / degree, 0.01,
+           "degrees");
     given("the three normals at the tip of a regular tetrahedron");
     expect("half angle", tip.half_angle / degree, std::acos(1.0 / 3) / degree, 0.01, "degrees");
-    say("a cube's corner: half angle ", cube.half_angle / degree, " degrees; a tetrahedron's tip: ", tip.half_angle / degree, " degrees");
+    say("a cube's corner: half angle ", cube.half_angle / degree,
+        " degrees; a tetrahedron's tip: ", tip.half_angle / degree, " degrees");
 }
 
 TEST_CASE("cone: a direction inside it changes nothing, and three may need only two")
 {
-    const std::vector<Vec3> wide = {Vec3(1, 0.2, 0).normalized(), Vec3(-1, 0.2, 0).normalized(), Vec3(0, 1, 0.3).normalized()};
+    const std::vector<Vec3> wide = {Vec3(1, 0.2, 0).normalized(), Vec3(-1, 0.2, 0).normalized(),
+                                    Vec3(0, 1, 0.3).normalized()};
     given("two directions 157 degrees apart and one between them, off their plane by 17 degrees");
     const Cone cone = smallest_cone(wide);
     for (const Vec3& normal : wide)
         expect_that("no direction lies outside", std::acos(cone.axis.dot(normal)) <= cone.half_angle + 1e-4);
-    expect("half angle", cone.half_angle / degree, std::acos(0.2 / std::sqrt(1.04)) / degree, 0.01, "degrees");
+    expect("half angle", cone.half_angle / degree, std::acos(0.2 / std::sqrt(1.04)) / degree, 0.01,
+           "degrees");
 }
 
 TEST_CASE("cone: turning the directions turns the cone")
 {
     const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, -2, 3).normalized()).toRotationMatrix();
-    const std::vector<Vec3> normals = {Vec3(1, 2, 0.5).normalized(), Vec3(-0.3, 1, 0.8).normalized(), Vec3(0.2, 1, -1).normalized(), Vec3(0.5, 1, 0).normalized()};
+    const std::vector<Vec3> normals = {Vec3(1, 2, 0.5).normalized(), Vec3(-0.3, 1, 0.8).normalized(),
+                                       Vec3(0.2, 1, -1).normalized(), Vec3(0.5, 1, 0).normalized()};
     std::vector<Vec3> turned;
     for (const Vec3& normal : normals)
         turned.push_back(turn * normal);
     given("four directions, and the same four turned");
     expect("axis", smallest_cone(turned).axis, Vec3(turn * smallest_cone(normals).axis), 2e-3);
-    expect("half angle", smallest_cone(turned).half_angle / degree, smallest_cone(normals).half_angle / degree, 0.01, "degrees");
+    expect("half angle", smallest_cone(turned).half_angle / degree,
+           smallest_cone(normals).half_angle / degree, 0.01, "degrees");
 }
 
-TEST_CASE("rule: a flat vertex is regular where the contact normal looks against its own, give or take 45 degrees")
+TEST_CASE(
+    "rule: a flat vertex is regular where the contact normal looks against its own, give or take 45 degrees")
 {
     const std::vector<Vec3> up(6, Vec3::UnitY());
     given("six faces that look up");
@@ -93,10 +102,14 @@ TEST_CASE("rule: a flat vertex is regular where the contact normal looks against
 TEST_CASE("rule: the 45 degrees come on top of the half angle")
 {
     const std::vector<Vec3> edge = {Vec3::UnitX(), Vec3::UnitY()};
-    const auto pressed = [](double angle) { return Vec3(-std::cos((45 + angle) * degree), -std::sin((45 + angle) * degree), 0); };
+    const auto pressed = [](double angle) {
+        return Vec3(-std::cos((45 + angle) * degree), -std::sin((45 + angle) * degree), 0);
+    };
     given("two faces that look along x and y; their cone has a half angle of 45 degrees");
-    expect_that("pressed on from 88 degrees beside the axis it is regular", cone_says_regular(edge, pressed(88)));
-    expect_that("pressed on from 92 degrees beside the axis it is hooked", !cone_says_regular(edge, pressed(92)));
+    expect_that("pressed on from 88 degrees beside the axis it is regular",
+                cone_says_regular(edge, pressed(88)));
+    expect_that("pressed on from 92 degrees beside the axis it is hooked",
+                !cone_says_regular(edge, pressed(92)));
 }
 
 TEST_CASE("rule: at the tip of a tetrahedron no direction in which a board can touch is called hooked")
@@ -110,10 +123,11 @@ TEST_CASE("rule: at the tip of a tetrahedron no direction in which a board can t
             span_misses += !span_says_regular(tip, direction);
             cone_misses += !cone_says_regular(normals, direction);
         }
-    given("the tip of a tetrahedron, and the ", touching, " of 4000 directions in which a board can touch it");
+    given("the tip of a tetrahedron, and the ", touching,
+          " of 4000 directions in which a board can touch it");
     expect("called hooked by the cone", cone_misses, 0, 0, "directions");
-    say("of the directions in which a board can touch the tip, the span misses ", 100.0 * span_misses / touching, " %, the cone ",
-        100.0 * cone_misses / touching, " %");
+    say("of the directions in which a board can touch the tip, the span misses ",
+        100.0 * span_misses / touching, " %, the cone ", 100.0 * cone_misses / touching, " %");
 }
 
 }  // namespace enduring::chapter05

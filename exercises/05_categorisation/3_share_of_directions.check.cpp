@@ -50,7 +50,8 @@ TEST_CASE("directions: every ring's direction stands at half its height, so the 
     const std::vector<Vec3> directions = even_directions(4);
     expect("how many there are", directions.size(), 4, 0);
     for (std::size_t i = 0; i < directions.size() && i < 4; ++i)
-        expect("height of number " + readable(i), directions[i].y(), 0.75 - 0.5 * static_cast<double>(i), 1e-12);
+        expect("height of number " + readable(i), directions[i].y(), 0.75 - 0.5 * static_cast<double>(i),
+               1e-12);
 }
 
 TEST_CASE("measurement: a board touches a cube's corner from an eighth of all sides, a flat vertex from none")
@@ -64,7 +65,8 @@ TEST_CASE("law: three normals at right angles cover an eighth, three in a plane 
 {
     expect("at right angles", law_of_share({Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}), 0.125, 1e-12);
     const double c = std::cos(2 * std::numbers::pi / 3), s = std::sin(2 * std::numbers::pi / 3);
-    expect("120 degrees apart in a plane", law_of_share({Vec3(1, 0, 0), Vec3(c, s, 0), Vec3(c, -s, 0)}), 0.5, 1e-7);
+    expect("120 degrees apart in a plane", law_of_share({Vec3(1, 0, 0), Vec3(c, s, 0), Vec3(c, -s, 0)}), 0.5,
+           1e-7);
     expect("in the other order", law_of_share({Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()}), 0.125, 1e-12);
 }
 
@@ -72,9 +74,11 @@ TEST_CASE("law: measured and law agree at a cube's corner and at a tetrahedron's
 {
     for (const std::string name : {"cube", "tetrahedron"}) {
         given("corner of a ", name, ", 20000 directions");
-        const double measured = measured_share(sphere_corner(name), 20000), law = law_of_share(three_normals(sphere_corner(name)));
+        const double measured = measured_share(sphere_corner(name), 20000),
+                     law = law_of_share(three_normals(sphere_corner(name)));
         expect("share", measured, law, 0.002);
-        say(name == "cube" ? "a cube's corner: " : "a tetrahedron's tip: ", std::round(1000 * measured) / 1000, " measured, ", law, " by the law");
+        say(name == "cube" ? "a cube's corner: " : "a tetrahedron's tip: ",
+            std::round(1000 * measured) / 1000, " measured, ", law, " by the law");
     }
     say("you predicted ", predicted_share());
 }

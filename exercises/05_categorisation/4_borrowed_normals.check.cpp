@@ -1,5 +1,5 @@
-#include "common/geometry/box_shapes.hpp"
 #include "exercises/05_categorisation/4_borrowed_normals.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "exercises/checking.hpp"
 
 namespace enduring {
@@ -7,7 +7,8 @@ namespace {
 
 constexpr ContactCategory regular = ContactCategory::regular, hooked = ContactCategory::hooked;
 
-/// A flat strip of two rows: vertex i of the first row at 2 i, of the second at 2 i + 1; each cell two triangles.
+/// A flat strip of two rows: vertex i of the first row at 2 i, of the
+/// second at 2 i + 1; each cell two triangles.
 SurfaceTopology strip(int cells)
 {
     std::vector<Face> faces;
@@ -32,7 +33,8 @@ void expect_normal(const std::string& what, const std::optional<Vec3>& got, cons
 TEST_CASE("regular: a regular vertex keeps its own normal, whatever its neighbours say")
 {
     const SurfaceTopology surface = strip(3);
-    const std::vector<BuriedVertex> buried = {{0, leaning_left, regular}, {2, leaning_right, regular}, {4, Vec3::UnitX(), hooked}};
+    const std::vector<BuriedVertex> buried = {
+        {0, leaning_left, regular}, {2, leaning_right, regular}, {4, Vec3::UnitX(), hooked}};
     given("a strip; vertex 0 regular (-0.6, 0.8, 0), vertex 2 regular (0.6, 0.8, 0), vertex 4 hooked");
     const auto normals = borrowed_normals(surface, buried);
     expect("how many normals there are", normals.size(), 3, 0);
@@ -64,7 +66,8 @@ TEST_CASE("nearest: all regular vertices of the nearest ring count, each once, a
     expect_normal("normal of the middle one", normals[3], Vec3::UnitY());
     expect_normal("normal of the fifth", normals[4], leaning_right);
     if (normals[3])
-        say("a row of seven, regular at its ends: the middle one borrows ", readable(*normals[3]), " from both");
+        say("a row of seven, regular at its ends: the middle one borrows ", readable(*normals[3]),
+            " from both");
 
     // Some vertices of the second ring can be reached over two of the first: they count once.
     const SurfaceMesh grid = plane_grid(2, 2, {2, 2});
@@ -109,10 +112,12 @@ TEST_CASE("reach: the walk goes over buried vertices only")
 TEST_CASE("reach: normals that cancel, and hooked vertices alone, lend nothing")
 {
     const SurfaceTopology surface = strip(3);
-    const std::vector<BuriedVertex> opposite = {{0, Vec3::UnitX(), regular}, {2, Vec3::UnitY(), hooked}, {4, Vec3(-1, 0, 0), regular}};
+    const std::vector<BuriedVertex> opposite = {
+        {0, Vec3::UnitX(), regular}, {2, Vec3::UnitY(), hooked}, {4, Vec3(-1, 0, 0), regular}};
     given("a hooked vertex between two regular ones with opposite normals, and no others");
     expect_that("it has no normal", !borrowed_normals(surface, opposite)[1].has_value());
-    const std::vector<BuriedVertex> alone = {{0, Vec3::UnitX(), hooked}, {2, Vec3::UnitX(), ContactCategory::unknown}};
+    const std::vector<BuriedVertex> alone = {{0, Vec3::UnitX(), hooked},
+                                             {2, Vec3::UnitX(), ContactCategory::unknown}};
     given("a hooked vertex and, next to it, one without a label; no others");
     for (const auto& normal : borrowed_normals(surface, alone))
         expect_that("there is no normal", !normal.has_value());
@@ -121,7 +126,10 @@ TEST_CASE("reach: normals that cancel, and hooked vertices alone, lend nothing")
 TEST_CASE("reach: a ring whose normals cancel is the last")
 {
     const SurfaceTopology surface = strip(3);
-    const std::vector<BuriedVertex> row = {{0, Vec3::UnitX(), regular}, {2, Vec3::UnitY(), hooked}, {4, Vec3(-1, 0, 0), regular}, {6, Vec3::UnitY(), regular}};
+    const std::vector<BuriedVertex> row = {{0, Vec3::UnitX(), regular},
+                                           {2, Vec3::UnitY(), hooked},
+                                           {4, Vec3(-1, 0, 0), regular},
+                                           {6, Vec3::UnitY(), regular}};
     given("a row of four: regular (1, 0, 0), hooked, regular (-1, 0, 0), regular (0, 1, 0)");
     expect_that("the hooked one has no normal", !borrowed_normals(surface, row)[1].has_value());
 }

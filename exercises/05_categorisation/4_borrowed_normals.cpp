@@ -3,8 +3,8 @@
 
 namespace enduring {
 
-/// What one hooked vertex borrows. The search goes out in rings: all neighbours, then all theirs, and stops at the first ring with a
-/// regular vertex in it.
+/// What one hooked vertex borrows. The search goes out in rings: all neighbours, then all theirs, and stops
+/// at the first ring with a regular vertex in it.
 /// @param place  of a vertex in `buried`, -1 for one that is not buried
 /// @param start  the hooked vertex, its place in `buried`
 static std::optional<Vec3> borrowed_by(const SurfaceTopology& surface, std::span<const BuriedVertex> buried,
@@ -13,7 +13,8 @@ static std::optional<Vec3> borrowed_by(const SurfaceTopology& surface, std::span
     not_implemented_yet("5.4");
 }
 
-std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface, std::span<const BuriedVertex> buried)
+std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface,
+                                                  std::span<const BuriedVertex> buried)
 {
     not_implemented_yet("5.4");
 }

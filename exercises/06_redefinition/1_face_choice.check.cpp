@@ -8,10 +8,16 @@ namespace enduring::small_worlds {
 namespace {
 
 /// A square in y = 0 that looks up: face 0 where z > x, face 1 where z < x.
-SurfaceMesh square() { return {{Vec3(-1, 0, -1), Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1)}, {{0, 1, 2}, {0, 2, 3}}}; }
+SurfaceMesh square()
+{
+    return {{Vec3(-1, 0, -1), Vec3(-1, 0, 1), Vec3(1, 0, 1), Vec3(1, 0, -1)}, {{0, 1, 2}, {0, 2, 3}}};
+}
 
 /// The same square upright, looking along +x.
-SurfaceMesh wall() { return {{Vec3(0, -1, -1), Vec3(0, 1, -1), Vec3(0, 1, 1), Vec3(0, -1, 1)}, {{0, 1, 2}, {0, 2, 3}}}; }
+SurfaceMesh wall()
+{
+    return {{Vec3(0, -1, -1), Vec3(0, 1, -1), Vec3(0, 1, 1), Vec3(0, -1, 1)}, {{0, 1, 2}, {0, 2, 3}}};
+}
 
 std::string name(FaceVerdict verdict)
 {
@@ -28,7 +34,8 @@ FaceTrial tried(const SurfaceMesh& mesh, const Vec3& place, int face, const Face
 
 void expect_verdict(const FaceTrial& trial, FaceVerdict expected)
 {
-    expect_that("the verdict is " + name(expected) + "; yours is " + name(trial.verdict), trial.verdict == expected);
+    expect_that("the verdict is " + name(expected) + "; yours is " + name(trial.verdict),
+                trial.verdict == expected);
 }
 
 }  // namespace
@@ -42,7 +49,8 @@ TEST_CASE("above: a vertex over the face, or exactly in it, and a face without a
     given("a tip 0.1 m over the square, asked of face 0, where its foot overshoots by 0.3");
     expect_verdict(tried(square(), {0.3, 0.1, -0.3}, 0), FaceVerdict::above);
     given("a tip 0.1 m below a face whose corners lie on a line");
-    expect_verdict(tried({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, {{0, 1, 2}}}, {0.3, -0.1, 0}, 0), FaceVerdict::above);
+    expect_verdict(tried({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, {{0, 1, 2}}}, {0.3, -0.1, 0}, 0),
+                   FaceVerdict::above);
 }
 
 TEST_CASE("fit: a vertex below a face with its foot on it, and the trial tells foot and depth")
@@ -71,13 +79,15 @@ TEST_CASE("beside: a foot outside the face counts only below the tolerance")
 TEST_CASE("beside: an overshoot as large as the tolerance is beside")
 {
     // Every number on the way is a sum of a few powers of two, so the overshoot is 0.25 in every bit.
-    given("a tip 0.125 m below face 1, asked of face 0, where its foot overshoots by 0.25, and the tolerance is 0.25");
+    given(
+        "a tip 0.125 m below face 1, asked of face 0, where its foot overshoots by 0.25, and the tolerance is 0.25");
     expect_verdict(tried(square(), {0.25, -0.125, -0.25}, 0, {.tolerance = 0.25}), FaceVerdict::beside);
 }
 
 TEST_CASE("order: a face that is both beside and deep is beside")
 {
-    given("a tip 0.1 m below face 1, asked of face 0, where its foot overshoots by 0.3, and at most 0.09 m allowed");
+    given(
+        "a tip 0.1 m below face 1, asked of face 0, where its foot overshoots by 0.3, and at most 0.09 m allowed");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 0, {.deepest = 0.09}), FaceVerdict::beside);
 }
 
@@ -92,19 +102,27 @@ TEST_CASE("deep: a face that is too far away")
 TEST_CASE("deep: a face that looks more than 135 degrees away from where the pair came in")
 {
     given("a tip below face 1, which looks up; its pair came in through a face that looks down, (0, -3, 0)");
-    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0, -3, 0)}), FaceVerdict::deep);
-    given("a tip below face 1, which looks up; its pair came in through a face 138 degrees from that, (0.9, -1, 0)");
-    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0.9, -1, 0)}), FaceVerdict::deep);
-    given("a tip below face 1, which looks up; its pair came in through a face 132 degrees from that, (0.1, -0.09, 0)");
-    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0.1, -0.09, 0)}), FaceVerdict::fit);
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0, -3, 0)}),
+                   FaceVerdict::deep);
+    given(
+        "a tip below face 1, which looks up; its pair came in through a face 138 degrees from that, (0.9, -1, 0)");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0.9, -1, 0)}),
+                   FaceVerdict::deep);
+    given(
+        "a tip below face 1, which looks up; its pair came in through a face 132 degrees from that, (0.1, -0.09, 0)");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0.1, -0.09, 0)}),
+                   FaceVerdict::fit);
 }
 
 TEST_CASE("deep: of the two normals the angle counts, and not the lengths")
 {
-    given("a tip below face 1, which looks up; its pair came in through a large face 101 degrees from that, (5, -1, 0)");
+    given(
+        "a tip below face 1, which looks up; its pair came in through a large face 101 degrees from that, (5, -1, 0)");
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(5, -1, 0)}), FaceVerdict::fit);
-    given("a tip below face 1, which looks up; its pair came in through a small face that looks down, (0, -0.1, 0)");
-    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0, -0.1, 0)}), FaceVerdict::deep);
+    given(
+        "a tip below face 1, which looks up; its pair came in through a small face that looks down, (0, -0.1, 0)");
+    expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 1, {.came_through = Vec3(0, -0.1, 0)}),
+                   FaceVerdict::deep);
 }
 
 TEST_CASE("hooked: a face that would push a tip that looks down to the side")
@@ -115,7 +133,9 @@ TEST_CASE("hooked: a face that would push a tip that looks down to the side")
 
 TEST_CASE("better: on the face before beside it, and then the smaller penetration")
 {
-    const auto trial = [](double depth, double overshoot) { return FaceTrial{0, {{0, 0, 0}, depth}, overshoot, FaceVerdict::fit}; };
+    const auto trial = [](double depth, double overshoot) {
+        return FaceTrial{0, {{0, 0, 0}, depth}, overshoot, FaceVerdict::fit};
+    };
     given("0.2 m deep on its face, and 0.1 m deep beside its face");
     expect_that("the one on its face is better", is_better(trial(-0.2, 0), trial(-0.1, 0.01)));
     expect_that("and not the other way round", !is_better(trial(-0.1, 0.01), trial(-0.2, 0)));
@@ -123,7 +143,8 @@ TEST_CASE("better: on the face before beside it, and then the smaller penetratio
     expect_that("the one 0.1 m deep is better", is_better(trial(-0.1, 0), trial(-0.2, 0)));
     expect_that("and not the other way round", !is_better(trial(-0.2, 0), trial(-0.1, 0)));
     given("both beside their faces: 0.1 m deep with an overshoot of 0.2, and 0.2 m deep with one of 0.1");
-    expect_that("the one 0.1 m deep is better, though farther beside", is_better(trial(-0.1, 0.2), trial(-0.2, 0.1)));
+    expect_that("the one 0.1 m deep is better, though farther beside",
+                is_better(trial(-0.1, 0.2), trial(-0.2, 0.1)));
     expect_that("and the one 0.2 m deep is not", !is_better(trial(-0.2, 0.1), trial(-0.1, 0.2)));
 }
 
@@ -135,7 +156,8 @@ TEST_CASE("choice: the face above the vertex is found, and none where none fits"
     expect_that("a face is found", choice.has_value());
     if (choice) {
         expect("face", choice->face, 1, 0);
-        say("the tip at (0.3, -0.1, -0.3) m belongs to face ", choice->face, ", at a depth of ", -choice->foot.depth, " m");
+        say("the tip at (0.3, -0.1, -0.3) m belongs to face ", choice->face, ", at a depth of ",
+            -choice->foot.depth, " m");
     }
     given("a tip 0.1 m over the square");
     expect_that("no face is found", !find_face(above, on_face(above, 0), 0, all_corners, {}).has_value());
@@ -144,10 +166,12 @@ TEST_CASE("choice: the face above the vertex is found, and none where none fits"
 TEST_CASE("choice: of two faces that fit, the one with the smaller penetration")
 {
     // A roof with sides at 45 degrees; the third face, the pair's own, touches both.
-    const SurfaceMesh roof{{Vec3(0, 0, -2), Vec3(0, 0, 2), Vec3(3, -3, 0), Vec3(-3, -3, 0), Vec3(0, 0.5, 4)}, {{0, 1, 2}, {1, 0, 3}, {1, 4, 2}}};
+    const SurfaceMesh roof{{Vec3(0, 0, -2), Vec3(0, 0, 2), Vec3(3, -3, 0), Vec3(-3, -3, 0), Vec3(0, 0.5, 4)},
+                           {{0, 1, 2}, {1, 0, 3}, {1, 4, 2}}};
     for (const double x : {0.4, -0.4}) {
         const World world = tip_and(roof, {x, -1.5, 0});
-        given("a roof with its ridge along z and sides at 45 degrees, a tip at x = ", x, " m, 1.5 m below the ridge");
+        given("a roof with its ridge along z and sides at 45 degrees, a tip at x = ", x,
+              " m, 1.5 m below the ridge");
         const auto choice = find_face(world, on_face(world, 2), 0, all_corners, {});
         expect_that("a face is found", choice.has_value());
         if (choice)

@@ -1,6 +1,6 @@
+#include "exercises/06_redefinition/2_walk.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
-#include "exercises/06_redefinition/2_walk.hpp"
 #include "exercises/checking.hpp"
 
 #include <random>
@@ -35,7 +35,8 @@ TEST_CASE("weights: they sum to 1 and put the foot below the point")
     const auto [w0, w1, w2] = foot_weights(one.surface(), 0, point);
     expect("sum of the weights", w0 + w1 + w2, 1.0, 1e-12);
     const Vec3 way = point - Vec3(w0, 2 * w1, 3 * w2);
-    expect("way from foot to point, across the face's normal", Vec3(way.cross(Vec3(6, 3, 2))), Vec3(0, 0, 0), 1e-12, "m");
+    expect("way from foot to point, across the face's normal", Vec3(way.cross(Vec3(6, 3, 2))), Vec3(0, 0, 0),
+           1e-12, "m");
     expect("distance of the foot from the plane 6 x + 3 y + 2 z = 6", 6 * w0 + 6 * w1 + 6 * w2, 6.0, 1e-12);
 }
 
@@ -55,7 +56,8 @@ TEST_CASE("walk: on a flat floor it ends below the point, from every face to eve
 {
     std::mt19937 random(6);
     std::uniform_real_distribution<double> anywhere(-1.9, 1.9);
-    for (const GridDiagonals diagonals : {GridDiagonals::same, GridDiagonals::alternating, GridDiagonals::crossed}) {
+    for (const GridDiagonals diagonals :
+         {GridDiagonals::same, GridDiagonals::alternating, GridDiagonals::crossed}) {
         const Still floor{plane_grid(4, 4, {6, 6}, diagonals)};
         for (int face = 0; face < static_cast<int>(floor.mesh.faces.size()); face += 5) {
             const Vec3 point(anywhere(random), -0.2, anywhere(random));
@@ -77,26 +79,31 @@ TEST_CASE("walk: who is there already crosses nothing, and who goes straight cro
     expect_that("the walk from face 0 to (-5.9, 0, 0.5) m arrives", here.has_value());
     if (!here)
         return;
-    const auto again = walk_to_foot(floor.surface(), here->face, begin), there = walk_to_foot(floor.surface(), here->face, end);
+    const auto again = walk_to_foot(floor.surface(), here->face, begin),
+               there = walk_to_foot(floor.surface(), here->face, end);
     expect_that("from there, the walk to the same point arrives", again.has_value());
     expect_that("from there, the walk to (5.9, 0, 0.5) m arrives", there.has_value());
     if (!again || !there)
         return;
     expect("edges crossed without moving", again->crossed, 0, 0);
-    // 11 borders between cells and the diagonals of 12: the first or the last is not crossed where the way begins or ends beyond it.
+    // 11 borders between cells and the diagonals of 12: the first or the last is not
+    // crossed where the way begins or ends beyond it.
     expect("edges crossed along the row", there->crossed, 23, 1);
     say("from one end of 12 cells to the other: ", there->crossed, " edges crossed");
 }
 
 TEST_CASE("walk: of two negative weights the most negative shows the way")
 {
-    // The point lies beyond two edges of face 0. Across one is face 1, which holds its foot; across the other face 2, and then an open border.
+    // The point lies beyond two edges of face 0. Across one is face 1, which holds its foot; across the other
+    // face 2, and then an open border.
     const Face orders[] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}};
     for (const Face& corners : orders) {
-        const Still fan{{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(6, 0, -3), Vec3(1, 0, 1)}, {corners, {0, 2, 3}, {2, 1, 4}}}};
+        const Still fan{{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(6, 0, -3), Vec3(1, 0, 1)},
+                         {corners, {0, 2, 3}, {2, 1, 4}}}};
         const Vec3 point(1.7, -0.1, -0.6);
-        given("a face with corners at (0, 0, 0), (0, 0, 1), (1, 0, 0) m, where the foot has the weights -0.1, -0.6 and 1.7; the face's list begins with corner ",
-              corners[0], " of these");
+        given(
+            "a face with corners at (0, 0, 0), (0, 0, 1), (1, 0, 0) m, where the foot has the weights -0.1, -0.6 and 1.7; the face's list begins with corner ",
+            corners[0], " of these");
         const auto walk = walk_to_foot(fan.surface(), 0, point);
         expect_that("the walk arrives", walk.has_value());
         if (walk) {
@@ -110,7 +117,9 @@ TEST_CASE("walk: a foot within 1e-12 of the face is on it, and one farther out i
 {
     const Still two{{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(1, 0, -1)}, {{0, 1, 2}, {0, 2, 3}}}};
     for (const double beyond : {5e-13, 1e-9}) {
-        given("two faces that meet in the line z = 0, from face 0 to a point whose foot has one weight there of -", beyond);
+        given(
+            "two faces that meet in the line z = 0, from face 0 to a point whose foot has one weight there of -",
+            beyond);
         const auto walk = walk_to_foot(two.surface(), 0, Vec3(0.5, 0.1, -beyond));
         expect_that("the walk arrives", walk.has_value());
         if (walk)
@@ -130,9 +139,12 @@ TEST_CASE("walk: `most` edges may be crossed, and not one more")
         return;
     const int needed = there->crossed;
     given("a floor of 12 by 2 cells of 1 m, a way of 6 m along a row that crosses ", needed, " edges");
-    expect_that("it arrives when just so many are allowed", walk_to_foot(floor.surface(), here->face, end, needed).has_value());
-    expect_that("it does not when one less is", !walk_to_foot(floor.surface(), here->face, end, needed - 1).has_value());
-    expect_that("with none allowed, who is there already has arrived", walk_to_foot(floor.surface(), here->face, begin, 0).has_value());
+    expect_that("it arrives when just so many are allowed",
+                walk_to_foot(floor.surface(), here->face, end, needed).has_value());
+    expect_that("it does not when one less is",
+                !walk_to_foot(floor.surface(), here->face, end, needed - 1).has_value());
+    expect_that("with none allowed, who is there already has arrived",
+                walk_to_foot(floor.surface(), here->face, begin, 0).has_value());
 }
 
 TEST_CASE("walk: over an open border, or too far, there is no answer")
@@ -148,7 +160,8 @@ TEST_CASE("walk: around a sphere it finds the face that looks at the point")
 {
     const Still ball{sphere(1, 2)};
     const Vec3 point = Vec3(0.3, -0.8, 0.5).normalized() * 0.95;
-    given("a sphere of radius 1 m, from its face 0 to a point 0.95 m from its centre in the direction (0.3, -0.8, 0.5)");
+    given(
+        "a sphere of radius 1 m, from its face 0 to a point 0.95 m from its centre in the direction (0.3, -0.8, 0.5)");
     const auto near = walk_to_foot(ball.surface(), 0, point);
     expect_that("the walk arrives", near.has_value());
     if (near)

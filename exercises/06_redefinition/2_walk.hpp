@@ -18,8 +18,9 @@ struct Walk {
 /// @throws std::domain_error  a face without area
 std::array<double, 3> foot_weights(const SurfaceMoment& surface, int face, const Vec3& point);
 
-/// Follows a point that may have left its face by more than one edge in a step: as long as the foot lies beside the face, go on to
-/// the neighbour across the edge that it is farthest beyond (opposite the most negative weight).
+/// Follows a point that may have left its face by more than one edge in a step: as long
+/// as the foot lies beside the face, go on to the neighbour across the edge that it is
+/// farthest beyond (opposite the most negative weight).
 ///
 /// @param face   where it began
 /// @param point  [m]

@@ -1,6 +1,6 @@
+#include "exercises/06_redefinition/3_smooth_normal.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
-#include "exercises/06_redefinition/3_smooth_normal.hpp"
 #include "exercises/checking.hpp"
 
 #include <cmath>
@@ -23,7 +23,9 @@ std::pair<int, std::array<double, 3>> hit(const Still& ball, const Vec3& directi
     for (int face = 0; face < static_cast<int>(ball.mesh.faces.size()); ++face) {
         Mat3 corners;
         for (int i = 0; i < 3; ++i)
-            corners.col(i) = ball.mesh.vertices[ball.mesh.faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)]];
+            corners.col(i) =
+                ball.mesh
+                    .vertices[ball.mesh.faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)]];
         const Vec3 w = corners.inverse() * direction;
         if (w.minCoeff() >= -1e-12)
             return {face, {w.x() / w.sum(), w.y() / w.sum(), w.z() / w.sum()}};
@@ -38,7 +40,8 @@ TEST_CASE("vertex: at a cube's corner it looks along the diagonal, however the s
     const Still cube{box({2, 2, 2})};
     for (int vertex = 0; vertex < 8; ++vertex) {
         given("corner ", vertex, " of a cube whose sides are two triangles each");
-        expect("normal", vertex_normal(cube.surface(), vertex), Vec3(cube.mesh.vertices[vertex].normalized()), 1e-12);
+        expect("normal", vertex_normal(cube.surface(), vertex), Vec3(cube.mesh.vertices[vertex].normalized()),
+               1e-12);
     }
 }
 
@@ -71,7 +74,9 @@ TEST_CASE("smooth: on an edge both of its faces say the same")
         const auto on = [&](int face) {
             std::array<double, 3> weights{};
             for (std::size_t i = 0; i < 3; ++i)
-                weights[i] = ball.topology.faces()[face][i] == v0 ? 0.3 : ball.topology.faces()[face][i] == v1 ? 0.7 : 0;
+                weights[i] = ball.topology.faces()[face][i] == v0   ? 0.3
+                             : ball.topology.faces()[face][i] == v1 ? 0.7
+                                                                    : 0;
             return smooth_normal(ball.surface(), face, weights);
         };
         given("a point on edge ", edge, " of a sphere, asked of both faces");
@@ -85,17 +90,22 @@ TEST_CASE("smooth: at a vertex it is the vertex', in the middle of a face the me
     const Still cube{box({2, 2, 2})};
     const Face& face = cube.mesh.faces[0];
     given("face 0 of a cube");
-    expect("at its first corner", smooth_normal(cube.surface(), 0, {1, 0, 0}), vertex_normal(cube.surface(), face[0]), 1e-12);
+    expect("at its first corner", smooth_normal(cube.surface(), 0, {1, 0, 0}),
+           vertex_normal(cube.surface(), face[0]), 1e-12);
     Vec3 mean = Vec3::Zero();
     for (const int corner : face)
         mean += cube.mesh.vertices[corner].normalized();
-    expect("in its middle", smooth_normal(cube.surface(), 0, {1 / 3.0, 1 / 3.0, 1 / 3.0}), Vec3(mean.normalized()), 1e-12);
+    expect("in its middle", smooth_normal(cube.surface(), 0, {1 / 3.0, 1 / 3.0, 1 / 3.0}),
+           Vec3(mean.normalized()), 1e-12);
 }
 
 TEST_CASE("leap: it is the largest angle between neighbours, small ones and wide ones")
 {
-    const auto at = [](double degrees) { return Vec3(std::cos(degrees * degree), std::sin(degrees * degree), 0); };
-    const std::vector<Vec3> path = {at(0), at(10), at(-25), at(-20)}, tiny = {at(0), at(1e-6)}, wide = {at(0), at(170)};
+    const auto at = [](double degrees) {
+        return Vec3(std::cos(degrees * degree), std::sin(degrees * degree), 0);
+    };
+    const std::vector<Vec3> path = {at(0), at(10), at(-25), at(-20)}, tiny = {at(0), at(1e-6)},
+                            wide = {at(0), at(170)};
     given("directions at 0, 10, -25 and -20 degrees");
     expect("largest leap", largest_leap(path) / degree, 35.0, 1e-9, "degrees");
     given("two directions a millionth of a degree apart");
@@ -124,10 +134,11 @@ TEST_CASE("path: along a sphere the faces' normals leap and the smooth one does 
         smooth.push_back(smooth_normal(ball.surface(), face, weights));
     }
     given("400 steps of a quarter degree along a sphere of 320 faces");
-    expect_that("the smooth normal never leaps by more than half a degree", largest_leap(smooth) < 0.5 * degree);
+    expect_that("the smooth normal never leaps by more than half a degree",
+                largest_leap(smooth) < 0.5 * degree);
     expect_that("the faces' normals leap by more than 5 degrees", largest_leap(of_faces) > 5 * degree);
-    say("along a sphere's side: largest leap of the faces' normals ", largest_leap(of_faces) / degree, " degrees, of the smooth one ",
-        largest_leap(smooth) / degree, " degrees");
+    say("along a sphere's side: largest leap of the faces' normals ", largest_leap(of_faces) / degree,
+        " degrees, of the smooth one ", largest_leap(smooth) / degree, " degrees");
 }
 
 }  // namespace enduring

@@ -7,12 +7,13 @@
 
 namespace enduring {
 
-/// The normal of a vertex: the mean of its faces' unit normals, each with the angle that the face has at the vertex.
+/// The normal of a vertex: the mean of its faces' unit normals, each with
+/// the angle that the face has at the vertex.
 /// @return  unit length
 Vec3 vertex_normal(const SurfaceMoment& surface, int vertex);
 
-/// A normal that changes smoothly over a face and goes over into its neighbours without a leap: the vertices' normals, mixed by the
-/// barycentric weights of the point.
+/// A normal that changes smoothly over a face and goes over into its neighbours without a leap: the vertices'
+/// normals, mixed by the barycentric weights of the point.
 /// @param weights  of the point on the face, summing to 1
 /// @return         unit length
 Vec3 smooth_normal(const SurfaceMoment& surface, int face, const std::array<double, 3>& weights);

@@ -20,7 +20,8 @@ int changes(double cells_x, double cells_z)
 
 TEST_CASE("prediction: a number is written down")
 {
-    expect_that("the prediction is not negative", predicted_changes() >= 0 && std::isfinite(predicted_changes()));
+    expect_that("the prediction is not negative",
+                predicted_changes() >= 0 && std::isfinite(predicted_changes()));
 }
 
 TEST_CASE("measurement: along x the face changes twice in every cell")
@@ -50,7 +51,8 @@ TEST_CASE("law: measured and law agree, but for borders that are crossed in one 
         given(x, " cells along x and ", z, " along z");
         const int measured = changes(x, z);
         const double law = law_of_changes(x, z);
-        expect_that("your law says " + readable(law) + ", your measurement " + readable(measured) + ", and they differ by 2 at most",
+        expect_that("your law says " + readable(law) + ", your measurement " + readable(measured) +
+                        ", and they differ by 2 at most",
                     std::abs(measured - law) <= 2);
         say(x, " cells along x and ", z, " along z: ", measured, " changes, the law says ", law);
     }

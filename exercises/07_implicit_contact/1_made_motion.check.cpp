@@ -28,18 +28,21 @@ TEST_CASE("step: above the ground it falls as symplectic Euler says")
 TEST_CASE("step: inside throughout, the answer is that of the linear equation")
 {
     given("height -0.1 m, velocity -30 m/s, k 10 000 N/m, m 1 kg, dt 0.01 s, end velocity, CPF");
-    expect("velocity", step({-0.1, -30}, ground(10000)).velocity, (-30 - 0.0981 + 0.1 / 0.01) / 1.5, 1e-9, "m/s");
+    expect("velocity", step({-0.1, -30}, ground(10000)).velocity, (-30 - 0.0981 + 0.1 / 0.01) / 1.5, 1e-9,
+           "m/s");
 }
 
 TEST_CASE("step: the impulse is that of the way which the step takes")
 {
     for (const double stiffness : {1e3, 1e5, 1e7})
         for (const PositionUpdate update : {PositionUpdate::end_velocity, PositionUpdate::mean_velocity}) {
-            given("height 0.005 m, velocity -1 m/s, k ", stiffness, " N/m, m 1 kg, ", update == PositionUpdate::end_velocity ? "end" : "mean", " velocity");
+            given("height 0.005 m, velocity -1 m/s, k ", stiffness, " N/m, m 1 kg, ",
+                  update == PositionUpdate::end_velocity ? "end" : "mean", " velocity");
             const ImplicitParticle problem = ground(stiffness, update);
             const ParticleState next = step({0.005, -1}, problem);
             const double impulse = next.velocity + 1 + 9.81 * problem.dt;
-            expect("impulse", impulse, continuous_plane_impulse(0.005, next.height, stiffness, problem.dt), 1e-8, "N s");
+            expect("impulse", impulse, continuous_plane_impulse(0.005, next.height, stiffness, problem.dt),
+                   1e-8, "N s");
         }
 }
 

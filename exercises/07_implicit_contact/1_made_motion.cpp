@@ -10,9 +10,11 @@ namespace {
 
 /// The velocity w of the way that charges what makes it: inertia (w - free_way) = I(w).
 ///
-/// I falls with w and is convex, so the difference of both sides rises and is concave. Newton's method then climbs from the
-/// free way, where the ground has not pushed yet, towards the answer and never passes it: no guess, no damping, no failure.
-double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem, int& newton_steps)
+/// I falls with w and is convex, so the difference of both sides rises and is concave. Newton's method then
+/// climbs from the free way, where the ground has not pushed yet, towards the answer and never passes it: no
+/// guess, no damping, no failure.
+double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem,
+                int& newton_steps)
 {
     not_implemented_yet("7.1");
 }

@@ -65,11 +65,15 @@ std::string report()
 
 TEST_CASE("forges")
 {
-    std::ofstream(report()) << "<doctest><TestSuite><TestCase name=\"forges\"/></TestSuite></doctest>" << std::flush;
+    std::ofstream(report()) << "<doctest><TestSuite><TestCase name=\"forges\"/></TestSuite></doctest>"
+                            << std::flush;
     _exit(0);
 }
 
-TEST_CASE("forges and goes on") { std::ofstream(report()) << "<doctest><TestSuite><TestCase name=\"forges\"/></TestSuite></doctest><!--"; }
+TEST_CASE("forges and goes on")
+{
+    std::ofstream(report()) << "<doctest><TestSuite><TestCase name=\"forges\"/></TestSuite></doctest><!--";
+}
 
 TEST_CASE("chosen text")
 {

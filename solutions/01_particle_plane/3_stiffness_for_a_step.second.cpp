@@ -1,6 +1,7 @@
 #include "exercises/01_particle_plane/3_stiffness_for_a_step.hpp"
 
-// A second way: no formula for the limit. The largest stiffness is searched, by the spectral radius of the chapter's matrix.
+// A second way: no formula for the limit. The largest stiffness is searched,
+// by the spectral radius of the chapter's matrix.
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
 

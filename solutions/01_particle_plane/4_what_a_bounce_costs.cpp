@@ -7,10 +7,7 @@
 
 namespace enduring {
 
-double predicted_factor()
-{
-    return 4;
-}
+double predicted_factor() { return 4; }
 
 double lost_by_a_bounce(const ParticleProblem& problem, double height)
 {

@@ -8,7 +8,8 @@ static double distance_to_segment(const Vec3& point, const Vec3& a, const Vec3& 
 {
     const Vec3 along = b - a;
     const double squared_length = along.squaredNorm();
-    const double place = squared_length > 0 ? std::clamp((point - a).dot(along) / squared_length, 0.0, 1.0) : 0.0;
+    const double place = squared_length > 0 ? std::clamp((point - a).dot(along) / squared_length, 0.0, 1.0)
+                                            : 0.0;
     return (point - a - place * along).norm();
 }
 
@@ -19,12 +20,14 @@ double distance_to_triangle(const Vec3& point, const Vec3& f0, const Vec3& f1, c
     const double w1 = offset.cross(side_2).dot(normal), w2 = side_1.cross(offset).dot(normal);
     if (squared_length > 0 && w1 >= 0 && w2 >= 0 && w1 + w2 <= squared_length)
         return std::abs(offset.dot(normal)) / std::sqrt(squared_length);
-    return std::min({distance_to_segment(point, f0, f1), distance_to_segment(point, f1, f2), distance_to_segment(point, f2, f0)});
+    return std::min({distance_to_segment(point, f0, f1), distance_to_segment(point, f1, f2),
+                     distance_to_segment(point, f2, f0)});
 }
 
 double fastest_approach(const VertexFaceStep& step)
 {
-    const double corner = std::max({(step.f0_t1 - step.f0_t0).norm(), (step.f1_t1 - step.f1_t0).norm(), (step.f2_t1 - step.f2_t0).norm()});
+    const double corner = std::max({(step.f0_t1 - step.f0_t0).norm(), (step.f1_t1 - step.f1_t0).norm(),
+                                    (step.f2_t1 - step.f2_t0).norm()});
     return (step.v_t1 - step.v_t0).norm() + corner;
 }
 
@@ -33,8 +36,9 @@ std::optional<double> conservative_time(const VertexFaceStep& step, double gap, 
     const double fastest = fastest_approach(step);
     double tau = 0;
     while (tau < 1) {
-        const double distance = distance_to_triangle(at_time(step.v_t0, step.v_t1, tau), at_time(step.f0_t0, step.f0_t1, tau),
-                                                     at_time(step.f1_t0, step.f1_t1, tau), at_time(step.f2_t0, step.f2_t1, tau));
+        const double distance = distance_to_triangle(
+            at_time(step.v_t0, step.v_t1, tau), at_time(step.f0_t0, step.f0_t1, tau),
+            at_time(step.f1_t0, step.f1_t1, tau), at_time(step.f2_t0, step.f2_t1, tau));
         if (distance <= gap + close)
             return tau;
         if (fastest == 0)

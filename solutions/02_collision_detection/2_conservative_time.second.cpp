@@ -1,5 +1,6 @@
-// A second way to the distance: minimise over the two barycentric weights by projecting the point onto the triangle's plane, clipping along its sides one
-// after the other (Ericson's regions), and a bound without the corner that stands still.
+// A second way to the distance: minimise over the two barycentric weights by projecting the
+// point onto the triangle's plane, clipping along its sides one after the other (Ericson's
+// regions), and a bound without the corner that stands still.
 #include "exercises/02_collision_detection/2_conservative_time.hpp"
 
 #include <algorithm>
@@ -9,7 +10,8 @@ namespace enduring {
 static Vec3 closest_point(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const Vec3 ab = b - a, ac = c - a;
-    const double d1 = ab.dot(p - a), d2 = ac.dot(p - a), d3 = ab.dot(p - b), d4 = ac.dot(p - b), d5 = ab.dot(p - c), d6 = ac.dot(p - c);
+    const double d1 = ab.dot(p - a), d2 = ac.dot(p - a), d3 = ab.dot(p - b), d4 = ac.dot(p - b),
+                 d5 = ab.dot(p - c), d6 = ac.dot(p - c);
     if (d1 <= 0 && d2 <= 0)
         return a;
     if (d3 >= 0 && d4 <= d3)
@@ -26,13 +28,17 @@ static Vec3 closest_point(const Vec3& p, const Vec3& a, const Vec3& b, const Vec
     return a + vb / (va + vb + vc) * ab + vc / (va + vb + vc) * ac;
 }
 
-double distance_to_triangle(const Vec3& point, const Vec3& f0, const Vec3& f1, const Vec3& f2) { return (point - closest_point(point, f0, f1, f2)).norm(); }
+double distance_to_triangle(const Vec3& point, const Vec3& f0, const Vec3& f1, const Vec3& f2)
+{
+    return (point - closest_point(point, f0, f1, f2)).norm();
+}
 
 double fastest_approach(const VertexFaceStep& step)
 {
     double fastest = 0;
     const Vec3 way = step.v_t1 - step.v_t0;
-    for (const Vec3& corner : {Vec3(step.f0_t1 - step.f0_t0), Vec3(step.f1_t1 - step.f1_t0), Vec3(step.f2_t1 - step.f2_t0)})
+    for (const Vec3& corner :
+         {Vec3(step.f0_t1 - step.f0_t0), Vec3(step.f1_t1 - step.f1_t0), Vec3(step.f2_t1 - step.f2_t0)})
         fastest = std::max(fastest, corner.norm() + way.norm());
     return fastest;
 }
@@ -40,7 +46,8 @@ double fastest_approach(const VertexFaceStep& step)
 std::optional<double> conservative_time(const VertexFaceStep& step, double gap, double close)
 {
     const auto distance_at = [&](double tau) {
-        return distance_to_triangle(at_time(step.v_t0, step.v_t1, tau), at_time(step.f0_t0, step.f0_t1, tau), at_time(step.f1_t0, step.f1_t1, tau),
+        return distance_to_triangle(at_time(step.v_t0, step.v_t1, tau), at_time(step.f0_t0, step.f0_t1, tau),
+                                    at_time(step.f1_t0, step.f1_t1, tau),
                                     at_time(step.f2_t0, step.f2_t1, tau));
     };
     for (double tau = 0; tau < 1;) {

@@ -4,10 +4,7 @@
 
 namespace enduring {
 
-double predicted_factor()
-{
-    return 4;
-}
+double predicted_factor() { return 4; }
 
 long pairs_left(const GlidingPlate& scene)
 {
@@ -37,7 +34,8 @@ double law_of_pairs(int cells, double glide)
         Footprint rest;
     };
     const double n = cells, cell = 1 / n;
-    const std::array<Kind, 3> edges{{{n * (n + 1), {cell, 0}}, {n * (n + 1), {0, cell}}, {n * n, {cell, cell}}}};
+    const std::array<Kind, 3> edges{
+        {{n * (n + 1), {cell, 0}}, {n * (n + 1), {0, cell}}, {n * n, {cell, cell}}}};
     const auto swept = [glide](const Footprint& rest) { return Footprint{rest.x + glide, rest.z}; };
 
     double pairs = (n + 1) * (n + 1) * 2 * mean_overlaps(swept({0, 0}), {cell, cell}, cell);

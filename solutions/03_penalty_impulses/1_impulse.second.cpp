@@ -1,4 +1,5 @@
-// By quadrature: three points of Gauss are exact for degree 5, and need neither the twelve numbers nor `restricted`.
+// By quadrature: three points of Gauss are exact for degree 5, and need
+// neither the twelve numbers nor `restricted`.
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 #include "chapters/03_penalty_impulses/penetration_interval.hpp"
 
@@ -13,7 +14,8 @@ Vec3 by_gauss(const Bernstein<double, 3>& depth, const Bernstein<Vec3, 2>& norma
 {
     const double middle = 0.5 * (part.from + part.to), half = 0.5 * part.length();
     Vec3 sum = Vec3::Zero();
-    for (const auto& [place, weight] : {std::pair(-std::sqrt(0.6), 5.0 / 9), std::pair(0.0, 8.0 / 9), std::pair(std::sqrt(0.6), 5.0 / 9)}) {
+    for (const auto& [place, weight] :
+         {std::pair(-std::sqrt(0.6), 5.0 / 9), std::pair(0.0, 8.0 / 9), std::pair(std::sqrt(0.6), 5.0 / 9)}) {
         const double tau = middle + half * place;
         sum += weight * half * depth(tau) * normal(tau);
     }

@@ -12,7 +12,8 @@ namespace enduring {
 struct GaussPoint {
     double place, weight;
 };
-const std::array<GaussPoint, 3> gauss_points{{{0.5 - std::sqrt(0.15), 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + std::sqrt(0.15), 5.0 / 18}}};
+const std::array<GaussPoint, 3> gauss_points{
+    {{0.5 - std::sqrt(0.15), 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + std::sqrt(0.15), 5.0 / 18}}};
 
 Vec3 impulse_by_length_of_visit(const PairStep& step, double start, double k, double dt)
 {

@@ -11,7 +11,8 @@ using Mat4 = Eigen::Matrix4d;
 
 std::vector<double> spread_weights(const Patch& patch, const Vec3& p)
 {
-    // weight = mass (a + b . r) with r = x - p; sum of weights 1 and sum of weights times r 0 are four equations for a, b.
+    // weight = mass (a + b . r) with r = x - p; sum of weights 1 and sum of
+    // weights times r 0 are four equations for a, b.
     Mat4 equations = Mat4::Zero();
     std::vector<Vec4> rows;
     for (std::size_t i = 0; i < patch.positions.size(); ++i) {

@@ -1,5 +1,6 @@
-// By least squares: of all weights that satisfy the four conditions, the affine ones make the sum of w^2/m least. With
-// u = w / sqrt(m) that is the shortest solution of four equations for as many unknowns as there are nodes.
+// By least squares: of all weights that satisfy the four conditions, the affine ones
+// make the sum of w^2/m least. With u = w / sqrt(m) that is the shortest solution of
+// four equations for as many unknowns as there are nodes.
 #include "exercises/03_penalty_impulses/3_shared_push.hpp"
 
 #include <Eigen/Dense>
@@ -19,7 +20,8 @@ std::vector<double> spread_weights(const Patch& patch, const Vec3& p)
         conditions(0, i) = roots[i];
         conditions.col(i).tail<3>() = roots[i] * (patch.positions[at] - p);
     }
-    const Eigen::VectorXd shortest = conditions.completeOrthogonalDecomposition().solve(Eigen::Vector4d::UnitX());
+    const Eigen::VectorXd shortest =
+        conditions.completeOrthogonalDecomposition().solve(Eigen::Vector4d::UnitX());
     const Eigen::VectorXd weights = roots.cwiseProduct(shortest);
     return {weights.data(), weights.data() + count};
 }

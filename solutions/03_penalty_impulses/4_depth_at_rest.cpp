@@ -9,10 +9,7 @@
 
 namespace enduring {
 
-double predicted_factor()
-{
-    return 4;
-}
+double predicted_factor() { return 4; }
 
 double depth_at_rest(const RestingCube& cube)
 {

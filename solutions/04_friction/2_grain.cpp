@@ -18,7 +18,8 @@ Vec2 sliding_impulse(const Grain& grain, const Vec2& velocity, double normal_imp
         return Vec2::Zero();
     // On the ellipse, where its outward normal is against the velocity.
     const Vec2 share = scaled / length;
-    return -normal_impulse * (grain.mu_along * share.x() * grain.direction + grain.mu_across * share.y() * across);
+    return -normal_impulse *
+           (grain.mu_along * share.x() * grain.direction + grain.mu_across * share.y() * across);
 }
 
 Vec2 stopping_place(const Grain& grain, Vec2 velocity, double gravity, double dt)

@@ -1,4 +1,5 @@
-// A second way: no formula for the point of the ellipse. Of many directions, the one that takes the most energy is searched.
+// A second way: no formula for the point of the ellipse. Of many directions,
+// the one that takes the most energy is searched.
 #include "exercises/04_friction/2_grain.hpp"
 
 #include <cmath>
@@ -34,7 +35,8 @@ Vec2 sliding_impulse(const Grain& grain, const Vec2& velocity, double normal_imp
     }
     while (high - low > 1e-9) {
         const double left = low + (high - low) / 3, right = high - (high - low) / 3;
-        const bool left_is_better = on_the_ellipse(grain, left).dot(velocity) < on_the_ellipse(grain, right).dot(velocity);
+        const bool left_is_better = on_the_ellipse(grain, left).dot(velocity) <
+                                    on_the_ellipse(grain, right).dot(velocity);
         (left_is_better ? high : low) = left_is_better ? right : left;
     }
     return normal_impulse * on_the_ellipse(grain, 0.5 * (low + high));

@@ -7,7 +7,9 @@ namespace enduring {
 
 BristleStep bend_bristles(const Bristles& bristles, double bend, double velocity, double dt)
 {
-    const auto slope = [&](double z) { return velocity - bristles.stiffness * std::abs(velocity) / bristles.limit * z; };
+    const auto slope = [&](double z) {
+        return velocity - bristles.stiffness * std::abs(velocity) / bristles.limit * z;
+    };
     const double rate = bristles.stiffness * std::abs(velocity) / bristles.limit;
     const int pieces = 1 + static_cast<int>(500 * std::fmin(rate * dt, 50));
     const double h = dt / pieces;

@@ -6,10 +6,7 @@
 
 namespace enduring {
 
-double predicted_ratio()
-{
-    return 2;
-}
+double predicted_ratio() { return 2; }
 
 bool holds_the_block(double ratio, double damping)
 {

@@ -1,5 +1,5 @@
-// A second way: no list of candidates. The axis walks towards the direction that is farthest from it, in ever smaller steps
-// (Badoiu and Clarkson's idea for balls).
+// A second way: no list of candidates. The axis walks towards the direction that is farthest from it, in ever
+// smaller steps (Badoiu and Clarkson's idea for balls).
 #include "exercises/05_categorisation/2_cone.hpp"
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace enduring {
 
 static const Vec3& farthest(const Vec3& axis, std::span<const Vec3> normals)
 {
-    return *std::min_element(normals.begin(), normals.end(), [&](const Vec3& a, const Vec3& b) { return a.dot(axis) < b.dot(axis); });
+    return *std::min_element(normals.begin(), normals.end(),
+                             [&](const Vec3& a, const Vec3& b) { return a.dot(axis) < b.dot(axis); });
 }
 
 Cone smallest_cone(std::span<const Vec3> normals)
@@ -24,7 +25,8 @@ Cone smallest_cone(std::span<const Vec3> normals)
 bool cone_says_regular(std::span<const Vec3> normals, const Vec3& contact_normal)
 {
     const Cone cone = smallest_cone(normals);
-    return std::atan2(cone.axis.cross(contact_normal).norm(), -cone.axis.dot(contact_normal)) <= cone.half_angle + std::numbers::pi / 4;
+    return std::atan2(cone.axis.cross(contact_normal).norm(), -cone.axis.dot(contact_normal)) <=
+           cone.half_angle + std::numbers::pi / 4;
 }
 
 }  // namespace enduring

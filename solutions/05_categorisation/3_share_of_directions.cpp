@@ -5,10 +5,7 @@
 
 namespace enduring::chapter05 {
 
-double predicted_share()
-{
-    return 0.125;
-}
+double predicted_share() { return 0.125; }
 
 std::vector<Vec3> even_directions(int count)
 {

@@ -2,8 +2,8 @@
 
 namespace enduring {
 
-/// What one hooked vertex borrows. The search goes out in rings: all neighbours, then all theirs, and stops at the first ring with a
-/// regular vertex in it.
+/// What one hooked vertex borrows. The search goes out in rings: all neighbours, then all theirs, and stops
+/// at the first ring with a regular vertex in it.
 /// @param place  of a vertex in `buried`, -1 for one that is not buried
 /// @param start  the hooked vertex, its place in `buried`
 static std::optional<Vec3> borrowed_by(const SurfaceTopology& surface, std::span<const BuriedVertex> buried,
@@ -33,15 +33,17 @@ static std::optional<Vec3> borrowed_by(const SurfaceTopology& surface, std::span
     return std::nullopt;
 }
 
-std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface, std::span<const BuriedVertex> buried)
+std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface,
+                                                  std::span<const BuriedVertex> buried)
 {
     std::vector<int> place(static_cast<std::size_t>(surface.vertex_count()), -1);
     for (std::size_t i = 0; i < buried.size(); ++i)
         place[buried[i].vertex] = static_cast<int>(i);
     std::vector<std::optional<Vec3>> normals;
     for (std::size_t i = 0; i < buried.size(); ++i)
-        normals.push_back(buried[i].category == ContactCategory::regular ? std::optional<Vec3>(buried[i].normal)
-                                                                         : borrowed_by(surface, buried, place, static_cast<int>(i)));
+        normals.push_back(buried[i].category == ContactCategory::regular
+                              ? std::optional<Vec3>(buried[i].normal)
+                              : borrowed_by(surface, buried, place, static_cast<int>(i)));
     return normals;
 }
 

@@ -1,11 +1,13 @@
-// A second way: no search from each vertex. Distances to every regular vertex are relaxed over the edges until nothing changes.
+// A second way: no search from each vertex. Distances to every regular vertex
+// are relaxed over the edges until nothing changes.
 #include "exercises/05_categorisation/4_borrowed_normals.hpp"
 
 #include <algorithm>
 
 namespace enduring {
 
-std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface, std::span<const BuriedVertex> buried)
+std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface,
+                                                  std::span<const BuriedVertex> buried)
 {
     const auto n = static_cast<Eigen::Index>(buried.size());
     std::vector<int> place(static_cast<std::size_t>(surface.vertex_count()), -1);
@@ -39,7 +41,8 @@ std::vector<std::optional<Vec3>> borrowed_normals(const SurfaceTopology& surface
         for (Eigen::Index j = 0; j < n; ++j)
             if (buried[j].category == ContactCategory::regular && distance(i, j) == nearest)
                 sum += buried[j].normal;
-        normals.push_back(nearest < far && sum.norm() > 1e-9 ? std::optional<Vec3>(sum.normalized()) : std::nullopt);
+        normals.push_back(nearest < far && sum.norm() > 1e-9 ? std::optional<Vec3>(sum.normalized())
+                                                             : std::nullopt);
     }
     return normals;
 }

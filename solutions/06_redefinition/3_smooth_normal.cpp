@@ -12,7 +12,8 @@ Vec3 vertex_normal(const SurfaceMoment& surface, int vertex)
         const Face& corners = surface.step.face(face);
         const std::size_t at = corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2;
         const Vec3 here = surface.position(vertex);
-        const Vec3 to_next = surface.position(corners[(at + 1) % 3]) - here, to_last = surface.position(corners[(at + 2) % 3]) - here;
+        const Vec3 to_next = surface.position(corners[(at + 1) % 3]) - here,
+                   to_last = surface.position(corners[(at + 2) % 3]) - here;
         const double angle = std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
         sum += angle * surface.face_normal(face).normalized();
     }
@@ -32,7 +33,8 @@ double largest_leap(std::span<const Vec3> normals)
 {
     double largest = 0;
     for (std::size_t i = 1; i < normals.size(); ++i)
-        largest = std::max(largest, std::atan2(normals[i].cross(normals[i - 1]).norm(), normals[i].dot(normals[i - 1])));
+        largest = std::max(
+            largest, std::atan2(normals[i].cross(normals[i - 1]).norm(), normals[i].dot(normals[i - 1])));
     return largest;
 }
 

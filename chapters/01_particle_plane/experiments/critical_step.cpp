@@ -22,7 +22,8 @@ Table beyond_limit()
 {
     Table table({"times_limit", "dpf_m", "cpf_m"});
     for (const double times : {0.99, 1.01, 1.1, 1.25, 1.5, 2.0})
-        table.add({times, highest_at_the_end(PenaltyMethod::discrete, times), highest_at_the_end(PenaltyMethod::continuous, times)});
+        table.add({times, highest_at_the_end(PenaltyMethod::discrete, times),
+                   highest_at_the_end(PenaltyMethod::continuous, times)});
     return table;
 }
 

@@ -39,9 +39,10 @@ double time_to_rest(const ParticleProblem& problem, double drop_height, double t
     return last_away * problem.dt;
 }
 
-/// One row a step of the first visit to the ground: where the particle was in the middle of it, and its mean force.
-/// Symplectic Euler's height runs half a step ahead of its velocity. Over the height taken back by half a step the area
-/// inside the loop is the energy that the visit costs, exactly: its change in a step is dt (v + v_next) / 2.
+/// One row a step of the first visit to the ground: where the particle was in the middle of it,
+/// and its mean force. Symplectic Euler's height runs half a step ahead of its velocity. Over
+/// the height taken back by half a step the area inside the loop is the energy that the visit
+/// costs, exactly: its change in a step is dt (v + v_next) / 2.
 void add_first_contact(Table& table, const ParticleProblem& problem, double drop_height)
 {
     ParticleState state{drop_height, 0};
@@ -49,7 +50,8 @@ void add_first_contact(Table& table, const ParticleProblem& problem, double drop
         const ParticleState next = step(state, problem);
         const double force = problem.mass * ((next.velocity - state.velocity) / problem.dt + problem.gravity);
         touched = touched || next.height < 0;
-        const double middle = 0.5 * (state.height + next.height) - 0.25 * problem.dt * (state.velocity + next.velocity);
+        const double middle = 0.5 * (state.height + next.height) -
+                              0.25 * problem.dt * (state.velocity + next.velocity);
         if (touched)
             table.add({short_name(problem.method), middle, force});
         state = next;
@@ -57,8 +59,9 @@ void add_first_contact(Table& table, const ParticleProblem& problem, double drop
 }
 
 //! [measured_decay]
-/// The factor on the amplitude a step, read off the simulation alone: four heights of a swing about rest tell the
-/// trace and the determinant in y2 = trace y1 - determinant y0, and the determinant is the factor squared.
+/// The factor on the amplitude a step, read off the simulation alone: four heights of
+/// a swing about rest tell the trace and the determinant in y2 = trace y1 -
+/// determinant y0, and the determinant is the factor squared.
 double measured_decay(const ParticleProblem& problem, double drop_height)
 {
     const double rest = resting_height(problem);
@@ -73,7 +76,8 @@ double measured_decay(const ParticleProblem& problem, double drop_height)
 }
 //! [measured_decay]
 
-void report_facts(Report& report, const ParticleProblem& problem, const std::vector<double>& tops, double rest)
+void report_facts(Report& report, const ParticleProblem& problem, const std::vector<double>& tops,
+                  double rest)
 {
     const std::string name = problem.method == PenaltyMethod::discrete ? "dpf" : "cpf";
     report.fact("damping", name + "_kept_percent", 100 * tops[1] / tops[0]);

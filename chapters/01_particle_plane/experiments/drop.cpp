@@ -12,8 +12,10 @@ void drop(const RunOptions&, Report& report)
         PenaltyMethod method;
         double dt;
     };
-    const std::vector<Case> cases{{"a", PenaltyMethod::continuous, 0.14}, {"b", PenaltyMethod::continuous, 0.17},
-                                  {"c", PenaltyMethod::discrete, 0.11}, {"d", PenaltyMethod::discrete, 0.13}};
+    const std::vector<Case> cases{{"a", PenaltyMethod::continuous, 0.14},
+                                  {"b", PenaltyMethod::continuous, 0.17},
+                                  {"c", PenaltyMethod::discrete, 0.11},
+                                  {"d", PenaltyMethod::discrete, 0.13}};
     const double duration = 10;  // [s]
 
     Table trajectories({"panel", "method", "dt_s", "time_s", "height_m"});

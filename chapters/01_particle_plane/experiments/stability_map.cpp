@@ -4,8 +4,8 @@
 
 namespace enduring::chapter01 {
 
-/// Steps from far below to above both critical steps: what the spectral radius says, what the simulation does, and
-/// which heights it still visits at the end.
+/// Steps from far below to above both critical steps: what the spectral radius says, what the simulation
+/// does, and which heights it still visits at the end.
 void stability_map(const RunOptions& options, Report& report)
 {
     const double shortest = 0.01, longest = 0.18;  // [s]; the critical steps are 0.115 and 0.141
@@ -20,10 +20,12 @@ void stability_map(const RunOptions& options, Report& report)
             ParticleProblem problem;
             problem.method = method;
             problem.dt = shortest + (longest - shortest) * i / (count - 1);
-            const double radius = spectral_radius(amplification(method, problem.mass, problem.stiffness, problem.dt));
+            const double radius =
+                spectral_radius(amplification(method, problem.mass, problem.stiffness, problem.dt));
             const bool predicted = radius < 1, simulated = settles(problem);
             agree += predicted == simulated;
-            map.add({short_name(method), problem.dt, radius, word(predicted), word(simulated), last_swing(problem)});
+            map.add({short_name(method), problem.dt, radius, word(predicted), word(simulated),
+                     last_swing(problem)});
             const std::vector<double> heights = last_heights(problem);
             for (std::size_t last = heights.size() - 40; last < heights.size(); ++last)
                 visited.add({short_name(method), problem.dt, heights[last]});

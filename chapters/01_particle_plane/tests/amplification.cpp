@@ -1,8 +1,8 @@
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/01_particle_plane/settling.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -14,7 +14,8 @@ const PenaltyMethod both[] = {PenaltyMethod::discrete, PenaltyMethod::continuous
 
 }  // namespace
 
-TEST_CASE("amplification: the matrix is what a simulated step does to a departure from rest, gravity included")
+TEST_CASE(
+    "amplification: the matrix is what a simulated step does to a departure from rest, gravity included")
 {
     for (const PenaltyMethod method : both)
         for (const double dt : {0.01, 0.05, 0.11}) {
@@ -26,7 +27,8 @@ TEST_CASE("amplification: the matrix is what a simulated step does to a departur
             problem.dt = dt;
             const double rest = resting_height(problem);
             const Eigen::Matrix2d a = amplification(method, problem.mass, problem.stiffness, dt);
-            for (const Eigen::Vector2d& off : {Eigen::Vector2d(1e-4, 0), Eigen::Vector2d(0, 1e-3), Eigen::Vector2d(-2e-4, 5e-4)}) {
+            for (const Eigen::Vector2d& off :
+                 {Eigen::Vector2d(1e-4, 0), Eigen::Vector2d(0, 1e-3), Eigen::Vector2d(-2e-4, 5e-4)}) {
                 const ParticleState after = step({rest + off.x(), off.y()}, problem);
                 const Eigen::Vector2d expected = a * off;
                 CHECK(std::abs(after.height - rest - expected.x()) <= 1e-14);
@@ -58,7 +60,8 @@ TEST_CASE("amplification: the radius is below 1 up to the critical step, 1 at it
 
 TEST_CASE("amplification: a swing decays as an oscillator with a damper k dt (DPF) or k dt / 2 (CPF)")
 {
-    // To leading order in h = k dt^2 / m: rho = 1 - zeta sqrt(h) with zeta = c / (2 sqrt(k m)), theta = sqrt(h).
+    // To leading order in h = k dt^2 / m: rho = 1 - zeta sqrt(h) with
+    // zeta = c / (2 sqrt(k m)), theta = sqrt(h).
     const double k = 1000, mass = 2, dt = 1e-4, h = k * dt * dt / mass;
     for (const PenaltyMethod method : both) {
         const double damper = (method == PenaltyMethod::discrete ? 1.0 : 0.5) * k * dt;

@@ -14,7 +14,8 @@ using namespace enduring;
 namespace {
 
 /// One step of a particle whose ground answers with `impulse`.
-ParticleState step_with(const std::function<double(double, double)>& impulse, ParticleState s, double m, double g, double dt)
+ParticleState step_with(const std::function<double(double, double)>& impulse, ParticleState s, double m,
+                        double g, double dt)
 {
     const double v = s.velocity - g * dt;
     const double velocity = v + impulse(s.height, s.height + dt * v) / m;
@@ -57,8 +58,10 @@ TEST_CASE("errata: 5.19 as printed pulls the vertex into the ground, 5.20 has th
     const double m = 1, k = 1000, dt = 0.01;
     ParticleState printed{0.1, 0}, corrected{0.1, 0};
     for (int i = 0; i < 200; ++i) {
-        printed = step_with([&](double p0, double p1) { return dt * printed_5_19(p0, p1, k); }, printed, m, 9.81, dt);
-        corrected = step_with([&](double p0, double p1) { return dt * printed_5_20(p0, p1, k); }, corrected, m, 9.81, dt);
+        printed = step_with([&](double p0, double p1) { return dt * printed_5_19(p0, p1, k); }, printed, m,
+                            9.81, dt);
+        corrected = step_with([&](double p0, double p1) { return dt * printed_5_20(p0, p1, k); }, corrected,
+                              m, 9.81, dt);
     }
     CHECK(printed.height < -1e3);
     CHECK(std::abs(corrected.height) < 0.1);
@@ -69,9 +72,12 @@ TEST_CASE("errata: 5.20 needs the factor dt, or the force depends on the step")
     const double k = 1000, depth = -0.01;
     for (const double dt : {0.1, 0.01, 0.001}) {
         CAPTURE(dt);
-        CHECK(continuous_plane_impulse(depth, depth, k, dt) / dt == doctest::Approx(10));       // the spring's force [N]
-        CHECK(printed_5_20(depth, depth, k) / dt == doctest::Approx(10 / dt));                  // 100 to 10000 N
-        CHECK(dt * printed_5_20(0.02, -0.03, k) == doctest::Approx(continuous_plane_impulse(0.02, -0.03, k, dt)));
+        // the spring's force [N]
+        CHECK(continuous_plane_impulse(depth, depth, k, dt) / dt == doctest::Approx(10));
+        // 100 to 10000 N
+        CHECK(printed_5_20(depth, depth, k) / dt == doctest::Approx(10 / dt));
+        CHECK(dt * printed_5_20(0.02, -0.03, k) ==
+              doctest::Approx(continuous_plane_impulse(0.02, -0.03, k, dt)));
     }
 }
 
@@ -83,10 +89,12 @@ TEST_CASE("errata: 7.9 has its factor 1/2 on the wrong term; only 7.11 is stable
     CHECK(spectral_radius(amplification(PenaltyMethod::continuous, m, k, 0.999 * limit)) < 1);
     // As printed it would be stable up to h = 8/5, not 2, and would damp as DPF does.
     CHECK(spectral_radius(printed_7_9(m, k, std::sqrt(1.6 * m / k))) == doctest::Approx(1));
-    CHECK(spectral_radius(printed_7_9(m, k, 0.01)) == doctest::Approx(spectral_radius(amplification(PenaltyMethod::discrete, m, k, 0.01))));
+    CHECK(spectral_radius(printed_7_9(m, k, 0.01)) ==
+          doctest::Approx(spectral_radius(amplification(PenaltyMethod::discrete, m, k, 0.01))));
 }
 
-TEST_CASE("errata: the condition |lambda| < 1 of 7.1.1 is local; a bounce multiplies matrices that can grow together")
+TEST_CASE(
+    "errata: the condition |lambda| < 1 of 7.1.1 is local; a bounce multiplies matrices that can grow together")
 {
     const double m = 1, k = 100, dt = 0.1;
     const Eigen::Matrix2d contact = amplification(PenaltyMethod::continuous, m, k, dt);

@@ -15,6 +15,7 @@ TEST_CASE("ground scene: bar and cube as in their reference picture" * doctest::
     const RunResult result = run(scene, chapter01_solver(scene.contact));
     Stage stage = stage_of(scene.world, scene);
     mark_contacts(stage, scene.world, result.contacts);
-    const ReferenceCheck check = check_reference_picture(Renderer(480, 320).draw(stage), "01_particle_plane/ground.png");
+    const ReferenceCheck check = check_reference_picture(Renderer(480, 320).draw(stage),
+                                                         "01_particle_plane/ground.png");
     CHECK_MESSAGE(check.passed, check.message);
 }

@@ -1,5 +1,5 @@
-#include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
+#include "chapters/01_particle_plane/amplification.hpp"
 
 #include <doctest/doctest.h>
 
@@ -27,7 +27,8 @@ TEST_CASE("particle: the predicted rest is where the simulation ends, for both m
             const ParticleState end = simulate({0.1, 0}, problem, 20000);
             CHECK(std::abs(end.height - resting_height(problem)) <= 1e-9);
             CHECK(std::abs(end.velocity) <= 1e-9);
-            CHECK(std::abs(end.height + problem.mass * problem.gravity / problem.stiffness) > 1e-5);  // not -mg/k
+            // not -mg/k
+            CHECK(std::abs(end.height + problem.mass * problem.gravity / problem.stiffness) > 1e-5);
         }
 }
 
@@ -51,7 +52,8 @@ TEST_CASE("particle: DPF can rest above the plane, CPF reaches it at its critica
     const double m = 1, k = 100;
     const double between = std::sqrt(1.2 * m / k);  // h = 1.2: stable for DPF
     CHECK(resting_height({m, k, 9.81, PenaltyMethod::discrete, between}) > 0.01);
-    CHECK(std::abs(resting_height({m, k, 9.81, PenaltyMethod::continuous, critical_step(PenaltyMethod::continuous, m, k)})) <= 1e-15);
+    CHECK(std::abs(resting_height({m, k, 9.81, PenaltyMethod::continuous,
+                                   critical_step(PenaltyMethod::continuous, m, k)})) <= 1e-15);
 }
 
 TEST_CASE("particle: the top of a flight is the same from every state on it")

@@ -1,6 +1,6 @@
+#include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
-#include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/01_particle_plane/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/point_masses.hpp"
@@ -17,8 +17,10 @@ namespace {
 const PenaltyMethod both[] = {PenaltyMethod::discrete, PenaltyMethod::continuous};
 const double side = 0.2, k = 300;
 
-/// A cube of 1 kg whose lowest face hangs 0.1 m above a plane, all of it turned by `turn`: plane, gravity and cube.
-World cube_above_plane(const Quaternion& turn = Quaternion::Identity(), const Quaternion& tilt = Quaternion::Identity())
+/// A cube of 1 kg whose lowest face hangs 0.1 m above a plane, all of it
+/// turned by `turn`: plane, gravity and cube.
+World cube_above_plane(const Quaternion& turn = Quaternion::Identity(),
+                       const Quaternion& tilt = Quaternion::Identity())
 {
     SurfaceMesh mesh = box(Vec3::Constant(side));
     for (Vec3& vertex : mesh.vertices)
@@ -30,7 +32,10 @@ World cube_above_plane(const Quaternion& turn = Quaternion::Identity(), const Qu
     return world;
 }
 
-Vec3 centre(const World& world) { return static_cast<const RigidBody&>(*world.bodies[0]).motion().pose().position; }
+Vec3 centre(const World& world)
+{
+    return static_cast<const RigidBody&>(*world.bodies[0]).motion().pose().position;
+}
 
 Solver solver_of(PenaltyMethod method) { return chapter01_solver({method, k}); }
 
@@ -48,7 +53,8 @@ TEST_CASE("plane contact: a rigid cube that falls flat is a particle on a spring
         for (int i = 0; i < 400; ++i) {
             advance(world, contacts, solver_of(method), dt);
             particle = step(particle, {1, 4 * k, 9.81, method, dt});
-            largest_difference = std::max(largest_difference, std::abs(centre(world).y() - side / 2 - particle.height));
+            largest_difference = std::max(largest_difference,
+                                          std::abs(centre(world).y() - side / 2 - particle.height));
         }
         CHECK(largest_difference <= 1e-9);
         CHECK(contacts.size() == 4);
@@ -72,7 +78,8 @@ TEST_CASE("plane contact: a plane with a stiffness of its own takes that, whatev
     }
 }
 
-TEST_CASE("plane contact: at rest the four impulses carry the weight, at the depth that the particle predicts")
+TEST_CASE(
+    "plane contact: at rest the four impulses carry the weight, at the depth that the particle predicts")
 {
     for (const PenaltyMethod method : both) {
         CAPTURE(short_name(method));
@@ -85,22 +92,27 @@ TEST_CASE("plane contact: at rest the four impulses carry the weight, at the dep
         for (const Contact& contact : contacts)
             sum += contact.impulse;
         CHECK((sum / dt - Vec3(0, 9.81, 0)).norm() <= 1e-8);
-        CHECK(centre(world).y() - side / 2 == doctest::Approx(resting_height({1, 4 * k, 9.81, method, dt})).epsilon(1e-8));
+        CHECK(centre(world).y() - side / 2 ==
+              doctest::Approx(resting_height({1, 4 * k, 9.81, method, dt})).epsilon(1e-8));
     }
 }
 
 TEST_CASE("plane contact: a cube's longest step is set by rocking, not by bouncing")
 {
-    // About a horizontal axis through the middle: four springs k at s/2 against the inertia m s^2 / 6, that is 6 k / m.
+    // About a horizontal axis through the middle: four springs k at s/2
+    // against the inertia m s^2 / 6, that is 6 k / m.
     const double rocking_limit = std::sqrt(2.0 / (6 * k)), bouncing_limit = std::sqrt(2.0 / (4 * k));
     const auto last_spin = [](double tilt, double dt) {
-        World world = cube_above_plane(Quaternion::Identity(), Quaternion(Eigen::AngleAxisd(tilt, Vec3::UnitZ())));
+        World world = cube_above_plane(Quaternion::Identity(),
+                                       Quaternion(Eigen::AngleAxisd(tilt, Vec3::UnitZ())));
         Contacts contacts;
         double fastest = 0;
         for (int i = 0; i < 600; ++i) {
             advance(world, contacts, solver_of(PenaltyMethod::continuous), dt);
             if (i >= 500)
-                fastest = std::max(fastest, static_cast<const RigidBody&>(*world.bodies[0]).motion().angular_velocity().norm());
+                fastest = std::max(
+                    fastest,
+                    static_cast<const RigidBody&>(*world.bodies[0]).motion().angular_velocity().norm());
         }
         return fastest;
     };
@@ -131,7 +143,8 @@ TEST_CASE("plane contact: a plane in any direction answers alike")
 
 TEST_CASE("plane contact: impulses at a tilted cube's corners balance its momenta")
 {
-    World world = cube_above_plane(Quaternion::Identity(), Quaternion(Eigen::AngleAxisd(0.5, Vec3(3, 1, 2).normalized())));
+    World world = cube_above_plane(Quaternion::Identity(),
+                                   Quaternion(Eigen::AngleAxisd(0.5, Vec3(3, 1, 2).normalized())));
     world.gravity.setZero();
     Body& cube = *world.bodies[0];
     cube.apply_impulse(0, Vec3(0, -4, 0));  // thrown at the ground, spinning
@@ -193,13 +206,17 @@ World particle_at(const Vec3& place, const Vec3& velocity, const std::vector<Vec
 {
     World world;
     world.gravity.setZero();
-    world.bodies.push_back(std::make_unique<PointMasses>("particle", std::vector<Vec3>{place}, std::vector<Face>{}, 1.0, velocity));
+    world.bodies.push_back(std::make_unique<PointMasses>("particle", std::vector<Vec3>{place},
+                                                         std::vector<Face>{}, 1.0, velocity));
     for (const Vec3& normal : normals)
         world.planes.push_back({"plane", Vec3::Zero(), normal});
     return world;
 }
 
-Contact particle_on_plane(int plane) { return {ContactKind::vertex_plane, 0, plane, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}; }
+Contact particle_on_plane(int plane)
+{
+    return {ContactKind::vertex_plane, 0, plane, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}};
+}
 
 }  // namespace
 
@@ -214,7 +231,8 @@ TEST_CASE("plane contact: a vertex exactly on the plane keeps its contact, one a
     }
 }
 
-TEST_CASE("plane contact: a vertex in a corner is pushed by the wall along the wall's normal, besides the floor")
+TEST_CASE(
+    "plane contact: a vertex in a corner is pushed by the wall along the wall's normal, besides the floor")
 {
     // On the floor already, 0.1 m in front of the wall, which it passes in the middle of the step.
     const double dt = 0.1;

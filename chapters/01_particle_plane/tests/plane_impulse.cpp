@@ -1,6 +1,5 @@
 #include "chapters/01_particle_plane/plane_impulse.hpp"
 
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,8 +14,8 @@ struct RandomSteps {
     std::uniform_real_distribution<double> depth{-0.5, 0.5}, stiffness{1, 1e5}, step{1e-4, 0.2};
 };
 
-/// Integral of max(0, -depth) over the step, by its antiderivative: where the depth runs with slope s from a to b,
-/// the integral of its negative part is (min(a,0)^2 - min(b,0)^2) / (2 s).
+/// Integral of max(0, -depth) over the step, by its antiderivative: where the depth runs with slope s from a
+/// to b, the integral of its negative part is (min(a,0)^2 - min(b,0)^2) / (2 s).
 double negative_part(double a, double b)
 {
     if (a == b)
@@ -51,7 +50,8 @@ TEST_CASE("plane impulses: the continuous one is k dt times the integral of the 
 {
     RandomSteps any;
     for (int i = 0; i < 10000; ++i) {
-        const double a = any.depth(any.random), b = any.depth(any.random), k = any.stiffness(any.random), dt = any.step(any.random);
+        const double a = any.depth(any.random), b = any.depth(any.random), k = any.stiffness(any.random),
+                     dt = any.step(any.random);
         CAPTURE(a);
         CAPTURE(b);
         const double expected = k * dt * negative_part(a, b);

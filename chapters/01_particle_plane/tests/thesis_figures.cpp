@@ -12,7 +12,9 @@ using namespace enduring;
 
 TEST_CASE("thesis figure 7.1: CPF settles at 0.14 s and not at 0.17 s, DPF at 0.11 s and not at 0.13 s")
 {
-    const auto settles_with = [](PenaltyMethod method, double dt) { return settles(ParticleProblem{1, 100, 9.81, method, dt}); };
+    const auto settles_with = [](PenaltyMethod method, double dt) {
+        return settles(ParticleProblem{1, 100, 9.81, method, dt});
+    };
     CHECK(settles_with(PenaltyMethod::continuous, 0.14));
     CHECK_FALSE(settles_with(PenaltyMethod::continuous, 0.17));
     CHECK(settles_with(PenaltyMethod::discrete, 0.11));
@@ -36,13 +38,18 @@ TEST_CASE("thesis figure 7.2: at k = 1000 and dt = 0.01 CPF bounces several time
     CHECK(times_in_the_air(PenaltyMethod::continuous) >= 3);
 }
 
-TEST_CASE("ground scene: the bar comes to rest, the plane carries its weight, and no element turns inside out")
+TEST_CASE(
+    "ground scene: the bar comes to rest, the plane carries its weight, and no element turns inside out")
 {
     for (const char* method : {"cpf", "dpf"}) {
         CAPTURE(method);
-        Scene scene = load_scene(scene_file("ground"), std::string(R"({"duration": 1.6, "contact": {"method": ")") + method + R"("}})");
+        Scene scene = load_scene(
+            scene_file("ground"),
+            std::string(R"({"duration": 1.6, "contact": {"method": ")") + method + R"("}})");
         int inverted = 0;
-        WatchProbe watch([&](const World& world, const Contacts&, double) { inverted += world.bodies[0]->inverted_elements(); });
+        WatchProbe watch([&](const World& world, const Contacts&, double) {
+            inverted += world.bodies[0]->inverted_elements();
+        });
         const RunResult result = run(scene, chapter01_solver(scene.contact), {&watch});
         Vec3 force = Vec3::Zero();
         for (const Contact& contact : result.contacts)

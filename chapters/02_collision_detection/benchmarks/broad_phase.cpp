@@ -1,7 +1,7 @@
-// One step of the broad phase: between bodies, and for two balls about to touch (our tree of faces, and Bullet's dynamic tree
-// over the same boxes).
-#include "chapters/02_collision_detection/body_broad_phase.hpp"
+// One step of the broad phase: between bodies, and for two balls about to touch (our tree of faces, and
+// Bullet's dynamic tree over the same boxes).
 #include "chapters/02_collision_detection/broad_phase.hpp"
+#include "chapters/02_collision_detection/body_broad_phase.hpp"
 #include "chapters/02_collision_detection/experiments/bullet_tree.hpp"
 #include "common/geometry/round_shapes.hpp"
 
@@ -33,7 +33,9 @@ struct Ball {
 
 struct Balls {
     Ball upper, lower;
-    explicit Balls(int subdivisions) : upper(subdivisions, {0, 1.97, 0}, {0.3, -1, 0}), lower(subdivisions, {0, 0, 0}, {0, 0.2, 0.1}) {}
+    explicit Balls(int subdivisions)
+        : upper(subdivisions, {0, 1.97, 0}, {0.3, -1, 0}), lower(subdivisions, {0, 0, 0}, {0, 0.2, 0.1})
+    {}
 };
 
 void tree_of_faces(benchmark::State& state)
@@ -110,7 +112,9 @@ void bullet_tree_faces_only(benchmark::State& state)
         upper.refit(balls.upper.step());
         lower.refit(balls.lower.step());
         found.clear();
-        chapter02::BulletTree::overlapping_faces(upper, lower, [&](int f, int g) { found.push_back({f, g}); });
+        chapter02::BulletTree::overlapping_faces(upper, lower, [&](int f, int g) {
+            found.push_back({f, g});
+        });
         benchmark::DoNotOptimize(found.data());
     }
     state.counters["face_pairs"] = static_cast<double>(found.size());

@@ -18,7 +18,10 @@ struct Box {
         for (const Vec3& p : points)
             low = low.cwiseMin(p), high = high.cwiseMax(p);
     }
-    bool overlaps(const Box& other) const { return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all(); }
+    bool overlaps(const Box& other) const
+    {
+        return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+    }
 };
 
 /// A surface at both ends of a step.
@@ -27,7 +30,8 @@ struct MovingSurface {
     SurfaceTopology topology;
 };
 
-/// A ball that lands on a slowly turning ball: it moves by `travel` of an edge length and is deformed a little on the way.
+/// A ball that lands on a slowly turning ball: it moves by `travel` of an
+/// edge length and is deformed a little on the way.
 struct LandingBalls {
     std::vector<VertexFaceStep> vertex_face;
     std::vector<EdgeEdgeStep> edge_edge;
@@ -37,7 +41,8 @@ struct LandingBalls {
         const SurfaceMesh mesh = sphere(1.0, 3);
         const double edge = 0.15;
         const MovingSurface lower = moved(mesh, Vec3::Zero(), Vec3::Zero(), 0.01);
-        const MovingSurface upper = moved(mesh, Vec3(0.03, 2 - 0.2 * edge, 0.02), Vec3(0.2, -1, 0.1) * travel * edge, -0.005);
+        const MovingSurface upper = moved(mesh, Vec3(0.03, 2 - 0.2 * edge, 0.02),
+                                          Vec3(0.2, -1, 0.1) * travel * edge, -0.005);
         add_vertex_faces(upper, lower);
         add_vertex_faces(lower, upper);
         add_edge_edges(upper, lower);
@@ -61,9 +66,12 @@ private:
     {
         for (std::size_t v = 0; v < a.t0.size(); ++v)
             for (const Face& f : b.topology.faces()) {
-                const auto i = static_cast<std::size_t>(f[0]), j = static_cast<std::size_t>(f[1]), k = static_cast<std::size_t>(f[2]);
-                if (Box({a.t0[v], a.t1[v]}).overlaps(Box({b.t0[i], b.t0[j], b.t0[k], b.t1[i], b.t1[j], b.t1[k]})))
-                    vertex_face.push_back({a.t0[v], b.t0[i], b.t0[j], b.t0[k], a.t1[v], b.t1[i], b.t1[j], b.t1[k]});
+                const auto i = static_cast<std::size_t>(f[0]), j = static_cast<std::size_t>(f[1]),
+                           k = static_cast<std::size_t>(f[2]);
+                if (Box({a.t0[v], a.t1[v]})
+                        .overlaps(Box({b.t0[i], b.t0[j], b.t0[k], b.t1[i], b.t1[j], b.t1[k]})))
+                    vertex_face.push_back(
+                        {a.t0[v], b.t0[i], b.t0[j], b.t0[k], a.t1[v], b.t1[i], b.t1[j], b.t1[k]});
             }
     }
 
@@ -73,13 +81,16 @@ private:
             for (const Edge& f : b.topology.edges()) {
                 const auto i = static_cast<std::size_t>(e[0]), j = static_cast<std::size_t>(e[1]);
                 const auto k = static_cast<std::size_t>(f[0]), l = static_cast<std::size_t>(f[1]);
-                if (Box({a.t0[i], a.t0[j], a.t1[i], a.t1[j]}).overlaps(Box({b.t0[k], b.t0[l], b.t1[k], b.t1[l]})))
-                    edge_edge.push_back({a.t0[i], a.t0[j], b.t0[k], b.t0[l], a.t1[i], a.t1[j], b.t1[k], b.t1[l]});
+                if (Box({a.t0[i], a.t0[j], a.t1[i], a.t1[j]})
+                        .overlaps(Box({b.t0[k], b.t0[l], b.t1[k], b.t1[l]})))
+                    edge_edge.push_back(
+                        {a.t0[i], a.t0[j], b.t0[k], b.t0[l], a.t1[i], a.t1[j], b.t1[k], b.t1[l]});
             }
     }
 };
 
-/// Mean time of one query, over both kinds, in the pairs of the balls; `travel` is in hundredths of an edge length.
+/// Mean time of one query, over both kinds, in the pairs of the balls;
+/// `travel` is in hundredths of an edge length.
 template <class Query>
 void measure(benchmark::State& state, const Query& query)
 {
@@ -96,12 +107,19 @@ void measure(benchmark::State& state, const Query& query)
     }
     state.counters["pairs"] = static_cast<double>(count);
     state.counters["hits"] = static_cast<double>(hits);
-    state.counters["per_query"] = benchmark::Counter(static_cast<double>(count),
+    state.counters["per_query"] = benchmark::Counter(
+        static_cast<double>(count),
         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-void certified_query(benchmark::State& state) { measure(state, [](const auto& step) { return time_of_impact(step); }); }
-void textbook_query(benchmark::State& state) { measure(state, [](const auto& step) { return textbook_time_of_impact(step); }); }
+void certified_query(benchmark::State& state)
+{
+    measure(state, [](const auto& step) { return time_of_impact(step); });
+}
+void textbook_query(benchmark::State& state)
+{
+    measure(state, [](const auto& step) { return textbook_time_of_impact(step); });
+}
 
 BENCHMARK(certified_query)->Arg(5)->Arg(25)->Arg(100);
 BENCHMARK(textbook_query)->Arg(5)->Arg(25)->Arg(100);

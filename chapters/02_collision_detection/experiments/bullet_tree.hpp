@@ -8,8 +8,8 @@
 
 namespace enduring::chapter02 {
 
-/// Bullet's dynamic tree over the boxes of a surface's faces, to compare ours with. It takes boxes one at a time, as a
-/// world of moving objects needs it; a leaf is put in anew only when its box leaves the old one.
+/// Bullet's dynamic tree over the boxes of a surface's faces, to compare ours with. It takes boxes one at a
+/// time, as a world of moving objects needs it; a leaf is put in anew only when its box leaves the old one.
 class BulletTree {
 public:
     explicit BulletTree(const SurfaceStep& surface)
@@ -37,7 +37,10 @@ public:
     {
         struct Policy final : btDbvt::ICollide {
             explicit Policy(Visit& to_call) : visit(to_call) {}
-            void Process(const btDbvtNode* i, const btDbvtNode* j) override { visit(i->dataAsInt, j->dataAsInt); }
+            void Process(const btDbvtNode* i, const btDbvtNode* j) override
+            {
+                visit(i->dataAsInt, j->dataAsInt);
+            }
             Visit& visit;
         } policy(visit);
         a.tree_.collideTT(a.tree_.m_root, b.tree_.m_root, policy);
@@ -46,7 +49,8 @@ public:
 private:
     static btDbvtVolume volume(const SweptBox& box)
     {
-        return btDbvtVolume::FromMM({box.low.x(), box.low.y(), box.low.z()}, {box.high.x(), box.high.y(), box.high.z()});
+        return btDbvtVolume::FromMM({box.low.x(), box.low.y(), box.low.z()},
+                                    {box.high.x(), box.high.y(), box.high.z()});
     }
 
     btDbvt tree_;

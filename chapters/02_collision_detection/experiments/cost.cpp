@@ -1,4 +1,5 @@
-// What one query costs over the pairs that survive the boxes in two scenes of the course, for the textbook's and ours.
+// What one query costs over the pairs that survive the boxes in two
+// scenes of the course, for the textbook's and ours.
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/experiments/cpu_time.hpp"
 #include "chapters/02_collision_detection/experiments/experiments.hpp"
@@ -28,13 +29,15 @@ Cost measure(const std::vector<Step>& steps, const Query& query)
 
 /// One row: both queries over the same pairs. Returns what the certified one took in all [ns].
 template <class Step>
-double add_row(Table& table, const std::string& scene, const std::string& kind, const std::vector<Step>& steps)
+double add_row(Table& table, const std::string& scene, const std::string& kind,
+               const std::vector<Step>& steps)
 {
     if (steps.empty())
         return 0;
     const Cost textbook = measure(steps, [](const Step& step) { return textbook_time_of_impact(step); });
     const Cost certified = measure(steps, [](const Step& step) { return time_of_impact(step); });
-    table.add({scene, kind, static_cast<long>(steps.size()), textbook.touching, certified.touching, textbook.nanoseconds, certified.nanoseconds});
+    table.add({scene, kind, static_cast<long>(steps.size()), textbook.touching, certified.touching,
+               textbook.nanoseconds, certified.nanoseconds});
     return certified.nanoseconds * static_cast<double>(steps.size());
 }
 
@@ -42,13 +45,16 @@ double add_row(Table& table, const std::string& scene, const std::string& kind, 
 
 void cost(const RunOptions& options, Report& report)
 {
-    Table table({"scene", "kind", "queries", "textbook_touching", "certified_touching", "textbook_ns", "certified_ns"});
+    Table table({"scene", "kind", "queries", "textbook_touching", "certified_touching", "textbook_ns",
+                 "certified_ns"});
     for (const std::string scene : {"bar_on_cube", "bunny_bowl"}) {
         const RecordedQueries queries = record_queries(scene, options.quick ? 12 : 120);
-        const double spent = add_row(table, scene, "vertex-face", queries.vertex_face) + add_row(table, scene, "edge-edge", queries.edge_edge);
+        const double spent = add_row(table, scene, "vertex-face", queries.vertex_face) +
+                             add_row(table, scene, "edge-edge", queries.edge_edge);
         const auto count = static_cast<double>(queries.vertex_face.size() + queries.edge_edge.size());
         report.fact("cost", scene + "_ns", count > 0 ? spent / count : 0, 3);
-        report.fact("cost", scene + "_queries_per_detection", queries.detections > 0 ? count / queries.detections : 0, 3);
+        report.fact("cost", scene + "_queries_per_detection",
+                    queries.detections > 0 ? count / queries.detections : 0, 3);
     }
     report.table("cost", table);
     report.page_table("cost", table);

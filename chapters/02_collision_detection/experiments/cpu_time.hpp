@@ -6,9 +6,9 @@
 
 namespace enduring::chapter02 {
 
-/// CPU time of one call [s]: the best of several rounds, each long enough for the clock's resolution; one round for work
-/// of a second or more. Other processes on the machine can only make a round slower, so the best one says most about
-/// the work.
+/// CPU time of one call [s]: the best of several rounds, each long enough for the clock's resolution; one
+/// round for work of a second or more. Other processes on the machine can only make a round slower, so the
+/// best one says most about the work.
 template <class Work>
 double best_cpu_seconds(const Work& work, int rounds = 5, double shortest_round = 0.02)
 {

@@ -32,9 +32,11 @@ Table answers_to(const std::vector<HardCase>& cases)
 {
     Table table({"case", "truth", "textbook", "textbook_is", "certified", "certified_is"});
     for (const HardCase& c : cases) {
-        const Answer textbook = std::visit([](const auto& step) { return textbook_time_of_impact(step); }, c.step);
+        const Answer textbook = std::visit([](const auto& step) { return textbook_time_of_impact(step); },
+                                           c.step);
         const Answer certified = std::visit([](const auto& step) { return time_of_impact(step); }, c.step);
-        table.add({c.name, in_words(c.truth), in_words(textbook), verdict(textbook, c.truth), in_words(certified), verdict(certified, c.truth)});
+        table.add({c.name, in_words(c.truth), in_words(textbook), verdict(textbook, c.truth),
+                   in_words(certified), verdict(certified, c.truth)});
     }
     return table;
 }
@@ -85,7 +87,8 @@ void add_file(Comparison& comparison, const std::filesystem::path& file)
 std::map<std::string, Comparison> compare_by_category()
 {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(source_directory() / "chapters/02_collision_detection/data"))
+    for (const auto& entry :
+         std::filesystem::directory_iterator(source_directory() / "chapters/02_collision_detection/data"))
         if (entry.path().extension() == ".csv")
             files.push_back(entry.path());
     std::map<std::string, Comparison> categories;
@@ -98,11 +101,12 @@ std::map<std::string, Comparison> compare_by_category()
 
 Table wrong_answers(const std::map<std::string, Comparison>& categories)
 {
-    Table table({"category", "queries", "collide", "textbook_tol_0", "textbook_tol_1e-9", "textbook_tol_1e-6", "certified",
-                 "by_height", "by_doubles", "by_106_bits"});
+    Table table({"category", "queries", "collide", "textbook_tol_0", "textbook_tol_1e-9", "textbook_tol_1e-6",
+                 "certified", "by_height", "by_doubles", "by_106_bits"});
     for (const auto& [name, c] : categories)
-        table.add({name, c.queries, c.collide, c.textbook[0].in_words(), c.textbook[1].in_words(), c.textbook[2].in_words(),
-                   c.certified.in_words(), c.settled[0], c.settled[1], c.settled[2]});
+        table.add({name, c.queries, c.collide, c.textbook[0].in_words(), c.textbook[1].in_words(),
+                   c.textbook[2].in_words(), c.certified.in_words(), c.settled[0], c.settled[1],
+                   c.settled[2]});
     return table;
 }
 
@@ -132,8 +136,9 @@ void degenerate(const RunOptions&, Report& report)
     report.table("degenerate", cases);
     report.page_table("degenerate", cases);
     const auto right = [&](std::size_t column) {
-        return static_cast<double>(std::count_if(cases.rows().begin(), cases.rows().end(),
-                                                 [&](const auto& row) { return std::get<std::string>(row[column]) == "right"; }));
+        return static_cast<double>(
+            std::count_if(cases.rows().begin(), cases.rows().end(),
+                          [&](const auto& row) { return std::get<std::string>(row[column]) == "right"; }));
     };
     report.fact("degenerate", "cases", static_cast<double>(cases.rows().size()));
     report.fact("degenerate", "textbook_right", right(3));

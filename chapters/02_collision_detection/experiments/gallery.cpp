@@ -1,4 +1,5 @@
-// Each elementary case as a strip of three pictures - before, at the touch, after - and what the queries say about it.
+// Each elementary case as a strip of three pictures - before, at the
+// touch, after - and what the queries say about it.
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/experiments/experiments.hpp"
 #include "chapters/02_collision_detection/experiments/gallery_cases.hpp"
@@ -9,15 +10,13 @@
 namespace enduring::chapter02 {
 namespace {
 
-std::string time_text(const std::optional<double>& tau)
-{
-    return tau ? readable(*tau, 6) : "none";
-}
+std::string time_text(const std::optional<double>& tau) { return tau ? readable(*tau, 6) : "none"; }
 
 void add_case(const GalleryCase& one, GalleryStage& stage, Table& table, Report& report)
 {
     const auto certified = std::visit([](const auto& step) { return time_of_impact(step); }, one.step);
-    const auto textbook = std::visit([](const auto& step) { return textbook_time_of_impact(step); }, one.step);
+    const auto textbook = std::visit([](const auto& step) { return textbook_time_of_impact(step); },
+                                     one.step);
     table.add({one.name, time_text(textbook), time_text(certified)});
     write_png(stage.draw_case(one, certified), report.file("gallery_" + one.name + ".png"));
 }
@@ -35,7 +34,8 @@ void gallery(const RunOptions&, Report& report)
 
     const Tunnelling scene = tunnelling();
     const auto touch = first_touch(scene);
-    const int before = discrete_hits(scene.spike_t0, scene.plate), after = discrete_hits(scene.spike_t1, scene.plate);
+    const int before = discrete_hits(scene.spike_t0, scene.plate),
+              after = discrete_hits(scene.spike_t1, scene.plate);
     report.fact("gallery", "tunnelling_discrete_before", before);
     report.fact("gallery", "tunnelling_discrete_after", after);
     report.fact("gallery", "tunnelling_tau", touch.value_or(-1), 4);

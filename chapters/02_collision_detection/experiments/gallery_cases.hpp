@@ -12,7 +12,7 @@ namespace enduring::chapter02 {
 struct GalleryCase {
     std::string name;  ///< of its picture: gallery_NAME.png
     std::variant<VertexFaceStep, EdgeEdgeStep> step;
-    double closest;    ///< when they are nearest, for a pair that never touches
+    double closest;  ///< when they are nearest, for a pair that never touches
 };
 
 /// A vertex through a face, two edges through each other, a near miss, and a touch that grazes.

@@ -15,7 +15,8 @@ public:
     /// @param touch  when its features touch, if they do
     Picture draw_case(const GalleryCase& one, const std::optional<double>& touch);
     Picture draw_tunnelling(const Tunnelling& scene, double touch);
-    /// One triangle and three edges: one that ends before it, one through it, one beside it in its parallelogram.
+    /// One triangle and three edges: one that ends before it, one
+    /// through it, one beside it in its parallelogram.
     Picture draw_edge_triangle();
 
 private:

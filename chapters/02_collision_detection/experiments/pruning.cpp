@@ -1,5 +1,5 @@
-// How many pairs each way of the broad phase leaves to the query, and what finding and answering them takes, against the
-// size of the meshes.
+// How many pairs each way of the broad phase leaves to the query, and what finding and answering them takes,
+// against the size of the meshes.
 #include "chapters/02_collision_detection/broad_phase.hpp"
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/experiments/bullet_tree.hpp"
@@ -64,16 +64,20 @@ struct Way {
 };
 
 const std::vector<Way> ways{
-    {"all pairs", 4, 2, [](Balls& balls, Tally& tally) { visit_all_pairs(balls.upper_step(), balls.lower_step(), tally); }},
-    {"boxes", 5, 3, [](Balls& balls, Tally& tally) {
+    {"all pairs", 4, 2,
+     [](Balls& balls, Tally& tally) { visit_all_pairs(balls.upper_step(), balls.lower_step(), tally); }},
+    {"boxes", 5, 3,
+     [](Balls& balls, Tally& tally) {
          balls.refit();
          visit_boxed_pairs(balls.upper_step(), balls.upper_tree, balls.lower_step(), balls.lower_tree, tally);
      }},
-    {"tree", 6, 4, [](Balls& balls, Tally& tally) {
+    {"tree", 6, 4,
+     [](Balls& balls, Tally& tally) {
          balls.refit();
          visit_tree_pairs(balls.upper_tree, balls.lower_tree, tally);
      }},
-    {"Bullet's tree", 6, 4, [](Balls& balls, Tally& tally) {
+    {"Bullet's tree", 6, 4,
+     [](Balls& balls, Tally& tally) {
          balls.refit();
          balls.upper_bullet->refit(balls.upper_step());
          balls.lower_bullet->refit(balls.lower_step());
@@ -111,24 +115,29 @@ void pruning(const RunOptions& options, Report& report)
     Table table({"faces", "method", "pairs", "touching", "time_ms"});
     std::vector<std::vector<std::optional<Outcome>>> outcomes(ways.size());
     const auto faces_at = [](int subdivisions) { return 20L << (2 * subdivisions); };
-    const auto most = [&](const Way& way) { return options.quick ? way.most_if_quick : way.most_subdivisions; };
+    const auto most = [&](const Way& way) {
+        return options.quick ? way.most_if_quick : way.most_subdivisions;
+    };
     const int largest = most(ways.back());
     for (std::size_t w = 0; w < ways.size(); ++w) {
         for (int subdivisions = 1; subdivisions <= most(ways[w]); ++subdivisions) {
             Balls balls(subdivisions);
             const Outcome outcome = measure(ways[w], balls);
-            table.add({faces_at(subdivisions), ways[w].name, outcome.pairs, outcome.touching, outcome.milliseconds});
+            table.add({faces_at(subdivisions), ways[w].name, outcome.pairs, outcome.touching,
+                       outcome.milliseconds});
             outcomes[w].push_back(outcome);
         }
         outcomes[w].resize(static_cast<std::size_t>(largest));
     }
 
-    Table page({"faces", "all pairs", "boxed pairs", "touching", "all [ms]", "boxes [ms]", "tree [ms]", "Bullet's tree [ms]"});
+    Table page({"faces", "all pairs", "boxed pairs", "touching", "all [ms]", "boxes [ms]", "tree [ms]",
+                "Bullet's tree [ms]"});
     for (std::size_t i = 0; i < static_cast<std::size_t>(largest); ++i) {
         const auto &all = outcomes[0][i], &tree = outcomes[2][i];
-        page.add({faces_at(static_cast<int>(i) + 1), all ? Cell(static_cast<double>(all->pairs)) : Cell("–"), tree->pairs, tree->touching,
-                  or_dash(all, &Outcome::milliseconds), or_dash(outcomes[1][i], &Outcome::milliseconds),
-                  or_dash(tree, &Outcome::milliseconds), or_dash(outcomes[3][i], &Outcome::milliseconds)});
+        page.add({faces_at(static_cast<int>(i) + 1), all ? Cell(static_cast<double>(all->pairs)) : Cell("–"),
+                  tree->pairs, tree->touching, or_dash(all, &Outcome::milliseconds),
+                  or_dash(outcomes[1][i], &Outcome::milliseconds), or_dash(tree, &Outcome::milliseconds),
+                  or_dash(outcomes[3][i], &Outcome::milliseconds)});
     }
     const std::size_t shown = options.quick ? 1 : 3;  // the largest size on which all ways ran
     report.fact("pruning", "faces", static_cast<double>(faces_at(static_cast<int>(shown) + 1)), 5);
@@ -137,7 +146,8 @@ void pruning(const RunOptions& options, Report& report)
     report.fact("pruning", "all_ms", outcomes[0][shown]->milliseconds, 3);
     report.fact("pruning", "boxes_ms", outcomes[1][shown]->milliseconds, 3);
     report.fact("pruning", "tree_ms", outcomes[2][shown]->milliseconds, 2);
-    report.fact("pruning", "bullet_over_tree", outcomes[3].back()->milliseconds / outcomes[2].back()->milliseconds, 2);
+    report.fact("pruning", "bullet_over_tree",
+                outcomes[3].back()->milliseconds / outcomes[2].back()->milliseconds, 2);
     report.table("pruning", table);
     report.page_table("pruning", page);
     report.plot("chapters/02_collision_detection/plots/pruning.gp");

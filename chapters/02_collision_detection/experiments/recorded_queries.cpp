@@ -14,8 +14,12 @@ void record(const World& world, CandidateSearch& search, RecordedQueries& querie
     queries.detections += search.candidate_count() > 0;
     const auto surface = [&](int body) { return surface_step(*world.bodies[body]); };
     search.visit_candidates(
-        [&](int a, int vertex, int b, int face) { queries.vertex_face.push_back(vertex_face_step(surface(a), vertex, surface(b), face)); },
-        [&](int a, int edge_a, int b, int edge_b) { queries.edge_edge.push_back(edge_edge_step(surface(a), edge_a, surface(b), edge_b)); });
+        [&](int a, int vertex, int b, int face) {
+            queries.vertex_face.push_back(vertex_face_step(surface(a), vertex, surface(b), face));
+        },
+        [&](int a, int edge_a, int b, int edge_b) {
+            queries.edge_edge.push_back(edge_edge_step(surface(a), edge_a, surface(b), edge_b));
+        });
 }
 
 }  // namespace
@@ -26,8 +30,10 @@ RecordedQueries record_queries(const std::string& scene_name, int detections)
     CandidateSearch search;
     RecordedQueries queries;
     Solver solver = chapter01_solver(scene.contact);
-    solver.append(StepStage::detect, "record", [&](World& world, Contacts&, double) { record(world, search, queries); });
-    run(scene, solver, {}, {std::nullopt, [&](const World&, const Contacts&) { return queries.detections >= detections; }});
+    solver.append(StepStage::detect, "record",
+                  [&](World& world, Contacts&, double) { record(world, search, queries); });
+    run(scene, solver, {},
+        {std::nullopt, [&](const World&, const Contacts&) { return queries.detections >= detections; }});
     return queries;
 }
 

@@ -14,8 +14,8 @@ struct RecordedQueries {
     int detections = 0;  ///< from which they come
 };
 
-/// Runs a scene of the course with chapter 1's answer of the ground and none between the bodies, and records from the
-/// detection in which boxes first overlap: the approach, the touch, and the start of the overlap.
+/// Runs a scene of the course with chapter 1's answer of the ground and none between the bodies, and records
+/// from the detection in which boxes first overlap: the approach, the touch, and the start of the overlap.
 /// @param scene_name  of common/scenes
 /// @param detections  to record; a step has one more whenever the ground answers
 RecordedQueries record_queries(const std::string& scene_name, int detections);

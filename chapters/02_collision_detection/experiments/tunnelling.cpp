@@ -25,12 +25,15 @@ int discrete_hits(const std::vector<Vec3>& spike, const std::vector<Vec3>& plate
     int hits = 0;
     for (const Face& face : plate_faces())
         for (const auto& [i, j] : tetrahedron_edges)
-            hits += find_edge_triangle_hit(spike[std::size_t(i)], spike[std::size_t(j)], plate[std::size_t(face[0])],
-                                           plate[std::size_t(face[1])], plate[std::size_t(face[2])]).has_value();
+            hits += find_edge_triangle_hit(spike[std::size_t(i)], spike[std::size_t(j)],
+                                           plate[std::size_t(face[0])], plate[std::size_t(face[1])],
+                                           plate[std::size_t(face[2])])
+                        .has_value();
     for (const Face& face : spike_faces())
         for (std::size_t i = 0; i < 4; ++i)
             hits += find_edge_triangle_hit(plate[i], plate[(i + 1) % 4], spike[std::size_t(face[0])],
-                                           spike[std::size_t(face[1])], spike[std::size_t(face[2])]).has_value();
+                                           spike[std::size_t(face[1])], spike[std::size_t(face[2])])
+                        .has_value();
     return hits;
 }
 
@@ -40,7 +43,8 @@ std::optional<double> first_touch(const Tunnelling& scene)
     for (std::size_t v = 0; v < scene.spike_t0.size(); ++v)
         for (const Face& face : plate_faces()) {
             const auto corner = [&](std::size_t i) { return scene.plate[std::size_t(face[i])]; };
-            const VertexFaceStep step{scene.spike_t0[v], corner(0), corner(1), corner(2), scene.spike_t1[v], corner(0), corner(1), corner(2)};
+            const VertexFaceStep step{scene.spike_t0[v], corner(0), corner(1), corner(2),
+                                      scene.spike_t1[v], corner(0), corner(1), corner(2)};
             if (const auto tau = time_of_impact(step); tau && (!first || *tau < *first))
                 first = tau;
         }

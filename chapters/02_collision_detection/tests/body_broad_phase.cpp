@@ -9,7 +9,8 @@ using namespace enduring;
 
 namespace {
 
-/// Cubes of edge 1, their low corners on whole numbers from 0 to `extent` - 1: many of them touch in a face, an edge or a corner.
+/// Cubes of edge 1, their low corners on whole numbers from 0 to `extent` - 1:
+/// many of them touch in a face, an edge or a corner.
 std::vector<SweptBox> random_cubes(int count, int extent, unsigned seed)
 {
     std::mt19937 generator(seed);
@@ -34,7 +35,8 @@ std::vector<OverlappingBodies> by_looking_at_all(const std::vector<SweptBox>& bo
 
 }  // namespace
 
-TEST_CASE("bodies: the tree finds the pairs that looking at all of them finds, in their order, touching ones too")
+TEST_CASE(
+    "bodies: the tree finds the pairs that looking at all of them finds, in their order, touching ones too")
 {
     for (const int count : {0, 1, 2, 10, 300})
         for (const int extent : {1, 3, 10}) {
@@ -51,6 +53,7 @@ TEST_CASE("bodies: a box that is empty, or not finite, overlaps nothing and hide
     boxes[0] = SweptBox::empty();
     boxes[7].low.x() = boxes[7].high.x() = std::numeric_limits<double>::quiet_NaN();
     std::vector<OverlappingBodies> expected = by_looking_at_all(boxes);
-    std::erase_if(expected, [](const OverlappingBodies& pair) { return pair.a == 0 || pair.a == 7 || pair.b == 7; });
+    std::erase_if(expected,
+                  [](const OverlappingBodies& pair) { return pair.a == 0 || pair.a == 7 || pair.b == 7; });
     CHECK(overlapping_bodies(boxes) == expected);
 }

@@ -78,8 +78,12 @@ void for_random_pairs(int count, const Test& test)
 {
     std::mt19937_64 engine(7);
     std::uniform_real_distribution<double> in(-1, 1);
-    const std::vector<SurfaceMesh> shapes{sphere(1, 1), box({2, 0.1, 1.5}, {3, 1, 2}), tetrahedron(2), bowl({.segments_around = 7, .segments_along = 3}),
-                                          plane_grid(3, 3, {3, 4}, GridDiagonals::crossed), box({3, 1e-6, 1e-3})};
+    const std::vector<SurfaceMesh> shapes{sphere(1, 1),
+                                          box({2, 0.1, 1.5}, {3, 1, 2}),
+                                          tetrahedron(2),
+                                          bowl({.segments_around = 7, .segments_along = 3}),
+                                          plane_grid(3, 3, {3, 4}, GridDiagonals::crossed),
+                                          box({3, 1e-6, 1e-3})};
     for (int i = 0; i < count; ++i) {
         const auto& first = shapes[engine() % shapes.size()];
         const auto& second = shapes[engine() % shapes.size()];
@@ -142,10 +146,12 @@ TEST_CASE("broad phase: two cubes that only share a plane keep the pairs on it")
     CandidatePairs pairs;
     collect_pairs(upper, lower, pairs);
     // One lower corner of the upper cube stands on the lower cube's top: over both its triangles' boxes.
-    const auto corner = std::find_if(resting.begin(), resting.end(), [](const Vec3& x) { return x == Vec3(-0.25, 0.5, -0.25); });
+    const auto corner = std::find_if(resting.begin(), resting.end(),
+                                     [](const Vec3& x) { return x == Vec3(-0.25, 0.5, -0.25); });
     REQUIRE(corner != resting.end());
     const int vertex = static_cast<int>(corner - resting.begin());
-    CHECK(std::count_if(pairs.vertex_face.begin(), pairs.vertex_face.end(), [&](const FeaturePair& p) { return p.a == vertex; }) >= 2);
+    CHECK(std::count_if(pairs.vertex_face.begin(), pairs.vertex_face.end(),
+                        [&](const FeaturePair& p) { return p.a == vertex; }) >= 2);
 
     for (Vec3& x : resting)
         x.y() = std::nextafter(x.y(), 2.0);
@@ -157,7 +163,8 @@ TEST_CASE("broad phase: two cubes that only share a plane keep the pairs on it")
 TEST_CASE("broad phase: collecting again in the same order takes no memory and changes nothing")
 {
     std::mt19937_64 engine(3);
-    const Thrown a(sphere(1, 2), Vec3::Zero(), 0.1, 0.02, engine), b(sphere(1, 2), Vec3(0, 1.8, 0), 0.1, 0.02, engine);
+    const Thrown a(sphere(1, 2), Vec3::Zero(), 0.1, 0.02, engine),
+        b(sphere(1, 2), Vec3(0, 1.8, 0), 0.1, 0.02, engine);
     CandidatePairs pairs;
     collect_pairs(a.tree, b.tree, pairs);
     REQUIRE(pairs.size() > 100);

@@ -48,14 +48,16 @@ void require_certified(const Record& record)
     CAPTURE(record.touching);
     CHECK(record.missed == 0);
     CHECK(record.late == 0);
-    // A near miss that 106 bits cannot tell from a touch counts as one. Coordinates nudged by single roundings make some.
+    // A near miss that 106 bits cannot tell from a touch counts as one.
+    // Coordinates nudged by single roundings make some.
     CHECK(record.false_alarms + record.early <= 0.02 * record.queries);
 }
 
 std::vector<std::filesystem::path> data_files()
 {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(source_directory() / "chapters/02_collision_detection/data"))
+    for (const auto& entry :
+         std::filesystem::directory_iterator(source_directory() / "chapters/02_collision_detection/data"))
         if (entry.path().extension() == ".csv")
             files.push_back(entry.path());
     std::sort(files.begin(), files.end());
@@ -80,7 +82,8 @@ TEST_CASE("certified query: no edge-edge touch is missed or told late, in any ca
     }
 }
 
-TEST_CASE("certified query: every answer on the hard queries of the data folder is right, and the oracle agrees with theirs")
+TEST_CASE(
+    "certified query: every answer on the hard queries of the data folder is right, and the oracle agrees with theirs")
 {
     REQUIRE(data_files().size() == 32);
     for (const auto& file : data_files()) {
@@ -88,9 +91,11 @@ TEST_CASE("certified query: every answer on the hard queries of the data folder 
         const bool edges = file.stem().string().ends_with("_ee");
         Record record;
         for (const FileQuery& query : read_queries(file)) {
-            const auto truth = edges ? exact::first_touch(query.edge_edge()) : exact::first_touch(query.vertex_face());
+            const auto truth = edges ? exact::first_touch(query.edge_edge())
+                                     : exact::first_touch(query.vertex_face());
             CHECK(truth.has_value() == query.collides.value());
-            record.add(edges ? time_of_impact(query.edge_edge()) : time_of_impact(query.vertex_face()), truth);
+            record.add(edges ? time_of_impact(query.edge_edge()) : time_of_impact(query.vertex_face()),
+                       truth);
         }
         CHECK(record.missed == 0);
         CHECK(record.false_alarms == 0);

@@ -18,18 +18,20 @@ VertexFaceStep falling(double x, double y)
     return {{x, y, 1}, f0, f1, f2, {x, y, -1}, f0, f1, f2};
 }
 
-/// An edge along x that falls from height 1 to -1 on an edge along y of length 2, beside its middle by `along`.
+/// An edge along x that falls from height 1 to -1 on an edge along y
+/// of length 2, beside its middle by `along`.
 EdgeEdgeStep falling_edge(double along)
 {
-    return {{-1, along, 1}, {1, along, 1}, {0, -1, 0}, {0, 1, 0}, {-1, along, -1}, {1, along, -1}, {0, -1, 0}, {0, 1, 0}};
+    return {{-1, along, 1},  {1, along, 1},  {0, -1, 0}, {0, 1, 0},
+            {-1, along, -1}, {1, along, -1}, {0, -1, 0}, {0, 1, 0}};
 }
 
 /// A height of (tau - 1/2)^2 - depth over a face that tilts while the vertex runs against it.
 VertexFaceStep tangent(double depth)
 {
     const auto face = [](double x, double y, double tilt) { return Vec3(x, y, tilt * x); };
-    return {{0.5, 0, -depth}, face(-2, -2, -0.5), face(2, -2, -0.5), face(0, 2, -0.5),
-            {-0.5, 0, -depth}, face(-2, -2, 0.5), face(2, -2, 0.5), face(0, 2, 0.5)};
+    return {{0.5, 0, -depth},  face(-2, -2, -0.5), face(2, -2, -0.5), face(0, 2, -0.5),
+            {-0.5, 0, -depth}, face(-2, -2, 0.5),  face(2, -2, 0.5),  face(0, 2, 0.5)};
 }
 
 /// Equal up to the slack of one answer, or both empty.
@@ -65,7 +67,8 @@ Points reversed(const Points& p) { return {p[4], p[5], p[6], p[7], p[0], p[1], p
 
 }  // namespace
 
-TEST_CASE("certified query: a vertex beside an edge of the face by eps misses it, and within by eps hits it, down to 2^-52")
+TEST_CASE(
+    "certified query: a vertex beside an edge of the face by eps misses it, and within by eps hits it, down to 2^-52")
 {
     for (int k = 2; k <= 52; ++k) {
         const double eps = std::ldexp(1.0, -k);
@@ -82,7 +85,8 @@ TEST_CASE("certified query: a vertex beside an edge of the face by eps misses it
     CHECK(same(time_of_impact(falling(2, 0)), 0.5));
 }
 
-TEST_CASE("certified query: an edge that passes the other's end by eps misses it, and within by eps hits it, down to 2^-52")
+TEST_CASE(
+    "certified query: an edge that passes the other's end by eps misses it, and within by eps hits it, down to 2^-52")
 {
     for (int k = 1; k <= 52; ++k) {
         const double eps = std::ldexp(1.0, -k);
@@ -94,7 +98,8 @@ TEST_CASE("certified query: an edge that passes the other's end by eps misses it
     CHECK(same(time_of_impact(falling_edge(1)), 0.5));
 }
 
-TEST_CASE("certified query: a tangent height touches at its double root, dips at its first root, and turns back unseen")
+TEST_CASE(
+    "certified query: a tangent height touches at its double root, dips at its first root, and turns back unseen")
 {
     for (int k = 4; k <= 60; ++k) {
         const double depth = std::ldexp(1.0, -k);
@@ -158,7 +163,8 @@ TEST_CASE("certified query: a size that is a power of two, from 2^-900 to 2^900,
             Points scaled = points;
             for (Vec3& x : scaled)
                 x = x.unaryExpr([power](double c) { return std::ldexp(c, power); });
-            CHECK(time_of_impact(step_of<EdgeEdgeStep>(scaled)) == time_of_impact(step_of<EdgeEdgeStep>(points)));
+            CHECK(time_of_impact(step_of<EdgeEdgeStep>(scaled)) ==
+                  time_of_impact(step_of<EdgeEdgeStep>(points)));
         }
 }
 

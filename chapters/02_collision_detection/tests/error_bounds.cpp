@@ -1,8 +1,8 @@
 #include "chapters/02_collision_detection/separating_directions.hpp"
 #include "chapters/02_collision_detection/tests/step_generators.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <doctest/doctest.h>
+#include <boost/multiprecision/cpp_int.hpp>
 
 using namespace enduring;
 using namespace enduring::certified;
@@ -18,19 +18,23 @@ using ExactVector = std::array<Rational, 3>;
 
 ExactVector difference(const Vec3& a, const Vec3& b)
 {
-    return {Rational(a[0]) - Rational(b[0]), Rational(a[1]) - Rational(b[1]), Rational(a[2]) - Rational(b[2])};
+    return {Rational(a[0]) - Rational(b[0]), Rational(a[1]) - Rational(b[1]),
+            Rational(a[2]) - Rational(b[2])};
 }
 
 Rational volume(const ExactVector& a, const ExactVector& b, const ExactVector& c)
 {
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
-/// Bernstein coefficients of the volume of three moving differences: coefficient i is the mean over all choices of i
-/// differences taken at the end of the step, the others at its start.
+/// Bernstein coefficients of the volume of three moving differences: coefficient i is the mean over all
+/// choices of i differences taken at the end of the step, the others at its start.
 std::array<Rational, 4> exact_height(const Points& p)
 {
-    const auto d = [&](std::size_t corner, std::size_t end) { return difference(p[4 * end], p[corner + 4 * end]); };
+    const auto d = [&](std::size_t corner, std::size_t end) {
+        return difference(p[4 * end], p[corner + 4 * end]);
+    };
     std::array<Rational, 4> c;
     for (std::size_t i = 0; i < 2; ++i)
         for (std::size_t j = 0; j < 2; ++j)
@@ -64,7 +68,9 @@ double worst_share(const Points& points, int halvings)
     const std::array<Rational, 4> truth = halved(exact_height(points), halvings);
     double share = 0;
     for (std::size_t i = 0; i < 4; ++i)
-        share = std::max(share, Rational(abs(exact(computed.c[i]) - truth[i]) / Rational(computed.error)).convert_to<double>());
+        share = std::max(
+            share,
+            Rational(abs(exact(computed.c[i]) - truth[i]) / Rational(computed.error)).convert_to<double>());
     return share;
 }
 
@@ -100,7 +106,8 @@ TEST_CASE("error bounds: no coefficient of the height in double-doubles is off b
     require_bounds_hold<DoubleDouble>();
 }
 
-TEST_CASE_TEMPLATE("error bounds: halving and narrowing a polynomial cost no more than the bound grows", Real, double, DoubleDouble)
+TEST_CASE_TEMPLATE("error bounds: halving and narrowing a polynomial cost no more than the bound grows", Real,
+                   double, DoubleDouble)
 {
     Random random(15);
     for (int i = 0; i < 100; ++i) {
@@ -114,7 +121,8 @@ TEST_CASE_TEMPLATE("error bounds: halving and narrowing a polynomial cost no mor
         for (int cut = 0; cut < 12; ++cut) {
             const double from = random.uniform(0, 0.5), to = random.uniform(0.5, 1);
             const bool narrow = random.integer(0, 1) == 1, late = random.integer(0, 1) == 1;
-            truth = narrow ? part<Rational>(truth, from, to) : part<Rational>(truth, late ? 0.5 : 0, late ? 1 : 0.5);
+            truth = narrow ? part<Rational>(truth, from, to)
+                           : part<Rational>(truth, late ? 0.5 : 0, late ? 1 : 0.5);
             MovingVector<Real, 2> early, rest;
             halve(vector, early, rest);
             vector = narrow ? part(vector, from, to) : late ? rest : early;
@@ -131,7 +139,8 @@ TEST_CASE("double-double: sums and products of doubles are exact")
 {
     Random random(12);
     for (int i = 0; i < 2000; ++i) {
-        const double a = std::ldexp(random.uniform(-1, 1), random.integer(-60, 60)), b = std::ldexp(random.uniform(-1, 1), random.integer(-60, 60));
+        const double a = std::ldexp(random.uniform(-1, 1), random.integer(-60, 60)),
+                     b = std::ldexp(random.uniform(-1, 1), random.integer(-60, 60));
         CAPTURE(a);
         CAPTURE(b);
         CHECK(exact(two_sum(a, b)) == Rational(a) + Rational(b));
@@ -147,7 +156,9 @@ TEST_CASE("double-double: sums and products keep a relative error of 2^-103, als
     for (int i = 0; i < 2000; ++i) {
         const DoubleDouble a = two_product(random.uniform(-1, 1), random.uniform(-1, 1));
         const DoubleDouble near = two_sum(-a.hi, std::ldexp(random.uniform(-1, 1), -random.integer(1, 100)));
-        const DoubleDouble b = random.integer(0, 1) ? near : two_product(random.uniform(-1, 1), random.uniform(-1, 1));
+        const DoubleDouble b = random.integer(0, 1)
+                                   ? near
+                                   : two_product(random.uniform(-1, 1), random.uniform(-1, 1));
         CAPTURE(i);
         const Rational sum = exact(a) + exact(b), product = exact(a) * exact(b);
         CHECK(abs(exact(a + b) - sum) <= allowed * abs(sum));
@@ -165,13 +176,19 @@ TEST_CASE("separating directions: at each instant they leave open exactly the co
         for (std::size_t k = 0; k < 4; ++k)
             p[k + 4] = p[k];
         const Vec3 v = p[0], f0 = p[1], f1 = p[2], f2 = p[3];
-        // On small integers: in the plane and on one side of all edges, or, where the face has no area, between two corners.
+        // On small integers: in the plane and on one side of all edges, or,
+        // where the face has no area, between two corners.
         const Vec3 normal = (f1 - f0).cross(f2 - f0);
-        const auto between = [&](const Vec3& a, const Vec3& b) { return (a - v).cross(b - v).isZero(0) && (a - v).dot(b - v) <= 0; };
-        const bool inside = normal.isZero(0) ? between(f0, f1) || between(f1, f2) || between(f2, f0)
-                                             : normal.dot(v - f0) == 0 && normal.dot((f1 - f0).cross(v - f0)) >= 0 &&
-                                                   normal.dot((f2 - f1).cross(v - f1)) >= 0 && normal.dot((f0 - f2).cross(v - f2)) >= 0;
+        const auto between = [&](const Vec3& a, const Vec3& b) {
+            return (a - v).cross(b - v).isZero(0) && (a - v).dot(b - v) <= 0;
+        };
+        const bool inside = normal.isZero(0)
+                                ? between(f0, f1) || between(f1, f2) || between(f2, f0)
+                                : normal.dot(v - f0) == 0 && normal.dot((f1 - f0).cross(v - f0)) >= 0 &&
+                                      normal.dot((f2 - f1).cross(v - f1)) >= 0 &&
+                                      normal.dot((f0 - f2).cross(v - f2)) >= 0;
         CAPTURE(i);
-        CHECK(separating_directions(VertexFaceDifferences<double>(step_of<VertexFaceStep>(p))).apart(Throughout{}) == !inside);
+        CHECK(separating_directions(VertexFaceDifferences<double>(step_of<VertexFaceStep>(p)))
+                  .apart(Throughout{}) == !inside);
     }
 }

@@ -57,15 +57,20 @@ struct PointOnSegment {
     Moving area;         ///< zero on the segment's line
     Polynomial between;  ///< not positive between its ends
 
-    PointOnSegment(const Moving& p, const Moving& a, const Moving& b) : area(cross(p - a, p - b)), between(dot(p - a, p - b)) {}
+    PointOnSegment(const Moving& p, const Moving& a, const Moving& b)
+        : area(cross(p - a, p - b)), between(dot(p - a, p - b))
+    {}
 
     bool holds(AlgebraicNumber& t) const
     {
-        return std::all_of(area.begin(), area.end(), [&](const Polynomial& q) { return t.sign_of(q) == 0; }) && t.sign_of(between) <= 0;
+        return std::all_of(area.begin(), area.end(),
+                           [&](const Polynomial& q) { return t.sign_of(q) == 0; }) &&
+               t.sign_of(between) <= 0;
     }
 };
 
-/// The conditions of one query: with a normal, the volume is zero and no weight negative; without, a point on a segment.
+/// The conditions of one query: with a normal, the volume is zero and no
+/// weight negative; without, a point on a segment.
 struct Conditions {
     Polynomial volume, normal_squared;
     std::vector<Polynomial> weights;
@@ -75,7 +80,8 @@ struct Conditions {
     {
         if (t.sign_of(normal_squared) > 0)
             return t.sign_of(volume) == 0 &&
-                   std::all_of(weights.begin(), weights.end(), [&](const Polynomial& w) { return t.sign_of(w) >= 0; });
+                   std::all_of(weights.begin(), weights.end(),
+                               [&](const Polynomial& w) { return t.sign_of(w) >= 0; });
         return std::any_of(points.begin(), points.end(), [&](const PointOnSegment& p) { return p.holds(t); });
     }
 
@@ -130,8 +136,10 @@ std::optional<FirstTouch> first_touch(const VertexFaceStep& s)
     const Moving v = scale.moving(s.v_t0, s.v_t1), f0 = scale.moving(s.f0_t0, s.f0_t1);
     const Moving f1 = scale.moving(s.f1_t0, s.f1_t1), f2 = scale.moving(s.f2_t0, s.f2_t1);
     const Moving normal = cross(f1 - f0, f2 - f0);
-    return first_touch(Conditions{dot(normal, v - f0), dot(normal, normal),
-                                  {dot(normal, cross(f2 - f1, v - f1)), dot(normal, cross(f0 - f2, v - f2)), dot(normal, cross(f1 - f0, v - f0))},
+    return first_touch(Conditions{dot(normal, v - f0),
+                                  dot(normal, normal),
+                                  {dot(normal, cross(f2 - f1, v - f1)), dot(normal, cross(f0 - f2, v - f2)),
+                                   dot(normal, cross(f1 - f0, v - f0))},
                                   {{v, f0, f1}, {v, f1, f2}, {v, f2, f0}}});
 }
 
@@ -141,8 +149,11 @@ std::optional<FirstTouch> first_touch(const EdgeEdgeStep& s)
     const Moving a0 = scale.moving(s.ea0_t0, s.ea0_t1), a1 = scale.moving(s.ea1_t0, s.ea1_t1);
     const Moving b0 = scale.moving(s.eb0_t0, s.eb0_t1), b1 = scale.moving(s.eb1_t0, s.eb1_t1);
     const Moving a = a1 - a0, b = b1 - b0, normal = cross(a, b);
-    const Polynomial weight_a = dot(cross(b0 - a0, b), normal), weight_b = dot(cross(b0 - a0, a), normal), whole = dot(normal, normal);
-    return first_touch(Conditions{dot(normal, b0 - a0), whole, {weight_a, whole - weight_a, weight_b, whole - weight_b},
+    const Polynomial weight_a = dot(cross(b0 - a0, b), normal), weight_b = dot(cross(b0 - a0, a), normal),
+                     whole = dot(normal, normal);
+    return first_touch(Conditions{dot(normal, b0 - a0),
+                                  whole,
+                                  {weight_a, whole - weight_a, weight_b, whole - weight_b},
                                   {{a0, b0, b1}, {a1, b0, b1}, {b0, a0, a1}, {b1, a0, a1}}});
 }
 

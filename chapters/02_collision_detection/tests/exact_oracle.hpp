@@ -11,10 +11,12 @@ struct FirstTouch {
     double time() const { return high.rounded(); }
 };
 
-/// The truth about a query: coordinates become integers by a common power of two, and nothing is ever rounded.
+/// The truth about a query: coordinates become integers by a common
+/// power of two, and nothing is ever rounded.
 ///
-/// It takes the textbook's way (roots of the cubic, barycentric weights by the normal) with exact signs at algebraic
-/// numbers, and tries points on segments where the normal vanishes; so it shares no formula with the certified query.
+/// It takes the textbook's way (roots of the cubic, barycentric weights by the normal) with
+/// exact signs at algebraic numbers, and tries points on segments where the normal
+/// vanishes; so it shares no formula with the certified query.
 std::optional<FirstTouch> first_touch(const VertexFaceStep& step);
 std::optional<FirstTouch> first_touch(const EdgeEdgeStep& step);
 

@@ -33,7 +33,8 @@ TEST_CASE("gallery: each case is what its name says")
     for (const GalleryCase& one : gallery_cases()) {
         CAPTURE(one.name);
         const auto touch = std::visit([](const auto& step) { return time_of_impact(step); }, one.step);
-        const auto textbook = std::visit([](const auto& step) { return textbook_time_of_impact(step); }, one.step);
+        const auto textbook = std::visit([](const auto& step) { return textbook_time_of_impact(step); },
+                                         one.step);
         CHECK(touch.has_value() == (one.name != "near_miss"));
         CHECK(textbook.has_value() == touch.has_value());
         if (touch && textbook)
@@ -45,8 +46,10 @@ TEST_CASE("gallery: each case is what its name says")
 
 TEST_CASE("gallery: the near miss comes so near that its boxes overlap")
 {
-    const auto step = std::get<VertexFaceStep>(gallery_cases()[2].step);  // a copy: the list is gone after this line
-    const std::vector<Vec3> t0{step.v_t0, step.f0_t0, step.f1_t0, step.f2_t0}, t1{step.v_t1, step.f0_t1, step.f1_t1, step.f2_t1};
+    // a copy: the list is gone after this line
+    const auto step = std::get<VertexFaceStep>(gallery_cases()[2].step);
+    const std::vector<Vec3> t0{step.v_t0, step.f0_t0, step.f1_t0, step.f2_t0},
+        t1{step.v_t1, step.f0_t1, step.f1_t1, step.f2_t1};
     const SurfaceTopology face(4, {{1, 2, 3}});
     const SurfaceStep surface{face, t0, t1};
     CHECK(vertex_box(surface, 0).overlaps(face_box(surface, 0)));
@@ -56,10 +59,13 @@ TEST_CASE("gallery: two of its strips are as in their reference pictures" * doct
 {
     GalleryStage stage;
     const Tunnelling scene = tunnelling();
-    const ReferenceCheck tunnelled = check_reference_picture(stage.draw_tunnelling(scene, first_touch(scene).value_or(0.5)), "02_collision_detection/gallery_tunnelling.png");
+    const ReferenceCheck tunnelled = check_reference_picture(
+        stage.draw_tunnelling(scene, first_touch(scene).value_or(0.5)),
+        "02_collision_detection/gallery_tunnelling.png");
     CHECK_MESSAGE(tunnelled.passed, tunnelled.message);
     const GalleryCase one = gallery_cases()[0];
     const auto touch = std::visit([](const auto& step) { return time_of_impact(step); }, one.step);
-    const ReferenceCheck through = check_reference_picture(stage.draw_case(one, touch), "02_collision_detection/gallery_vertex_face.png");
+    const ReferenceCheck through = check_reference_picture(stage.draw_case(one, touch),
+                                                           "02_collision_detection/gallery_vertex_face.png");
     CHECK_MESSAGE(through.passed, through.message);
 }

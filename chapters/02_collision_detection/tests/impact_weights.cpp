@@ -1,5 +1,5 @@
-#include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/impact_weights.hpp"
+#include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/tests/step_generators.hpp"
 
 #include <doctest/doctest.h>

@@ -25,7 +25,8 @@ Dyadic middle(const Dyadic& a, const Dyadic& b)
     return {(a.numerator << (power - a.power)) + (b.numerator << (power - b.power)), power + 1};
 }
 
-Polynomial::Polynomial(std::vector<Integer> coefficients) : c_(without_leading_zeros(std::move(coefficients))) {}
+Polynomial::Polynomial(std::vector<Integer> coefficients) : c_(without_leading_zeros(std::move(coefficients)))
+{}
 
 int Polynomial::sign_at(const Dyadic& t) const
 {

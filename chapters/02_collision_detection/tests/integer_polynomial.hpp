@@ -15,13 +15,20 @@ struct Dyadic {
     unsigned power = 0;
 
     double rounded() const;
-    friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a.numerator << b.power) == (b.numerator << a.power); }
-    friend bool operator<(const Dyadic& a, const Dyadic& b) { return (a.numerator << b.power) < (b.numerator << a.power); }
+    friend bool operator==(const Dyadic& a, const Dyadic& b)
+    {
+        return (a.numerator << b.power) == (b.numerator << a.power);
+    }
+    friend bool operator<(const Dyadic& a, const Dyadic& b)
+    {
+        return (a.numerator << b.power) < (b.numerator << a.power);
+    }
 };
 
 Dyadic middle(const Dyadic& a, const Dyadic& b);
 
-/// A polynomial with integer coefficients, lowest power first, without leading zeros; the zero polynomial is empty.
+/// A polynomial with integer coefficients, lowest power first, without
+/// leading zeros; the zero polynomial is empty.
 class Polynomial {
 public:
     Polynomial() = default;
@@ -31,7 +38,8 @@ public:
     int degree() const { return static_cast<int>(c_.size()) - 1; }
     int sign_at(const Dyadic& t) const;
     Polynomial derivative() const;
-    /// Divided by the largest integer that divides every coefficient: the same roots and signs from shorter numbers.
+    /// Divided by the largest integer that divides every coefficient: the
+    /// same roots and signs from shorter numbers.
     Polynomial primitive() const;
 
     friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
@@ -52,7 +60,10 @@ public:
     /// @param p  not zero
     explicit SturmSequence(const Polynomial& p);
     /// In (from, to].
-    int roots_between(const Dyadic& from, const Dyadic& to) const { return changes_at(from) - changes_at(to); }
+    int roots_between(const Dyadic& from, const Dyadic& to) const
+    {
+        return changes_at(from) - changes_at(to);
+    }
 
 private:
     int changes_at(const Dyadic& t) const;

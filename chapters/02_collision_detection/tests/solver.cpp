@@ -26,7 +26,8 @@ Flight flight(int steps)
 
 }  // namespace
 
-TEST_CASE("collision list: a tetrahedron that passes a plate within a step is listed with both sides of it, each pair once")
+TEST_CASE(
+    "collision list: a tetrahedron that passes a plate within a step is listed with both sides of it, each pair once")
 {
     const Flight end = flight(6);
     std::vector<int> faces;
@@ -38,7 +39,8 @@ TEST_CASE("collision list: a tetrahedron that passes a plate within a step is li
     for (std::size_t i = 0; i < end.pairs.size(); ++i)
         for (std::size_t j = i + 1; j < end.pairs.size(); ++j) {
             const Contact &one = end.pairs[i], &other = end.pairs[j];
-            CHECK((one.kind != other.kind || one.body_a != other.body_a || one.feature_a != other.feature_a || one.feature_b != other.feature_b));
+            CHECK((one.kind != other.kind || one.body_a != other.body_a || one.feature_a != other.feature_a ||
+                   one.feature_b != other.feature_b));
         }
 }
 

@@ -13,7 +13,8 @@ Points random_points(Random& random, bool)
     return p;
 }
 
-/// A query whose features meet at a chosen time and place, up to rounding: random lines through a common point.
+/// A query whose features meet at a chosen time and place, up to
+/// rounding: random lines through a common point.
 Points aimed(Random& random, bool edges)
 {
     Points p = random_points(random, edges);
@@ -132,7 +133,8 @@ Points at_rest(Random& random, bool edges)
     return p;
 }
 
-/// A height of exactly (tau - 1/2)^2 - depth over a turning plane, with depths around the smallest that matter.
+/// A height of exactly (tau - 1/2)^2 - depth over a turning plane,
+/// with depths around the smallest that matter.
 Points tangent(Random& random, bool edges)
 {
     const double depth = random.integer(-1, 1) * std::ldexp(1.0, -random.integer(10, 60));
@@ -162,8 +164,14 @@ Points turning_together(Random& random, bool edges)
 
 }  // namespace
 
-Points points_of(const VertexFaceStep& s) { return {s.v_t0, s.f0_t0, s.f1_t0, s.f2_t0, s.v_t1, s.f0_t1, s.f1_t1, s.f2_t1}; }
-Points points_of(const EdgeEdgeStep& s) { return {s.ea0_t0, s.ea1_t0, s.eb0_t0, s.eb1_t0, s.ea0_t1, s.ea1_t1, s.eb0_t1, s.eb1_t1}; }
+Points points_of(const VertexFaceStep& s)
+{
+    return {s.v_t0, s.f0_t0, s.f1_t0, s.f2_t0, s.v_t1, s.f0_t1, s.f1_t1, s.f2_t1};
+}
+Points points_of(const EdgeEdgeStep& s)
+{
+    return {s.ea0_t0, s.ea1_t0, s.eb0_t0, s.eb1_t0, s.ea0_t1, s.ea1_t1, s.eb0_t1, s.eb1_t1};
+}
 
 Vec3 Random::direction()
 {
@@ -175,12 +183,21 @@ Vec3 Random::direction()
 
 const std::vector<Category>& categories()
 {
-    static const std::vector<Category> all{
-        {"random", random_points}, {"aimed", aimed}, {"lattice", lattice}, {"flat lattice", flat_lattice},
-        {"linear lattice", linear_lattice}, {"nudged lattice", nudged_lattice}, {"rotated flat lattice", rotated_flat_lattice},
-        {"rotated linear lattice", rotated_linear_lattice}, {"gliding", gliding}, {"large coordinates", large_coordinates},
-        {"tiny coordinates", tiny_coordinates}, {"slivers", slivers}, {"at rest", at_rest}, {"tangent", tangent},
-        {"turning together", turning_together}};
+    static const std::vector<Category> all{{"random", random_points},
+                                           {"aimed", aimed},
+                                           {"lattice", lattice},
+                                           {"flat lattice", flat_lattice},
+                                           {"linear lattice", linear_lattice},
+                                           {"nudged lattice", nudged_lattice},
+                                           {"rotated flat lattice", rotated_flat_lattice},
+                                           {"rotated linear lattice", rotated_linear_lattice},
+                                           {"gliding", gliding},
+                                           {"large coordinates", large_coordinates},
+                                           {"tiny coordinates", tiny_coordinates},
+                                           {"slivers", slivers},
+                                           {"at rest", at_rest},
+                                           {"tangent", tangent},
+                                           {"turning together", turning_together}};
     return all;
 }
 

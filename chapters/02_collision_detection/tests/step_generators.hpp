@@ -13,7 +13,10 @@ namespace enduring::generated {
 using Points = std::array<Vec3, 8>;
 
 template <class Step>
-Step step_of(const Points& p) { return Step{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]}; }
+Step step_of(const Points& p)
+{
+    return Step{p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7]};
+}
 
 Points points_of(const VertexFaceStep& step);
 Points points_of(const EdgeEdgeStep& step);
@@ -22,8 +25,14 @@ Points points_of(const EdgeEdgeStep& step);
 class Random {
 public:
     explicit Random(unsigned seed) : engine_(seed) {}
-    double uniform(double low, double high) { return low + (high - low) * 0x1p-53 * static_cast<double>(engine_() >> 11); }
-    int integer(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
+    double uniform(double low, double high)
+    {
+        return low + (high - low) * 0x1p-53 * static_cast<double>(engine_() >> 11);
+    }
+    int integer(int low, int high)
+    {
+        return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
+    }
     Vec3 vector(double size) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
     Vec3 direction();
 

@@ -1,7 +1,7 @@
+#include "chapters/02_collision_detection/textbook.hpp"
 #include "chapters/02_collision_detection/cubic_roots.hpp"
 #include "chapters/02_collision_detection/tests/exact_oracle.hpp"
 #include "chapters/02_collision_detection/tests/step_generators.hpp"
-#include "chapters/02_collision_detection/textbook.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,8 +16,10 @@ TEST_CASE("cubic: the roots of a product of linear factors come back, ascending"
     for (int i = 0; i < 500; ++i) {
         std::array<double, 3> r{random.uniform(-2, -0.8), random.uniform(-0.5, 0.5), random.uniform(0.8, 2)};
         const double lead = random.uniform(0.5, 2);
-        const RealRoots roots = cubic_roots({-lead * r[0] * r[1] * r[2], lead * (r[0] * r[1] + r[1] * r[2] + r[2] * r[0]),
-                                             -lead * (r[0] + r[1] + r[2]), lead}, 0);
+        const RealRoots roots = cubic_roots(
+            {-lead * r[0] * r[1] * r[2], lead * (r[0] * r[1] + r[1] * r[2] + r[2] * r[0]),
+             -lead * (r[0] + r[1] + r[2]), lead},
+            0);
         REQUIRE(roots.count == 3);
         for (std::size_t k = 0; k < 3; ++k)
             CHECK(roots.values[k] == doctest::Approx(r[k]).epsilon(1e-10));
@@ -38,7 +40,8 @@ TEST_CASE("cubic: where the leading coefficients vanish the degree falls, and no
 TEST_CASE("cubic: of two roots of very different size the small one keeps its digits")
 {
     for (const double sign : {1.0, -1.0}) {
-        const RealRoots roots = cubic_roots({1, sign * 1e8, 1, 0}, 0);  // -sign * 1e-8 and -sign * 1e8, to 1e-16
+        // -sign * 1e-8 and -sign * 1e8, to 1e-16
+        const RealRoots roots = cubic_roots({1, sign * 1e8, 1, 0}, 0);
         REQUIRE(roots.count == 2);
         CHECK(roots.values[sign > 0 ? 1 : 0] == doctest::Approx(-sign * 1e-8).epsilon(1e-14));
     }

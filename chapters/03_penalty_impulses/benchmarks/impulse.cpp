@@ -55,15 +55,14 @@ void run(benchmark::State& state, Situation situation, Vec3 (*impulse)(const Ben
 
 Vec3 continuous_vertex_face(const BenchmarkPair& pair)
 {
-    return continuous_impulse({vertex_face_instant(pair.t0), vertex_face_instant(pair.t1)},
-                              pair.start, 1000, 0.01);
+    return continuous_impulse({vertex_face_instant(pair.t0), vertex_face_instant(pair.t1)}, pair.start, 1000,
+                              0.01);
 }
 
 Vec3 continuous_edge_edge(const BenchmarkPair& pair)
 {
-    return continuous_impulse(
-        {edge_edge_instant(pair.t0, 1), edge_edge_instant(pair.t1, 1)}, pair.start, 1000,
-        0.01);
+    return continuous_impulse({edge_edge_instant(pair.t0, 1), edge_edge_instant(pair.t1, 1)}, pair.start,
+                              1000, 0.01);
 }
 
 Vec3 discrete_vertex_face(const BenchmarkPair& pair)

@@ -54,7 +54,8 @@ std::vector<double> at_rest(const BarRecord& record, const std::vector<Value>& c
 
 double mean(const std::vector<double>& values)
 {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(std::max<std::size_t>(values.size(), 1));
+    return std::accumulate(values.begin(), values.end(), 0.0) /
+           static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
 }  // namespace
@@ -74,7 +75,8 @@ Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop)
     return load_scene(file, patch.dump());
 }
 
-BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop, const std::vector<Probe*>& more_probes)
+BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop,
+                   const std::vector<Probe*>& more_probes)
 {
     Scene scene = load_bar_scene(file, drop);
     BarRecord record;
@@ -109,15 +111,9 @@ double jitter_at_rest(const BarRecord& record)
     return jitter(forces, record.weight);
 }
 
-double depth_at_rest(const BarRecord& record)
-{
-    return mean(at_rest(record, record.depth));
-}
+double depth_at_rest(const BarRecord& record) { return mean(at_rest(record, record.depth)); }
 
-double pairs_at_rest(const BarRecord& record)
-{
-    return mean(at_rest(record, record.pairs));
-}
+double pairs_at_rest(const BarRecord& record) { return mean(at_rest(record, record.pairs)); }
 
 double depth_in_contact(const BarRecord& record)
 {

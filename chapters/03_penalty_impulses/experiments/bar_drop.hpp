@@ -33,12 +33,13 @@ struct BarRecord {
 /// From here on the bar lies on the cube, and what still changes fast is jitter [s].
 constexpr double at_rest_from = 2.5;
 
-/// The nine turns over which every number of the bar is taken: which pairs meet first depends on the last digit of
-/// everything, so one drop alone measures luck.
+/// The nine turns over which every number of the bar is taken: which pairs meet first depends on the last
+/// digit of everything, so one drop alone measures luck.
 std::vector<double> nine_turns(bool quick);
 
 Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop);
-BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop, const std::vector<Probe*>& more_probes = {});
+BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop,
+                   const std::vector<Probe*>& more_probes = {});
 
 /// The stiffness [N/m] that keeps k dt^2 where quadratic elements tremble with DPF and lie still with CPF.
 /// @param dt  [s]
@@ -51,8 +52,8 @@ struct DepthRatio {
 };
 DepthRatio depths_between_limits(const std::filesystem::path& file, double dt, const std::string& basis = {});
 
-/// Jitter of the contact force at rest, as a share of the bar's weight. A bar that nothing carries, since it fell off or
-/// sank through, does not lie still: it counts as 1.
+/// Jitter of the contact force at rest, as a share of the bar's weight. A bar that nothing carries, since it
+/// fell off or sank through, does not lie still: it counts as 1.
 double jitter_at_rest(const BarRecord& record);
 /// Mean over the steps at rest.
 double depth_at_rest(const BarRecord& record);

@@ -17,7 +17,8 @@ constexpr std::array<PenaltyMethod, 2> both_methods{PenaltyMethod::discrete, Pen
 void add_force_curve(Table& table, const std::string& figure, const BarDrop& drop, const BarRecord& record)
 {
     for (std::size_t i = 0; i < record.time.size(); ++i)
-        table.add({figure, short_name(drop.method), drop.dt, drop.stiffness, record.time[i], record.force[i]});
+        table.add(
+            {figure, short_name(drop.method), drop.dt, drop.stiffness, record.time[i], record.force[i]});
 }
 
 double median_jitter(const RunOptions& options, const std::filesystem::path& file, BarDrop drop)
@@ -30,7 +31,8 @@ double median_jitter(const RunOptions& options, const std::filesystem::path& fil
     return median(jitters);
 }
 
-/// Force over time around the largest smooth steps (figure 7.4), and along k dt^2 = const just above them (figure 7.5).
+/// Force over time around the largest smooth steps (figure 7.4), and along
+/// k dt^2 = const just above them (figure 7.5).
 void force_curves(const RunOptions& options, const std::filesystem::path& file, Report& report)
 {
     Table table({"figure", "method", "dt_s", "stiffness_n_per_m", "time_s", "force_n"});
@@ -76,8 +78,8 @@ SweepPoint at_step(const RunOptions& options, const std::filesystem::path& file,
     }
     const auto [low, high] = std::minmax_element(jitters.begin(), jitters.end());
     const long smooth = std::count_if(jitters.begin(), jitters.end(), [](double j) { return j < 0.01; });
-    table.add({drop.basis, short_name(drop.method), drop.dt, 100 * median(jitters), 100 * *low, 100 * *high, smooth,
-               static_cast<long>(jitters.size()), median(pairs), 1000 * median(depths)});
+    table.add({drop.basis, short_name(drop.method), drop.dt, 100 * median(jitters), 100 * *low, 100 * *high,
+               smooth, static_cast<long>(jitters.size()), median(pairs), 1000 * median(depths)});
     return {drop.basis, drop.method, drop.dt, median(jitters)};
 }
 
@@ -87,13 +89,14 @@ std::vector<SweepPoint> sweep(const RunOptions& options, const std::filesystem::
     const double spacing = options.quick ? 0.0015 : 0.00025;
     const int count = options.quick ? 7 : 37;
     std::vector<SweepPoint> points;
-    Table table({"elements", "method", "dt_s", "median_percent", "smallest_percent", "largest_percent", "smooth_drops", "drops", "pairs",
-                 "depth_mm"});
+    Table table({"elements", "method", "dt_s", "median_percent", "smallest_percent", "largest_percent",
+                 "smooth_drops", "drops", "pairs", "depth_mm"});
     Progress progress("bar_on_cube: jitter over the step", 4 * count);
     for (const std::string& basis : both_bases)
         for (const PenaltyMethod method : both_methods)
             for (int i = 0; i < count; ++i) {
-                points.push_back(at_step(options, file, {method, 0.005 + spacing * i, 5000, 45, basis}, table));
+                points.push_back(
+                    at_step(options, file, {method, 0.005 + spacing * i, 5000, 45, basis}, table));
                 progress.update(static_cast<int>(points.size()));
             }
     report.table("bar_jitter", table);
@@ -102,7 +105,8 @@ std::vector<SweepPoint> sweep(const RunOptions& options, const std::filesystem::
 }
 
 /// The largest dt up to which the median stays below the limit at every smaller step of the sweep; 0 if none.
-double largest_smooth_step(const std::vector<SweepPoint>& points, const std::string& basis, PenaltyMethod method, double limit)
+double largest_smooth_step(const std::vector<SweepPoint>& points, const std::string& basis,
+                           PenaltyMethod method, double limit)
 {
     double largest = 0;
     for (const SweepPoint& point : points) {
@@ -115,7 +119,8 @@ double largest_smooth_step(const std::vector<SweepPoint>& points, const std::str
     return largest;
 }
 
-/// What may count as smooth: jitter below so much of the weight. The first is where the curves leave their floor.
+/// What may count as smooth: jitter below so much of the weight. The
+/// first is where the curves leave their floor.
 struct Criterion {
     double percent;
     std::string text, fact;
@@ -127,8 +132,10 @@ void compare_smooth_steps(const std::vector<SweepPoint>& points, Report& report)
     Table table({"elements", "what counts as smooth", "dpf_s", "cpf_s", "ratio"});
     for (const std::string& basis : both_bases)
         for (const Criterion& smooth : criteria) {
-            const double dpf = largest_smooth_step(points, basis, PenaltyMethod::discrete, smooth.percent / 100);
-            const double cpf = largest_smooth_step(points, basis, PenaltyMethod::continuous, smooth.percent / 100);
+            const double dpf = largest_smooth_step(points, basis, PenaltyMethod::discrete,
+                                                   smooth.percent / 100);
+            const double cpf = largest_smooth_step(points, basis, PenaltyMethod::continuous,
+                                                   smooth.percent / 100);
             const double ratio = dpf > 0 ? cpf / dpf : 0;
             table.add({basis, "jitter below " + smooth.text + " of the weight", dpf, cpf, ratio});
             report.fact("bar_on_cube", basis + "_dpf_step" + smooth.fact, dpf, 3);

@@ -20,18 +20,20 @@ namespace {
 long count_inside(const World& world, const Contacts& contacts, bool on_plane)
 {
     return std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-        return (contact.kind == ContactKind::vertex_plane) == on_plane && contact_geometry(world, contact, 0).depth < 0;
+        return (contact.kind == ContactKind::vertex_plane) == on_plane &&
+               contact_geometry(world, contact, 0).depth < 0;
     });
 }
 
-/// time_s, pairs (of bunny and bowl), depth_sum_m, depth_max_m (planes counted), plane_depth_m, kinetic_j, total_j, inverted.
+/// time_s, pairs (of bunny and bowl), depth_sum_m, depth_max_m (planes
+/// counted), plane_depth_m, kinetic_j, total_j, inverted.
 class BunnyProbe final : public TableProbe {
 public:
     explicit BunnyProbe(double stiffness)
-        : TableProbe({"time_s", "pairs", "depth_sum_m", "depth_max_m", "plane_depth_m", "kinetic_j", "total_j", "inverted"}),
+        : TableProbe({"time_s", "pairs", "depth_sum_m", "depth_max_m", "plane_depth_m", "kinetic_j",
+                      "total_j", "inverted"}),
           penetration_(stiffness)
-    {
-    }
+    {}
     void observe(const World& world, const Contacts& contacts, double dt) override
     {
         penetration_.observe(world, contacts, dt);
@@ -40,8 +42,8 @@ public:
         int inverted = 0;
         for (const auto& body : world.bodies)
             inverted += body->inverted_elements();
-        table_.add({world.time, count_inside(world, contacts, false), depths[3], depths[4], depths[8], energy.kinetic, energy.total(),
-                    static_cast<long>(inverted)});
+        table_.add({world.time, count_inside(world, contacts, false), depths[3], depths[4], depths[8],
+                    energy.kinetic, energy.total(), static_cast<long>(inverted)});
         if (world.step == 0)
             first_energy_ = energy.total();
         highest_energy_ = std::max(highest_energy_, energy.total() / first_energy_);
@@ -52,12 +54,13 @@ public:
         add_levers(world, contacts);
     }
 
-    double highest_energy() const { return highest_energy_; }      ///< over that at the start
-    int most_inverted() const { return most_inverted_; }           ///< elements in one step
+    double highest_energy() const { return highest_energy_; }  ///< over that at the start
+    int most_inverted() const { return most_inverted_; }       ///< elements in one step
     int steps_with_inverted() const { return steps_with_inverted_; }
-    double kinetic() const { return kinetic_; }                    ///< at the end [J]
+    double kinetic() const { return kinetic_; }                      ///< at the end [J]
     double deepest_in_ground() const { return deepest_in_ground_; }  ///< of all steps [m]
-    double mean_lever() const { return turned_ / pushed_; }        ///< of the impulses that turn the whole by (p - q) x I [m]
+    /// of the impulses that turn the whole by (p - q) x I [m]
+    double mean_lever() const { return turned_ / pushed_; }
 
 private:
     void add_levers(const World& world, const Contacts& contacts)
@@ -76,7 +79,10 @@ private:
     int most_inverted_ = 0, steps_with_inverted_ = 0;
 };
 
-nlohmann::json with_elements(int elements) { return {{"/bodies/bunny/shape/file", "bunny_" + std::to_string(elements) + ".msh"}}; }
+nlohmann::json with_elements(int elements)
+{
+    return {{"/bodies/bunny/shape/file", "bunny_" + std::to_string(elements) + ".msh"}};
+}
 
 /// A body whose energy has grown tenfold will not calm down again, and its flying vertices cost queries.
 RunLimits until_it_explodes(const BunnyProbe& probe, double duration, double dt)
@@ -87,8 +93,9 @@ RunLimits until_it_explodes(const BunnyProbe& probe, double duration, double dt)
     return limits;
 }
 
-/// How heavy the bunny's surface vertices are against an impulse, and how many are too light for the step: chapter 1's
-/// k dt^2 < 2 m for each. Before the first step each answers with the mass of its nodes alone, later through its elements.
+/// How heavy the bunny's surface vertices are against an impulse, and how many are too light
+/// for the step: chapter 1's k dt^2 < 2 m for each. Before the first step each answers with
+/// the mass of its nodes alone, later through its elements.
 void tell_masses(const Scene& scene, const std::string& when, Report& report)
 {
     const Body& bunny = body_named(scene.world, "bunny");
@@ -101,15 +108,18 @@ void tell_masses(const Scene& scene, const std::string& when, Report& report)
     report.fact("bunny_bowl", "light_below_g", 1000 * limit, 2);
     report.fact("bunny_bowl", "lightest_" + when + "_g", 1000 * masses.front(), 1);
     report.fact("bunny_bowl", "heaviest_" + when + "_g", 1000 * masses.back(), 2);
-    report.fact("bunny_bowl", "light_" + when + "_percent", 100 * static_cast<double>(too_light) / static_cast<double>(masses.size()), 2);
+    report.fact("bunny_bowl", "light_" + when + "_percent",
+                100 * static_cast<double>(too_light) / static_cast<double>(masses.size()), 2);
 }
 
-/// How the bunny lies in the bowl and the bowl on the ground at the end, and whether either contact is too stiff for the step.
+/// How the bunny lies in the bowl and the bowl on the ground at the end, and
+/// whether either contact is too stiff for the step.
 void tell_rest(const Scene& scene, const Contacts& contacts, const BunnyProbe& probe, Report& report)
 {
     const World& world = scene.world;
     const std::vector<Cell>& end = probe.table().rows().back();
-    const double bunny = body_named(world, "bunny").mass(), bowl = body_named(world, "bowl").mass(), reduced = bunny * bowl / (bunny + bowl);
+    const double bunny = body_named(world, "bunny").mass(), bowl = body_named(world, "bowl").mass(),
+                 reduced = bunny * bowl / (bunny + bowl);
     const double nk = static_cast<double>(std::get<long>(end[1])) * scene.contact.stiffness;
     report.fact("bunny_bowl", "pairs_at_end", static_cast<double>(std::get<long>(end[1])), 3);
     report.fact("bunny_bowl", "nk_at_end", nk / 1000, 2);
@@ -121,7 +131,8 @@ void tell_rest(const Scene& scene, const Contacts& contacts, const BunnyProbe& p
     report.fact("bunny_bowl", "ground_at_most_mm", 1000 * probe.deepest_in_ground(), 2);
     if (world.planes.empty())
         return;
-    const double feet = static_cast<double>(count_inside(world, contacts, true)), k = world.planes[0].stiffness.value_or(scene.contact.stiffness);
+    const double feet = static_cast<double>(count_inside(world, contacts, true)),
+                 k = world.planes[0].stiffness.value_or(scene.contact.stiffness);
     report.fact("bunny_bowl", "feet", feet, 3);
     report.fact("bunny_bowl", "ground_stiffness", k, 3);
     report.fact("bunny_bowl", "ground_share", feet * k * scene.dt * scene.dt / bowl, 2);
@@ -132,10 +143,12 @@ void add_cost(Table& costs, int elements, const RunResult& result, double dt, co
 {
     const double per_step = 1000.0 / result.steps;
     const Timings& timings = result.timings;
-    const double contact = timings.total() - timings.of("predict") - timings.of("update prediction") - timings.of("commit");
-    costs.add({static_cast<long>(elements), per_step * timings.of("predict"), per_step * timings.of("update prediction"),
-               per_step * timings.of("broad phase"), per_step * timings.of("queries"), per_step * timings.of("impulses"),
-               per_step * contact, per_step * timings.total(), result.steps * dt / timings.total(),
+    const double contact = timings.total() - timings.of("predict") - timings.of("update prediction") -
+                           timings.of("commit");
+    costs.add({static_cast<long>(elements), per_step * timings.of("predict"),
+               per_step * timings.of("update prediction"), per_step * timings.of("broad phase"),
+               per_step * timings.of("queries"), per_step * timings.of("impulses"), per_step * contact,
+               per_step * timings.total(), result.steps * dt / timings.total(),
                static_cast<long>(probe.most_inverted())});
 }
 
@@ -144,8 +157,9 @@ struct ResponseCase {
     double dt;
 };
 
-/// The same fall where each node takes its impulse by its own mass alone, as the thesis does, and through the elasticity. A
-/// quadratic bunny has four times as many faces in contact, so a pair of it has a quarter of the stiffness.
+/// The same fall where each node takes its impulse by its own mass alone, as the thesis
+/// does, and through the elasticity. A quadratic bunny has four times as many faces in
+/// contact, so a pair of it has a quarter of the stiffness.
 void compare_responses(const RunOptions& options, const std::filesystem::path& file, Report& report)
 {
     std::vector<ResponseCase> cases;
@@ -156,19 +170,24 @@ void compare_responses(const RunOptions& options, const std::filesystem::path& f
                     cases.push_back({basis, response, dt});
     if (options.quick)
         cases.resize(2);
-    Table table({"elements", "response", "dt_s", "stiffness_n_per_m", "outcome", "highest energy / first", "most inverted", "steps with inverted",
-                 "deepest at 1.5 s [mm]"});
+    Table table({"elements", "response", "dt_s", "stiffness_n_per_m", "outcome", "highest energy / first",
+                 "most inverted", "steps with inverted", "deepest at 1.5 s [mm]"});
     const double of_linear = load_scene(file).contact.stiffness;
     for (const ResponseCase& c : cases) {
-        nlohmann::json change{{"/bodies/bunny", {{"impulse_response", c.response}, {"basis", c.basis}, {"solver_tolerance", 1e-5}}}};
+        nlohmann::json change{
+            {"/bodies/bunny",
+             {{"impulse_response", c.response}, {"basis", c.basis}, {"solver_tolerance", 1e-5}}}};
         const double stiffness = c.basis == "linear" ? of_linear : of_linear / 4;
         change.update(contact_change(PenaltyMethod::continuous, stiffness, c.dt));
         Scene scene = load_scene(file, change.dump());
         BunnyProbe probe(stiffness);
-        run(scene, chapter03_solver(scene.contact), {&probe}, failure_on_purpose(until_it_explodes(probe, 1.5, c.dt)));
+        run(scene, chapter03_solver(scene.contact), {&probe},
+            failure_on_purpose(until_it_explodes(probe, 1.5, c.dt)));
         const bool exploded = probe.highest_energy() > 10;
-        table.add({c.basis, c.response, c.dt, stiffness, exploded ? "explodes" : "bounces", probe.highest_energy(), static_cast<long>(probe.most_inverted()),
-                   static_cast<long>(probe.steps_with_inverted()), exploded ? Cell("-") : Cell(1000 * std::get<double>(probe.table().rows().back()[3]))});
+        table.add({c.basis, c.response, c.dt, stiffness, exploded ? "explodes" : "bounces",
+                   probe.highest_energy(), static_cast<long>(probe.most_inverted()),
+                   static_cast<long>(probe.steps_with_inverted()),
+                   exploded ? Cell("-") : Cell(1000 * std::get<double>(probe.table().rows().back()[3]))});
     }
     report.table("bunny_responses", table);
     report.page_table("bunny_responses", table, 3);
@@ -183,15 +202,16 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
     if (elements == 785 && !options.quick)
         sizes = {363, 785, 1452};
 
-    Table costs({"elements", "predict [ms]", "answer [ms]", "boxes [ms]", "queries [ms]", "impulses [ms]", "all contact [ms]", "step [ms]",
-                 "real-time factor", "most inverted"});
+    Table costs({"elements", "predict [ms]", "answer [ms]", "boxes [ms]", "queries [ms]", "impulses [ms]",
+                 "all contact [ms]", "step [ms]", "real-time factor", "most inverted"});
     for (const int size : sizes) {
         Scene scene = load_scene(file, with_elements(size).dump());
         BunnyProbe probe(scene.contact.stiffness);
         std::vector<Probe*> probes{&probe};
         std::unique_ptr<PairFilm> film;
         if (size == elements) {
-            film = std::make_unique<PairFilm>(scene, std::vector<double>{0.0, 0.3, 0.46, 0.7, 1.2, 2.9}, report, "bunny_bowl", options.quick);
+            film = std::make_unique<PairFilm>(scene, std::vector<double>{0.0, 0.3, 0.46, 0.7, 1.2, 2.9},
+                                              report, "bunny_bowl", options.quick);
             for (Probe* probe_of_film : film->probes())
                 probes.push_back(probe_of_film);
         }

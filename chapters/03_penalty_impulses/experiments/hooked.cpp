@@ -13,32 +13,40 @@
 namespace enduring::chapter03 {
 namespace {
 
-/// Of a contact whose normal lies closer to the floor than to the upright, where every true contact here is upright.
+/// Of a contact whose normal lies closer to the floor than to the
+/// upright, where every true contact here is upright.
 bool pushes_sideways(const World& world, const Contact& contact)
 {
     return std::abs(contact_geometry(world, contact, 0).normal.y()) < std::sqrt(0.5);
 }
 
-/// floor, time_s, x_m, speed_m_per_s, pairs, sideways: where the cube is, and how many pairs push it along the floor.
+/// floor, time_s, x_m, speed_m_per_s, pairs, sideways: where the cube is,
+/// and how many pairs push it along the floor.
 class SlideProbe final : public TableProbe {
 public:
-    explicit SlideProbe(std::string floor) : TableProbe({"floor", "time_s", "x_m", "speed_m_per_s", "pairs", "sideways"}), floor_(std::move(floor)) {}
+    explicit SlideProbe(std::string floor)
+        : TableProbe({"floor", "time_s", "x_m", "speed_m_per_s", "pairs", "sideways"}),
+          floor_(std::move(floor))
+    {}
 
     void observe(const World& world, const Contacts& contacts, double) override
     {
         const Body& cube = body_named(world, "cube");
         const Vec3 middle = cube.centre();
         const double speed = cube.mean_velocity().x();
-        const auto sideways = std::count_if(contacts.begin(), contacts.end(),
-                                            [&](const Contact& contact) { return pushes_sideways(world, contact); });
+        const auto sideways = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+            return pushes_sideways(world, contact);
+        });
         if (stopped_at_ < 0 && world.step > 0 && speed <= 0)
             stopped_at_ = world.time;
         farthest_ = std::max(farthest_, middle.x());
         last_speed_ = speed;
-        table_.add({floor_, world.time, middle.x(), speed, static_cast<long>(contacts.size()), static_cast<long>(sideways)});
+        table_.add({floor_, world.time, middle.x(), speed, static_cast<long>(contacts.size()),
+                    static_cast<long>(sideways)});
     }
 
-    double stopped_at() const { return stopped_at_; }  ///< first time the cube no longer moves forward [s], -1 never
+    /// first time the cube no longer moves forward [s], -1 never
+    double stopped_at() const { return stopped_at_; }
     double farthest() const { return farthest_; }      ///< [m]
     double last_speed() const { return last_speed_; }  ///< [m/s]
 

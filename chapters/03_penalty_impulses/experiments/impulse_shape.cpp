@@ -23,7 +23,8 @@ PairVertices vertex_above_triangle(const Vec3& vertex)
 
 ShapeCase straight(std::string panel, std::string what, double height_t0, double height_t1)
 {
-    return {std::move(panel), std::move(what), vertex_above_triangle({0, height_t0, 0}), vertex_above_triangle({0, height_t1, 0})};
+    return {std::move(panel), std::move(what), vertex_above_triangle({0, height_t0, 0}),
+            vertex_above_triangle({0, height_t1, 0})};
 }
 
 /// The triangle sways about its own axis while the vertex passes beside it: a cubic with two dips below zero.
@@ -65,8 +66,10 @@ void impulse_shape(const RunOptions&, Report& report)
             curves.add({c.panel, tau, 1000 * depth, -1000 * std::min(0.0, depth), 1000 * dpf});
         }
         const Bernstein<double, 3> depth = penetration_depth(contact_normal(step), step);
-        areas.add({c.panel, c.what, 1000 * exact_impulse(step, 0, 1, 1).norm(), 1000 * continuous_impulse(step, 0, 1, 1).norm(),
-                   1000 * discrete_impulse(step.t1, 1, 1).norm(), static_cast<long>(penetration_intervals(depth).size())});
+        areas.add({c.panel, c.what, 1000 * exact_impulse(step, 0, 1, 1).norm(),
+                   1000 * continuous_impulse(step, 0, 1, 1).norm(),
+                   1000 * discrete_impulse(step.t1, 1, 1).norm(),
+                   static_cast<long>(penetration_intervals(depth).size())});
     }
     report.table("impulse_shape", curves);
     report.table("impulse_areas", areas);

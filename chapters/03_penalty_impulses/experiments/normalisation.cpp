@@ -10,8 +10,9 @@
 namespace enduring::chapter03 {
 namespace {
 
-/// A triangle of side about 1 that turns about a random axis through a random point near it and grows in its plane, with
-/// a vertex that sinks, rises or stays below it. Vertices move along straight lines in between: that is the model's.
+/// A triangle of side about 1 that turns about a random axis through a random point near it
+/// and grows in its plane, with a vertex that sinks, rises or stays below it. Vertices move
+/// along straight lines in between: that is the model's.
 PairStep random_motion(std::mt19937_64& generator, double turn, double growth)
 {
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -57,22 +58,26 @@ Errors errors_at(double turn, double growth, int count)
         const PairStep step = random_motion(generator, turn, growth);
         const Vec3 exact = exact_impulse(step, 0, 1, 1), ours = continuous_impulse(step, 0, 1, 1);
         errors.length.push_back(std::abs(ours.norm() / exact.norm() - 1));
-        errors.angle_deg.push_back(std::atan2(exact.cross(ours).norm(), exact.dot(ours)) * 180 / std::numbers::pi);
+        errors.angle_deg.push_back(std::atan2(exact.cross(ours).norm(), exact.dot(ours)) * 180 /
+                                   std::numbers::pi);
     }
     return errors;
 }
 
 }  // namespace
 
-/// The constant L_k of (5.14) against the exact unit normal, over random motions: how far the face turns, how much it grows.
+/// The constant L_k of (5.14) against the exact unit normal, over random
+/// motions: how far the face turns, how much it grows.
 void normalisation(const RunOptions& options, Report& report)
 {
     const int count = options.quick ? 200 : 2000;
-    Table table({"turn_deg", "growth_percent", "median_percent", "p95_percent", "max_percent", "direction_p95_deg"});
+    Table table(
+        {"turn_deg", "growth_percent", "median_percent", "p95_percent", "max_percent", "direction_p95_deg"});
     const auto add = [&](double degrees, double growth_percent) {
         const Errors errors = errors_at(degrees * std::numbers::pi / 180, growth_percent / 100, count);
-        table.add({degrees, growth_percent, 100 * quantile(errors.length, 0.5), 100 * quantile(errors.length, 0.95),
-                   100 * quantile(errors.length, 1), quantile(errors.angle_deg, 0.95)});
+        table.add({degrees, growth_percent, 100 * quantile(errors.length, 0.5),
+                   100 * quantile(errors.length, 0.95), 100 * quantile(errors.length, 1),
+                   quantile(errors.angle_deg, 0.95)});
         return 100 * quantile(errors.length, 0.95);
     };
     for (const double degrees : {0.3, 1.0, 3.0, 10.0, 20.0, 30.0, 45.0, 60.0, 90.0}) {

@@ -17,11 +17,11 @@ void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
 
 }  // namespace
 
-PairFilm::PairFilm(const Scene& scene, std::vector<double> times, Report& report, const std::string& name, bool quick)
+PairFilm::PairFilm(const Scene& scene, std::vector<double> times, Report& report, const std::string& name,
+                   bool quick)
     : strip_file_(report.file(name + ".png")), strip_(scene, std::move(times), mark_pairs, 560, 400),
       clip_(scene, report.file(name + ".mp4"), quick ? 3 : 20)
-{
-}
+{}
 
 void PairFilm::finish()
 {

@@ -13,7 +13,8 @@ class PairFilm {
 public:
     /// @param times  of the strip's pictures [s], ascending
     /// @param quick  few frames: they are most of a quick run's time
-    PairFilm(const Scene& scene, std::vector<double> times, Report& report, const std::string& name, bool quick);
+    PairFilm(const Scene& scene, std::vector<double> times, Report& report, const std::string& name,
+             bool quick);
     std::vector<Probe*> probes() { return {&strip_, &clip_}; }
     /// Writes the strip, three pictures in a row, and ends the clip.
     void finish();

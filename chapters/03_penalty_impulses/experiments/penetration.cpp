@@ -11,14 +11,16 @@ namespace {
 
 constexpr std::array<PenaltyMethod, 2> both_methods{PenaltyMethod::discrete, PenaltyMethod::continuous};
 
-/// Figure 7.6: the mean summed depth along k dt^2 = const, where both methods are equally close to their limit.
+/// Figure 7.6: the mean summed depth along k dt^2 = const, where both
+/// methods are equally close to their limit.
 void depth_over_step(const std::filesystem::path& file, Report& report)
 {
     Table table({"elements", "dt_s", "stiffness_n_per_m", "dpf_depth_mm", "cpf_depth_mm", "ratio"});
     for (const std::string& basis : both_bases)
         for (const double dt : {0.003, 0.004, 0.005, 0.006, 0.007, 0.008, 0.010}) {
             const DepthRatio depth = depths_between_limits(file, dt, basis);
-            table.add({basis, dt, stiffness_between_limits(dt), 1000 * depth.discrete, 1000 * depth.continuous, depth.ratio()});
+            table.add({basis, dt, stiffness_between_limits(dt), 1000 * depth.discrete,
+                       1000 * depth.continuous, depth.ratio()});
         }
     report.table("depth_over_step", table);
     report.page_table("depth_over_step", table, 3);
@@ -49,8 +51,8 @@ Best over_stiffness(const RunOptions& options, const std::filesystem::path& file
         over = over || (best.stiffness > 0 && median(jitters) >= smooth);
         if (!over && median(jitters) < smooth)
             best = {drop.stiffness, median(depths)};
-        table.add({drop.basis, short_name(drop.method), drop.stiffness, 1000 * median(depths), 100 * median(jitters), median(pairs),
-                   median(pairs) * drop.stiffness});
+        table.add({drop.basis, short_name(drop.method), drop.stiffness, 1000 * median(depths),
+                   100 * median(jitters), median(pairs), median(pairs) * drop.stiffness});
     }
     return best;
 }
@@ -58,16 +60,20 @@ Best over_stiffness(const RunOptions& options, const std::filesystem::path& file
 /// Figure 7.7: depth and jitter over the stiffness, at one step.
 void depth_over_stiffness(const RunOptions& options, const std::filesystem::path& file, Report& report)
 {
-    Table table({"elements", "method", "stiffness_n_per_m", "depth_mm", "jitter_percent", "pairs", "nk_n_per_m"});
-    Table summary({"elements", "method", "largest smooth k [N/m]", "summed depth there [mm]", "thesis k [N/m]", "thesis depth [mm]"});
+    Table table(
+        {"elements", "method", "stiffness_n_per_m", "depth_mm", "jitter_percent", "pairs", "nk_n_per_m"});
+    Table summary({"elements", "method", "largest smooth k [N/m]", "summed depth there [mm]",
+                   "thesis k [N/m]", "thesis depth [mm]"});
     Progress progress("penetration: over the stiffness", 4);
     for (const std::string& basis : both_bases)
         for (const PenaltyMethod method : both_methods) {
             const bool discrete = method == PenaltyMethod::discrete, of_thesis = basis == "quadratic";
             const Best best = over_stiffness(options, file, {method, 0.01, 0, 45, basis}, table);
-            summary.add({basis, short_name(method), best.stiffness, 1000 * best.depth, of_thesis ? discrete ? "3000" : "7000 and 8000" : "-",
+            summary.add({basis, short_name(method), best.stiffness, 1000 * best.depth,
+                         of_thesis ? discrete ? "3000" : "7000 and 8000" : "-",
                          of_thesis ? discrete ? "280" : "100" : "-"});
-            report.fact("penetration", basis + (discrete ? "_dpf_best_mm" : "_cpf_best_mm"), 1000 * best.depth, 3);
+            report.fact("penetration", basis + (discrete ? "_dpf_best_mm" : "_cpf_best_mm"),
+                        1000 * best.depth, 3);
             report.fact("penetration", basis + (discrete ? "_dpf_best_k" : "_cpf_best_k"), best.stiffness, 3);
             progress.update(static_cast<int>(summary.rows().size()));
         }

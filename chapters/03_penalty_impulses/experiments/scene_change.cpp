@@ -11,7 +11,8 @@ namespace enduring::chapter03 {
 nlohmann::json contact_change(PenaltyMethod method, double stiffness, double dt)
 {
     return {{"dt", dt},
-            {"contact", {{"method", method == PenaltyMethod::discrete ? "dpf" : "cpf"}, {"stiffness", stiffness}}}};
+            {"contact",
+             {{"method", method == PenaltyMethod::discrete ? "dpf" : "cpf"}, {"stiffness", stiffness}}}};
 }
 
 nlohmann::json bodies_of(const std::filesystem::path& file)

@@ -37,7 +37,8 @@ TEST_CASE("contact normal: the cubic depth is n . (p - q), wherever p and q lie 
             const Vec3 p = pair.edge_edge ? Vec3((1 - s) * x[0] + s * x[1]) : x[0];
             const Vec3 q = pair.edge_edge ? Vec3((1 - t) * x[2] + t * x[3])
                                           : Vec3((1 - s - t) * x[1] + s * x[2] + t * x[3]);
-            const Vec3 normal = pair.edge_edge ? (x[1] - x[0]).cross(x[3] - x[2]) : (x[2] - x[1]).cross(x[3] - x[1]);
+            const Vec3 normal = pair.edge_edge ? (x[1] - x[0]).cross(x[3] - x[2])
+                                               : (x[2] - x[1]).cross(x[3] - x[1]);
             CHECK(std::abs(depth(tau) - normal.dot(p - q)) < 1e-12);
         }
     }
@@ -58,7 +59,8 @@ TEST_CASE("contact normal: L_k squared is the mean of the squared length over th
     for (const auto& pair : random_pairs(200, 35)) {
         const Bernstein<Vec3, 2> normal = contact_normal(pair.step());
         const double mean = boost::math::quadrature::gauss<double, 15>::integrate(
-            [&](double tau) { return pair.at(tau).side_1.cross(pair.at(tau).side_2).squaredNorm(); }, 0.0, 1.0);
+            [&](double tau) { return pair.at(tau).side_1.cross(pair.at(tau).side_2).squaredNorm(); }, 0.0,
+            1.0);
         CHECK(std::abs(mean_squared_length(normal) - mean) <= 1e-12 * mean);
     }
 }
@@ -76,11 +78,13 @@ TEST_CASE("errata: (5.13) as printed, a root of products, is not the length of t
         sum += L[i] * basis[i];
     }
     CHECK(std::abs(std::sqrt(sum) - 1) < 1e-15);
-    CHECK(std::sqrt(product) < 0.01);  // the printed form: far from 1, and it vanishes at both ends of every step
+    // the printed form: far from 1, and it vanishes at both ends of every step
+    CHECK(std::sqrt(product) < 0.01);
     CHECK(squared_length(contact_normal({rest, rest}))(tau) == doctest::Approx(1));
 }
 
-TEST_CASE("errata: what (5.18) calls n_T is the normal of two edges; that of a triangle of their ends is another")
+TEST_CASE(
+    "errata: what (5.18) calls n_T is the normal of two edges; that of a triangle of their ends is another")
 {
     int edge_pairs = 0, triangles = 0;
     for (const auto& pair : random_pairs(200, 36)) {

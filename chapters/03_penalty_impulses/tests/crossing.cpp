@@ -37,7 +37,8 @@ TEST_CASE("crossing: a vertex enters through the front of a face and not through
     const PairWeights expected{1, -0.5, -0.25, -0.25};
     for (std::size_t i = 0; i < 4; ++i)
         CHECK(entry->weights[i] == doctest::Approx(expected[i]).epsilon(1e-9));
-    CHECK_FALSE(find_entry(falling_vertex(-1, 3), enters_face));  // leaves: an outgoing crossing creates nothing
+    // leaves: an outgoing crossing creates nothing
+    CHECK_FALSE(find_entry(falling_vertex(-1, 3), enters_face));
     CHECK_FALSE(find_entry(falling_vertex(1, 0.5), enters_face));
 }
 
@@ -49,10 +50,13 @@ TEST_CASE("crossing: a vertex that lies in the face and sinks enters at once")
     CHECK_FALSE(find_entry(falling_vertex(0, 1), enters_face));
 }
 
-TEST_CASE("crossing: a vertex that has no speed towards the face at first enters where the face tilts up against it")
+TEST_CASE(
+    "crossing: a vertex that has no speed towards the face at first enters where the face tilts up against it")
 {
-    // At (x, 0, 0) the face rises as 0.4 tau x; the vertex glides along x = 0.5 tau, so the depth falls with tau squared.
-    const VertexFaceStep step{{0, 0, 0}, {-1, 0, -1}, {-1, 0, 3}, {3, 0, -1}, {0.5, 0, 0}, {-1, -0.4, -1}, {-1, -0.4, 3}, {3, 1.2, -1}};
+    // At (x, 0, 0) the face rises as 0.4 tau x; the vertex glides along x =
+    // 0.5 tau, so the depth falls with tau squared.
+    const VertexFaceStep step{{0, 0, 0},   {-1, 0, -1},    {-1, 0, 3},    {3, 0, -1},
+                              {0.5, 0, 0}, {-1, -0.4, -1}, {-1, -0.4, 3}, {3, 1.2, -1}};
     const auto entry = find_entry(step, enters_face);
     REQUIRE(entry);
     CHECK(entry->time < 1e-9);
@@ -84,7 +88,8 @@ TEST_CASE("crossing: an edge pair gets the normal that points from B to A")
     const auto from_above = entering(falling_edge(1, -1), b_below_a);
     REQUIRE(from_above);
     CHECK(from_above->time == doctest::Approx(0.5).epsilon(1e-9));
-    const PairInstant above = edge_edge_instant({Vec3(-1, 1, 0.2), Vec3(1, 1, 0.2), Vec3(0, 0, -1), Vec3(0, 0, 1)}, from_above->orientation);
+    const PairInstant above = edge_edge_instant(
+        {Vec3(-1, 1, 0.2), Vec3(1, 1, 0.2), Vec3(0, 0, -1), Vec3(0, 0, 1)}, from_above->orientation);
     CHECK(above.side_1.cross(above.side_2).y() > 0);
 
     const auto from_below = entering(falling_edge(-1, 1), a_below_b);
@@ -129,6 +134,7 @@ TEST_CASE("crossing: edges and faces thinner than a ten-thousandth still have a 
     CHECK(entry->time == doctest::Approx(0.5).epsilon(1e-9));
     CHECK(entry->weights[0] == doctest::Approx(0.5).epsilon(1e-9));
 
-    VertexFaceStep needle{{0.5, 1, 0}, {-1, 0, -1e-4}, {-1, 0, 1e-4}, {2, 0, 0}, {0.5, -1, 0}, {-1, 0, -1e-4}, {-1, 0, 1e-4}, {2, 0, 0}};
+    VertexFaceStep needle{{0.5, 1, 0},  {-1, 0, -1e-4}, {-1, 0, 1e-4}, {2, 0, 0},
+                          {0.5, -1, 0}, {-1, 0, -1e-4}, {-1, 0, 1e-4}, {2, 0, 0}};
     CHECK(find_entry(needle, enters_face));
 }

@@ -53,7 +53,8 @@ void check_picture(const Later& it, const std::string& name)
     Renderer renderer(640, 420);
     Stage stage = stage_of(it.scene.world, it.scene);
     mark_contacts(stage, it.scene.world, it.result.contacts);
-    const ReferenceCheck check = check_reference_picture(renderer.draw(stage), "03_penalty_impulses/" + name + ".png");
+    const ReferenceCheck check = check_reference_picture(renderer.draw(stage),
+                                                         "03_penalty_impulses/" + name + ".png");
     CHECK_MESSAGE(check.passed, check.message);
 }
 
@@ -73,7 +74,8 @@ double median_jitter(PenaltyMethod method, double dt, double stiffness = 5000)
 
 }  // namespace
 
-TEST_CASE("jitter: an alternation of height a counts as a, a constant as nothing, a slow swing as next to nothing")
+TEST_CASE(
+    "jitter: an alternation of height a counts as a, a constant as nothing, a slow swing as next to nothing")
 {
     std::vector<double> alternating, constant(50, 7.0), swing;
     for (int i = 0; i < 50; ++i) {
@@ -98,7 +100,9 @@ TEST_CASE("bar on cube: at rest the cube carries the bar's weight")
     CHECK(force / steps == doctest::Approx(record.weight).epsilon(0.03));
 }
 
-TEST_CASE("bar on cube: with quadratic elements the continuous force lies still at dt = 0.008 s, where the discrete one jitters" * doctest::test_suite("long simulation"))
+TEST_CASE(
+    "bar on cube: with quadratic elements the continuous force lies still at dt = 0.008 s, where the discrete one jitters" *
+    doctest::test_suite("long simulation"))
 {
     CHECK(elements_of(load_bar_scene(scene_file("bar_on_cube"), {}).world, "bar") == "48 quadratic elements");
     CHECK(median_jitter(PenaltyMethod::continuous, 0.008) < 0.003);
@@ -107,7 +111,9 @@ TEST_CASE("bar on cube: with quadratic elements the continuous force lies still 
     CHECK(median_jitter(PenaltyMethod::continuous, 0.012) > 0.003);
 }
 
-TEST_CASE("bar on cube: along a constant k dt^2 the continuous force lies still, and the bar one to two times as deep as with the discrete one" * doctest::test_suite("long simulation"))
+TEST_CASE(
+    "bar on cube: along a constant k dt^2 the continuous force lies still, and the bar one to two times as deep as with the discrete one" *
+    doctest::test_suite("long simulation"))
 {
     for (const double dt : {0.005, 0.007, 0.010}) {
         CAPTURE(dt);
@@ -129,11 +135,13 @@ TEST_CASE("jitter: a bar that nothing carries does not count as smooth")
     CHECK(jitter_at_rest(record) == 1);
 }
 
-TEST_CASE("bar on cube: the stiffer the pairs, the less deep lies the bar" * doctest::test_suite("long simulation"))
+TEST_CASE("bar on cube: the stiffer the pairs, the less deep lies the bar" *
+          doctest::test_suite("long simulation"))
 {
     double last = 1;
     for (const double stiffness : {2500.0, 5000.0, 10000.0}) {
-        const double depth = depth_at_rest(drop_bar(scene_file("bar_on_cube"), {PenaltyMethod::continuous, 0.005, stiffness}));
+        const double depth =
+            depth_at_rest(drop_bar(scene_file("bar_on_cube"), {PenaltyMethod::continuous, 0.005, stiffness}));
         CHECK(depth < 0.8 * last);
         last = depth;
     }
@@ -158,7 +166,8 @@ TEST_CASE("bunny in the bowl: it falls in, adds no energy and inverts no element
     CHECK(feet > floor);
 }
 
-TEST_CASE("bunny in the bowl: in both scenes a bowl as heavy as bowl and bunny rests less than 5 mm deep in the ground, far below the limit of the step")
+TEST_CASE(
+    "bunny in the bowl: in both scenes a bowl as heavy as bowl and bunny rests less than 5 mm deep in the ground, far below the limit of the step")
 {
     for (const std::string name : {"bunny_bowl", "bunny_at_rest"}) {
         CAPTURE(name);
@@ -172,12 +181,14 @@ TEST_CASE("bunny in the bowl: in both scenes a bowl as heavy as bowl and bunny r
         const double in_ground = std::get<double>(depths.table().rows().back()[8]);
         CHECK(in_ground > 0);
         CHECK(in_ground < 0.005);
-        const double nk = static_cast<double>(it.result.contacts.size()) * it.scene.world.planes[0].stiffness.value_or(it.scene.contact.stiffness);
+        const double nk = static_cast<double>(it.result.contacts.size()) *
+                          it.scene.world.planes[0].stiffness.value_or(it.scene.contact.stiffness);
         CHECK(nk * it.scene.dt * it.scene.dt / alone < 1);  // the limit is 2
     }
 }
 
-TEST_CASE("bunny in the bowl: the moment before the first bounce is as in its reference picture" * doctest::test_suite("long simulation"))
+TEST_CASE("bunny in the bowl: the moment before the first bounce is as in its reference picture" *
+          doctest::test_suite("long simulation"))
 {
     check_picture(later("bunny_bowl", 0.5), "bunny_bowl");
 }
@@ -186,11 +197,12 @@ TEST_CASE("hooked: a cube that slides without friction over triangles stops, and
 {
     const Later triangles = later("hooked", 1.5);
     const Body& cube = body_named(triangles.scene.world, "cube");
-    const double x = cube.positions_t0()[0].x() + 0.25;  // its first vertex began at -0.25
+    const double x = cube.positions_t0()[0].x() + 0.25;      // its first vertex began at -0.25
     CHECK(cube.linear_momentum().x() / cube.mass() < 0.75);  // it began with 1.5 m/s
     CHECK(x < 1.0);                                          // and would have come 2.25 m far
 
-    const Later plane = later("hooked", 1.5, R"({"planes": [{"name": "ground"}], "bodies": [{"name": "cube", "type": "rigid",
+    const Later plane = later("hooked", 1.5,
+                              R"({"planes": [{"name": "ground"}], "bodies": [{"name": "cube", "type": "rigid",
         "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "mass": 20, "position": [0, 0.255, 0.03], "velocity": [1.5, 0, 0]}]})");
     const Body& free = body_named(plane.scene.world, "cube");
     CHECK(free.linear_momentum().x() / free.mass() == doctest::Approx(1.5).epsilon(1e-9));

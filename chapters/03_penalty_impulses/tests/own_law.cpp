@@ -34,11 +34,14 @@ World above_a_slope(bool triangle, double speed)
     World world;
     world.gravity.setZero();
     world.bodies.push_back(std::make_unique<PointMasses>(
-        "particles", std::vector<Vec3>{corner(0, 0.1) + height * up, corner(120, 0.1) + height * up, corner(240, 0.1) + height * up},
+        "particles",
+        std::vector<Vec3>{corner(0, 0.1) + height * up, corner(120, 0.1) + height * up,
+                          corner(240, 0.1) + height * up},
         std::vector<Face>{{0, 1, 2}}, 1.0, -speed * up));
     if (triangle)
-        world.bodies.push_back(std::make_unique<StaticBody>("slope", SurfaceTopology(3, {{0, 1, 2}}),
-                                                            std::vector<Vec3>{corner(10, 2), corner(130, 2), corner(250, 2)}));
+        world.bodies.push_back(
+            std::make_unique<StaticBody>("slope", SurfaceTopology(3, {{0, 1, 2}}),
+                                         std::vector<Vec3>{corner(10, 2), corner(130, 2), corner(250, 2)}));
     else
         world.planes.push_back({"slope", Vec3::Zero(), up});
     return world;
@@ -66,12 +69,14 @@ TEST_CASE("own law: a quadratic penalty pushes with k d^2 along the normal, on a
         for (const Contact& contact : contacts) {
             CHECK(contact.kind == (triangle ? ContactKind::vertex_face : ContactKind::vertex_plane));
             CHECK((contact.impulse - k * dt * depth * depth * up).norm() <= 1e-12 * k * dt);
-            CHECK((world.bodies[0]->velocity(contact.feature_a) - (k * dt * depth * depth - speed) * up).norm() <= 1e-12);
+            CHECK((world.bodies[0]->velocity(contact.feature_a) - (k * dt * depth * depth - speed) * up)
+                      .norm() <= 1e-12);
         }
     }
 }
 
-TEST_CASE("own law: under it a weight m sinks to sqrt(m g / k), less the fall of one step, on a plane and on a mesh alike")
+TEST_CASE(
+    "own law: under it a weight m sinks to sqrt(m g / k), less the fall of one step, on a plane and on a mesh alike")
 {
     const double k = 20000, dt = 0.002, g = 9.81;
     for (const bool triangle : {false, true}) {
@@ -80,7 +85,8 @@ TEST_CASE("own law: under it a weight m sinks to sqrt(m g / k), less the fall of
         world.gravity = -g * up;
         Contacts contacts;
         const Solver solver = chapter03_solver(quadratic(k));
-        for (int step = 0; step < 12000; ++step)  // a step takes k d dt^2 / m of the swing: what is left is 1e-9 of it
+        // a step takes k d dt^2 / m of the swing: what is left is 1e-9 of it
+        for (int step = 0; step < 12000; ++step)
             advance(world, contacts, solver, dt);
         for (const Vec3& place : world.bodies[0]->positions_t0())
             CHECK(-up.dot(place) == doctest::Approx(std::sqrt(g / k) - g * dt * dt).epsilon(1e-6));
@@ -95,7 +101,8 @@ TEST_CASE("own law: it takes the stiffness of a plane that has its own, in chapt
         World world = above_a_slope(false, speed);
         world.planes[0].stiffness = 50;
         Contacts contacts;
-        advance(world, contacts, with_pairs ? chapter03_solver(quadratic(700)) : chapter01_solver(quadratic(700)), dt);
+        advance(world, contacts,
+                with_pairs ? chapter03_solver(quadratic(700)) : chapter01_solver(quadratic(700)), dt);
         REQUIRE(contacts.size() == 3);
         CHECK((contacts[0].impulse - 50 * dt * depth * depth * up).norm() <= 1e-12);
     }

@@ -1,6 +1,6 @@
+#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 #include "chapters/01_particle_plane/plane_impulse.hpp"
 #include "chapters/03_penalty_impulses/exact_impulse.hpp"
-#include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 #include "chapters/03_penalty_impulses/tests/random_pairs.hpp"
 
 #include <doctest/doctest.h>
@@ -23,8 +23,9 @@ double depth_at(const RandomPair& pair, double tau)
     return now.side_1.cross(now.side_2).dot(now.offset);
 }
 
-/// Where the depth may change its sign: real parts of the roots of the cubic through four of its values, as the
-/// eigenvalues of its companion matrix, between 0 and 1. A piece between two of them lies inside or outside.
+/// Where the depth may change its sign: real parts of the roots of the cubic through
+/// four of its values, as the eigenvalues of its companion matrix, between 0 and 1.
+/// A piece between two of them lies inside or outside.
 std::vector<double> breakpoints(const RandomPair& pair)
 {
     Eigen::Matrix4d powers;
@@ -83,7 +84,8 @@ TEST_CASE("penalty impulses: the closed form equals a quadrature of its own inte
     }
 }
 
-TEST_CASE("penalty impulses: the constant L_k is exact for normals that keep their length, and close for small motions")
+TEST_CASE(
+    "penalty impulses: the constant L_k is exact for normals that keep their length, and close for small motions")
 {
     double worst_at_1_percent = 0, worst_at_10_percent = 0;
     for (const double motion : {0.0, 0.01, 0.1})
@@ -91,7 +93,8 @@ TEST_CASE("penalty impulses: the constant L_k is exact for normals that keep the
             // Only well shaped pairs: the motion must be small beside the normal.
             if (pair.at(0).side_1.cross(pair.at(0).side_2).norm() < 0.5)
                 continue;
-            const Vec3 exact = exact_impulse(pair.step(), 0, 1, 1), ours = continuous_impulse(pair.step(), 0, 1, 1);
+            const Vec3 exact = exact_impulse(pair.step(), 0, 1, 1),
+                       ours = continuous_impulse(pair.step(), 0, 1, 1);
             const double error = (exact - ours).norm() / (1e-3 + exact.norm());
             if (motion == 0)
                 CHECK(error < 1e-13);
@@ -113,7 +116,8 @@ TEST_CASE("penalty impulses: the exact impulse is a quadrature of the unit norma
             return Vec3(normal.dot(now.offset) * normal);
         });
         // A normal that almost vanishes on its way makes the integrand steep for both.
-        if (std::min({pair.at(0.25).side_1.cross(pair.at(0.25).side_2).norm(), pair.at(0.5).side_1.cross(pair.at(0.5).side_2).norm(),
+        if (std::min({pair.at(0.25).side_1.cross(pair.at(0.25).side_2).norm(),
+                      pair.at(0.5).side_1.cross(pair.at(0.5).side_2).norm(),
                       pair.at(0.75).side_1.cross(pair.at(0.75).side_2).norm()}) > 0.5)
             CHECK((exact - summed).norm() < 1e-10);
     }
@@ -130,7 +134,8 @@ TEST_CASE("penalty impulses: the plane of chapter 1 is a pair with a face that d
         PairVertices t1 = t0;
         t1[0].y() = y_t1;
         const PairStep step{vertex_face_instant(t0), vertex_face_instant(t1)};
-        const Vec3 continuous = continuous_impulse(step, start, k, dt), discrete = discrete_impulse(step.t1, k, dt);
+        const Vec3 continuous = continuous_impulse(step, start, k, dt),
+                   discrete = discrete_impulse(step.t1, k, dt);
         CAPTURE(y_t0);
         CAPTURE(y_t1);
         CHECK((continuous - Vec3(0, continuous_plane_impulse(y_t0, y_t1, k, dt), 0)).norm() < 1e-12);
@@ -140,14 +145,16 @@ TEST_CASE("penalty impulses: the plane of chapter 1 is a pair with a face that d
 
 TEST_CASE("penalty impulses: (5.20) for a vertex that enters half-way, by hand")
 {
-    // From 1 above to 1 below: inside for tau in [1/2, 1], mean depth there -1/2, so -k dt (1/2)(-1/2) = k dt / 4.
+    // From 1 above to 1 below: inside for tau in [1/2, 1], mean depth
+    // there -1/2, so -k dt (1/2)(-1/2) = k dt / 4.
     const PairVertices t0{Vec3(0, 1, 0), Vec3(-1, 0, -1), Vec3(-1, 0, 3), Vec3(3, 0, -1)};
     PairVertices t1 = t0;
     t1[0].y() = -1;
     const PairStep step{vertex_face_instant(t0), vertex_face_instant(t1)};
     CHECK((continuous_impulse(step, 0, 8, 0.5) - Vec3(0, 1, 0)).norm() < 1e-15);
     CHECK((continuous_impulse(step, 0.5, 8, 0.5) - Vec3(0, 1, 0)).norm() < 1e-15);
-    CHECK((discrete_impulse(step.t1, 8, 0.5) - Vec3(0, 4, 0)).norm() < 1e-15);  // the whole step at its deepest
+    // the whole step at its deepest
+    CHECK((discrete_impulse(step.t1, 8, 0.5) - Vec3(0, 4, 0)).norm() < 1e-15);
 }
 
 TEST_CASE("penalty impulses: for a pair inside throughout, the continuous impulse tends to the discrete one")

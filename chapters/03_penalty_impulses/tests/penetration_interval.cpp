@@ -10,12 +10,14 @@ using namespace enduring;
 
 namespace {
 
-/// The cubic scale (tau - r0)(tau - r1)(tau - r2) in Bernstein form, through its blossom (exact up to rounding).
+/// The cubic scale (tau - r0)(tau - r1)(tau - r2) in Bernstein form,
+/// through its blossom (exact up to rounding).
 Bernstein<double, 3> from_roots(double scale, double r0, double r1, double r2)
 {
-    const auto blossom = [&](double u, double v, double w) {  // symmetric, and the cubic itself on the diagonal
-        return scale * (u * v * w - (r0 + r1 + r2) * (u * v + v * w + u * w) / 3
-                        + (r0 * r1 + r1 * r2 + r0 * r2) * (u + v + w) / 3 - r0 * r1 * r2);
+    // symmetric, and the cubic itself on the diagonal
+    const auto blossom = [&](double u, double v, double w) {
+        return scale * (u * v * w - (r0 + r1 + r2) * (u * v + v * w + u * w) / 3 +
+                        (r0 * r1 + r1 * r2 + r0 * r2) * (u + v + w) / 3 - r0 * r1 * r2);
     };
     return {{blossom(0, 0, 0), blossom(0, 0, 1), blossom(0, 1, 1), blossom(1, 1, 1)}};
 }
@@ -55,7 +57,8 @@ TEST_CASE("penetration intervals: they hold the negative values of random cubics
     std::uniform_real_distribution<double> unit(-1, 1);
     int count[3] = {0, 0, 0};
     for (int round = 0; round < 20000; ++round) {
-        const Bernstein<double, 3> depth{{unit(generator), unit(generator), unit(generator), unit(generator)}};
+        const Bernstein<double, 3> depth{
+            {unit(generator), unit(generator), unit(generator), unit(generator)}};
         const double start = round % 3 == 0 ? 0.5 * (unit(generator) + 1) : 0;
         CAPTURE(round);
         CAPTURE(start);
@@ -110,7 +113,8 @@ TEST_CASE("penetration intervals: a pair that starts at its impact is not pushed
     CHECK(inside[0].from == 0.25);
     CHECK(penetration_intervals({{1.0, 1.0, -1.0, -1.0}}, 1).size() <= 1);
 
-    // Negative before 0.2 and from 0.4 to 0.7, or the other way round: the visit before the start is nobody's.
+    // Negative before 0.2 and from 0.4 to 0.7, or the other way round:
+    // the visit before the start is nobody's.
     for (const double sign : {1.0, -1.0}) {
         const auto rest = penetration_intervals(from_roots(sign, 0.2, 0.4, 0.7), 0.5);
         REQUIRE(rest.size() == 1);

@@ -10,7 +10,8 @@ MarkContacts friction_arrows(double metres_per_newton, double dt)
         for (const Contact& contact : contacts) {
             const Vec3 p = contact_geometry(world, contact, 0).p;
             if (contact.friction.norm() > 0)
-                stage.segments.push_back({p, p + metres_per_newton / dt * contact.friction, palette::colliding_vertex, 5, true, false});
+                stage.segments.push_back({p, p + metres_per_newton / dt * contact.friction,
+                                          palette::colliding_vertex, 5, true, false});
         }
     };
 }

@@ -42,14 +42,13 @@ Scene scene_of(const Launch& launch)
     constexpr double mass = 100, corners = 4, stiffness = 20000;
     const Vec3 up = uphill(launch.angle_deg), normal(-up.y(), up.x(), 0);
     const double depth = mass * 9.81 * normal.y() / (corners * stiffness);
-    const nlohmann::json change{
-        {"dt", launch.dt},
-        {"planes", {{{"name", "slope"}, {"normal", list(normal)}}}},
-        {"/bodies/block",
-         {{"shape", {{"box", {{"size", {1, launch.height, 1}}}}}},
-          {"position", list((launch.height / 2 - depth) * normal)},
-          {"rotation", {{"axis", {0, 0, 1}}, {"angle_deg", launch.angle_deg}}},
-          {"velocity", list(launch.speed * up)}}}};
+    const nlohmann::json change{{"dt", launch.dt},
+                                {"planes", {{{"name", "slope"}, {"normal", list(normal)}}}},
+                                {"/bodies/block",
+                                 {{"shape", {{"box", {{"size", {1, launch.height, 1}}}}}},
+                                  {"position", list((launch.height / 2 - depth) * normal)},
+                                  {"rotation", {{"axis", {0, 0, 1}}, {"angle_deg", launch.angle_deg}}},
+                                  {"velocity", list(launch.speed * up)}}}};
     Scene scene = load_scene(scene_file("block_on_slope"), change.dump());
     scene.contact.friction = launch.friction;
     return scene;

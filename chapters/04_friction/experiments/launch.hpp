@@ -7,12 +7,13 @@
 
 namespace enduring::chapter04 {
 
-/// The box of the scene `block_on_slope`, under other circumstances: 100 kg on 1 m x 1 m, on a plane, with a push.
+/// The box of the scene `block_on_slope`, under other circumstances:
+/// 100 kg on 1 m x 1 m, on a plane, with a push.
 struct Launch {
     double angle_deg = 10;
-    double dt = 0.01;       ///< [s]
-    double height = 0.1;    ///< of the box [m]; 1 makes it a cube
-    double speed = 3;       ///< uphill, at first [m/s]
+    double dt = 0.01;     ///< [s]
+    double height = 0.1;  ///< of the box [m]; 1 makes it a cube
+    double speed = 3;     ///< uphill, at first [m/s]
     FrictionParameters friction{};
 };
 
@@ -42,7 +43,8 @@ bool holds(const Launch& launch);
 /// @return  not a number if the upper end does not hold
 double smallest_mu_s(Launch launch);
 
-/// Mean acceleration between two speeds of a launch [m/s^2], uphill positive; not a number if it never gets there.
+/// Mean acceleration between two speeds of a launch [m/s^2], uphill
+/// positive; not a number if it never gets there.
 double mean_acceleration(const Launch& launch, double from_speed, double to_speed);
 
 }  // namespace enduring::chapter04

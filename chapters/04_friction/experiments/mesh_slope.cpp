@@ -15,27 +15,31 @@ namespace {
 bool pushes_along(const World& world, const Contact& contact, double angle_deg)
 {
     const Vec3 up = uphill(angle_deg);
-    return std::abs(contact_geometry(world, contact, 0).normal.dot(Vec3(-up.y(), up.x(), 0))) < std::sqrt(0.5);
+    return std::abs(contact_geometry(world, contact, 0).normal.dot(Vec3(-up.y(), up.x(), 0))) <
+           std::sqrt(0.5);
 }
 
 /// floor, time_s, distance_m, speed_m_per_s, pairs, sideways.
 class BlockProbe final : public TableProbe {
 public:
     BlockProbe(std::string floor, std::string block, double angle_deg)
-        : TableProbe({"floor", "time_s", "distance_m", "speed_m_per_s", "pairs", "sideways"}), floor_(std::move(floor)), block_(std::move(block)), angle_deg_(angle_deg)
-    {
-    }
+        : TableProbe({"floor", "time_s", "distance_m", "speed_m_per_s", "pairs", "sideways"}),
+          floor_(std::move(floor)), block_(std::move(block)), angle_deg_(angle_deg)
+    {}
     void observe(const World& world, const Contacts& contacts, double) override
     {
         const Body& block = body_named(world, block_);
         const Vec3 middle = block.centre();
         const Vec3 up = uphill(angle_deg_);
-        const auto sideways = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& c) { return pushes_along(world, c, angle_deg_); });
+        const auto sideways = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& c) {
+            return pushes_along(world, c, angle_deg_);
+        });
         if (world.step == 0)
             start_ = middle.dot(up);
         const double way = middle.dot(up) - start_;
         farthest_ = std::max(farthest_, way);
-        table_.add({floor_, world.time, way, block.linear_momentum().dot(up) / block.mass(), static_cast<long>(contacts.size()), static_cast<long>(sideways)});
+        table_.add({floor_, world.time, way, block.linear_momentum().dot(up) / block.mass(),
+                    static_cast<long>(contacts.size()), static_cast<long>(sideways)});
     }
     double farthest() const { return farthest_; }
 

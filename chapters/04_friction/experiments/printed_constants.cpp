@@ -20,7 +20,7 @@ struct Reading {
 const std::vector<Reading> readings{
     {"of each pair, in SI units", printed_spring, printed_damper},
     {"of the whole body", printed_spring / pairs, printed_damper / pairs},
-    {"per kilogram of the body", printed_spring * mass / pairs, printed_damper * mass / pairs},
+    {"per kilogram of the body", printed_spring* mass / pairs, printed_damper* mass / pairs},
     {"of an impulse: the factor Δt is missing", printed_spring / dt, printed_damper / dt},
     {"velocity as way per step", printed_spring, printed_damper* dt},
     {"both: impulse, and way per step", printed_spring / dt, printed_damper},
@@ -65,18 +65,20 @@ void printed_constants(const RunOptions&, Report& report)
 {
     const double normal_force = mass * gravity * std::cos(angle_deg * std::numbers::pi / 180) / pairs;
     const double weight_along = mass * gravity * std::sin(angle_deg * std::numbers::pi / 180) / pairs;
-    Table table({"reading", "k_FP [N/m]", "k_FD [N s/m]", "damping ratio", "sticks below [m/s]", "hangs at [mm]", "highest [m]", "with 0.3", "with 0.4"});
+    Table table({"reading", "k_FP [N/m]", "k_FD [N s/m]", "damping ratio", "sticks below [m/s]",
+                 "hangs at [mm]", "highest [m]", "with 0.3", "with 0.4"});
     for (const Reading& reading : readings) {
         const double ratio = pairs * reading.damper / (2 * std::sqrt(pairs * reading.spring * mass));
         table.add({reading.words, reading.spring, reading.damper, ratio, 0.3 * normal_force / reading.damper,
-                   1000 * weight_along / reading.spring, highest_way(reading, 0.3), stays(reading, 0.3) ? "holds" : "slides",
-                   stays(reading, 0.4) ? "holds" : "slides"});
+                   1000 * weight_along / reading.spring, highest_way(reading, 0.3),
+                   stays(reading, 0.3) ? "holds" : "slides", stays(reading, 0.4) ? "holds" : "slides"});
     }
     report.table("printed_constants", table);
     report.page_table("printed_constants", table, 3);
     report.fact("printed_constants", "sticks_below", 0.3 * normal_force / printed_damper, 3);
     report.fact("printed_constants", "hangs_at_m", weight_along / printed_spring, 2);
-    const double up = 9.81 * (std::sin(angle_deg * std::numbers::pi / 180) + 0.1 * std::cos(angle_deg * std::numbers::pi / 180));
+    const double up = 9.81 * (std::sin(angle_deg * std::numbers::pi / 180) +
+                              0.1 * std::cos(angle_deg * std::numbers::pi / 180));
     report.fact("printed_constants", "coulomb_highest", 9 / (2 * up), 3);
 }
 

@@ -18,7 +18,8 @@ namespace enduring::rides {
 enum class Ground {
     table,      ///< level, turns about the vertical
     soft_slab,  ///< a deformable slab that lies on the table and carries the load
-    wheel       ///< a floor that turns about a level axis above it, head over heels, fast enough to press the load on
+    /// a floor that turns about a level axis above it, head over heels, fast enough to press the load on
+    wheel
 };
 enum class Load {
     block,  ///< stands on its corners: vertices on faces
@@ -29,13 +30,13 @@ enum class Load {
 struct Ride {
     Ground ground = Ground::table;
     Load load = Load::block;
-    int steps = 1256;       ///< of a turn; on the table 5 ms each
-    double mu_s = 0.8;      ///< mu_d is half of it
+    int steps = 1256;              ///< of a turn; on the table 5 ms each
+    double mu_s = 0.8;             ///< mu_d is half of it
     double turned_at_first = 0.3;  ///< of the load, about the ground's normal [rad]
-    int turns = 2;          ///< after the first
+    int turns = 2;                 ///< after the first
 
     double dt() const { return 2 * std::numbers::pi / (rate() * steps); }  ///< [s]
-    double rate() const { return ground == Ground::wheel ? 6 : 1; }  ///< [rad/s]
+    double rate() const { return ground == Ground::wheel ? 6 : 1; }        ///< [rad/s]
     Vec3 axis() const { return ground == Ground::wheel ? Vec3(0, 0, 1) : Vec3(0, 1, 0); }
 };
 
@@ -49,10 +50,10 @@ inline Ride short_ride(Ground ground, Load load)
 }
 
 struct RideRecord {
-    std::vector<double> creep;  ///< along the ground, in each turn after the first [m]
-    bool slipped = false;       ///< any pair, after the first turn
+    std::vector<double> creep;             ///< along the ground, in each turn after the first [m]
+    bool slipped = false;                  ///< any pair, after the first turn
     int vertex_faces = 0, edge_edges = 0;  ///< pairs that push at the end
-    double turned = 0;          ///< the load against the ground, after the first turn [rad]
+    double turned = 0;                     ///< the load against the ground, after the first turn [rad]
 };
 
 inline SurfaceMesh placed(SurfaceMesh mesh, const Mat3& rotation, const Vec3& shift)
@@ -71,7 +72,10 @@ inline SurfaceMesh merged(SurfaceMesh one, const SurfaceMesh& other)
     return one;
 }
 
-inline Mat3 turned_about(const Vec3& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+inline Mat3 turned_about(const Vec3& axis, double angle)
+{
+    return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+}
 
 /// The load with its lowest points at height 0, its middle on the vertical through the origin.
 inline SurfaceMesh load_mesh(Load load)
@@ -80,7 +84,8 @@ inline SurfaceMesh load_mesh(Load load)
         return placed(box({0.24, 0.1, 0.2}), Mat3::Identity(), {0, 0.05, 0});
     const Mat3 on_edge = turned_about(Vec3::UnitZ(), std::numbers::pi / 4);
     const SurfaceMesh ridge = placed(box({0.08, 0.08, 0.6}), on_edge, {0, 0.04 * std::numbers::sqrt2, 0});
-    return merged(placed(ridge, Mat3::Identity(), {-0.12, 0, 0}), placed(ridge, Mat3::Identity(), {0.12, 0, 0}));
+    return merged(placed(ridge, Mat3::Identity(), {-0.12, 0, 0}),
+                  placed(ridge, Mat3::Identity(), {0.12, 0, 0}));
 }
 
 inline SurfaceMesh ground_mesh(const Ride& ride)
@@ -99,7 +104,8 @@ inline std::unique_ptr<Body> soft_slab(const Ride& ride, double top)
     settings.velocity = ride.rate() * ride.axis().cross(settings.position);
     settings.angular_velocity = ride.rate() * ride.axis();
     settings.impulse_response = ImpulseResponse::implicit;
-    return std::make_unique<DeformableBody>("slab", bar({0.5, 0.1, ride.load == Load::grate ? 0.3 : 0.5}, {4, 1, 4}), settings);
+    return std::make_unique<DeformableBody>(
+        "slab", bar({0.5, 0.1, ride.load == Load::grate ? 0.3 : 0.5}, {4, 1, 4}), settings);
 }
 
 /// Everything moves along from the start, with gaps of a hair: a pair begins with a crossing.
@@ -107,16 +113,19 @@ inline World world_of(const Ride& ride)
 {
     constexpr double gap = 1e-6;
     World world;
-    world.bodies.push_back(std::make_unique<TurningBody>("ground", ground_mesh(ride), Vec3::Zero(), ride.rate() * ride.axis()));
+    world.bodies.push_back(
+        std::make_unique<TurningBody>("ground", ground_mesh(ride), Vec3::Zero(), ride.rate() * ride.axis()));
     double height = gap;
     if (ride.ground == Ground::soft_slab) {
         height += 0.1 + gap;
         world.bodies.push_back(soft_slab(ride, height - gap));
     }
     const Vec3 foot = ride.ground == Ground::wheel ? Vec3(0, height - 1, 0) : Vec3(1, height, 0);
-    const SurfaceMesh load = placed(load_mesh(ride.load), turned_about(Vec3::UnitY(), ride.turned_at_first), foot);
+    const SurfaceMesh load = placed(load_mesh(ride.load), turned_about(Vec3::UnitY(), ride.turned_at_first),
+                                    foot);
     const MassProperties properties = with_mass(mass_properties(load, 1000), 20);
-    world.bodies.push_back(std::make_unique<RigidBody>("load", load, properties, ride.rate() * ride.axis().cross(properties.centre),
+    world.bodies.push_back(std::make_unique<RigidBody>("load", load, properties,
+                                                       ride.rate() * ride.axis().cross(properties.centre),
                                                        ride.rate() * ride.axis()));
     return world;
 }
@@ -126,8 +135,11 @@ inline World world_of(const Ride& ride)
 template <class MakeSolver>
 RideRecord take(const Ride& ride, const MakeSolver& make_solver)
 {
-    const double stiffness = ride.ground == Ground::soft_slab ? 4000 : 40000;  // [N/m]; the slab has many pairs
-    const ContactParameters parameters{PenaltyMethod::continuous, stiffness, MassSplitting{.mu_s = ride.mu_s, .mu_d = 0.5 * ride.mu_s, .spring = stiffness}};
+    // [N/m]; the slab has many pairs
+    const double stiffness = ride.ground == Ground::soft_slab ? 4000 : 40000;
+    const ContactParameters parameters{
+        PenaltyMethod::continuous, stiffness,
+        MassSplitting{.mu_s = ride.mu_s, .mu_d = 0.5 * ride.mu_s, .spring = stiffness}};
     const Solver solver = make_solver(parameters);
     World world = world_of(ride);
     Contacts contacts;
@@ -146,7 +158,9 @@ RideRecord take(const Ride& ride, const MakeSolver& make_solver)
     for (int turn = 0; turn <= ride.turns; ++turn) {
         for (int step = 0; step < ride.steps; ++step) {
             advance(world, contacts, solver, ride.dt());
-            record.slipped = record.slipped || (turn > 0 && std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.slip > 0; }));
+            record.slipped = record.slipped ||
+                             (turn > 0 && std::any_of(contacts.begin(), contacts.end(),
+                                                      [](const Contact& c) { return c.slip > 0; }));
         }
         const Vec3 moved = middle() - before;
         if (turn == 0)

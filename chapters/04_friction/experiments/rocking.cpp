@@ -11,13 +11,14 @@
 namespace enduring::chapter04 {
 namespace {
 
-/// height_m, time_s, speed_m_per_s, uphill_share: the share of the weight on the pairs of the box's uphill half.
+/// height_m, time_s, speed_m_per_s, uphill_share: the share of the
+/// weight on the pairs of the box's uphill half.
 class RockingProbe final : public TableProbe {
 public:
     RockingProbe(double height, double angle_deg)
-        : TableProbe({"height_m", "time_s", "speed_m_per_s", "uphill_share"}), height_(height), angle_deg_(angle_deg)
-    {
-    }
+        : TableProbe({"height_m", "time_s", "speed_m_per_s", "uphill_share"}), height_(height),
+          angle_deg_(angle_deg)
+    {}
     void observe(const World& world, const Contacts& contacts, double dt) override
     {
         const Progress1d now = along_slope(world, angle_deg_);
@@ -26,7 +27,8 @@ public:
         for (const Contact& contact : contacts)
             if (world.bodies.front()->positions_t0()[contact.vertices[0]].dot(up) > now.way)
                 uphill_force += contact.impulse.norm() / dt;
-        table_.add({height_, now.time, now.speed, uphill_force / (world.bodies.front()->mass() * 9.81 * up.x())});
+        table_.add(
+            {height_, now.time, now.speed, uphill_force / (world.bodies.front()->mass() * 9.81 * up.x())});
     }
 
 private:
@@ -43,7 +45,8 @@ void rocking(const RunOptions& options, Report& report)
     for (const double angle : options.quick ? std::vector{10.0} : std::vector{5.0, 10.0, 20.0, 30.0})
         for (const double dt : options.quick ? std::vector{0.01} : std::vector{0.01, 0.002}) {
             const double tangent = std::tan(angle * std::numbers::pi / 180);
-            thresholds.add({angle, dt, smallest_mu_s({angle, dt, 0.1, 3, mass_splitting}) / tangent, smallest_mu_s({angle, dt, 1, 3, mass_splitting}) / tangent});
+            thresholds.add({angle, dt, smallest_mu_s({angle, dt, 0.1, 3, mass_splitting}) / tangent,
+                            smallest_mu_s({angle, dt, 1, 3, mass_splitting}) / tangent});
         }
     report.table("rocking_threshold", thresholds);
     report.page_table("rocking_threshold", thresholds, 3);

@@ -19,20 +19,34 @@ struct Series {
     nlohmann::json change;
 };
 
-nlohmann::json friction_change(const nlohmann::json& friction) { return {{"contact", {{"friction", friction}}}}; }
+nlohmann::json friction_change(const nlohmann::json& friction)
+{
+    return {{"contact", {{"friction", friction}}}};
+}
 
-/// (5.22) read as an impulse, its velocity as the way of one step: spring / dt and damper as they stand (see printed_constants).
-nlohmann::json as_impulse(double mu_s, double dt) { return friction_change({{"mu_s", mu_s}, {"spring", 100 / dt}, {"damper", 25}}); }
+/// (5.22) read as an impulse, its velocity as the way of one step: spring / dt
+/// and damper as they stand (see printed_constants).
+nlohmann::json as_impulse(double mu_s, double dt)
+{
+    return friction_change({{"mu_s", mu_s}, {"spring", 100 / dt}, {"damper", 25}});
+}
 
 nlohmann::json mass_splitting(double mu_s)
 {
-    return friction_change({{"model", "mass_splitting"}, {"mu_s", mu_s}, {"spring", nullptr}, {"damper", nullptr}, {"weighting", nullptr}});
+    return friction_change({{"model", "mass_splitting"},
+                            {"mu_s", mu_s},
+                            {"spring", nullptr},
+                            {"damper", nullptr},
+                            {"weighting", nullptr}});
 }
 
 /// series, time_s, distance_m, speed_m_per_s along the slope.
 class DistanceProbe final : public TableProbe {
 public:
-    DistanceProbe(std::string series, double angle_deg) : TableProbe({"series", "time_s", "distance_m", "speed_m_per_s"}), series_(std::move(series)), angle_deg_(angle_deg) {}
+    DistanceProbe(std::string series, double angle_deg)
+        : TableProbe({"series", "time_s", "distance_m", "speed_m_per_s"}), series_(std::move(series)),
+          angle_deg_(angle_deg)
+    {}
     void observe(const World& world, const Contacts&, double) override
     {
         last_ = along_slope(world, angle_deg_);
@@ -56,12 +70,17 @@ void slope(const RunOptions& options, Report& report)
 {
     constexpr double angle_deg = 10, dt = 0.01;
     const std::filesystem::path file = options.scene.value_or(scene_file("slope"));
-    Table ways({"series", "time_s", "distance_m", "speed_m_per_s"}), energies({"series", "time_s", "energy_j"});
+    Table ways({"series", "time_s", "distance_m", "speed_m_per_s"}),
+        energies({"series", "time_s", "energy_j"});
     Table outcome({"friction", "way at the end [m]", "speed there [m/s]", "largest rise of energy [J]"});
     double mass_splitting_rise = 0;
-    for (const Series& series : {Series{"as printed 0.3", nlohmann::json::object()}, Series{"as printed 0.4", friction_change({{"mu_s", 0.4}})},
-                                 Series{"as impulse 0.3", as_impulse(0.3, dt)}, Series{"as impulse 0.4", as_impulse(0.4, dt)},
-                                 Series{"mass splitting 0.3", mass_splitting(0.3)}, Series{"mass splitting 0.4", mass_splitting(0.4)}, Series{"mass splitting 0.16", mass_splitting(0.16)}}) {
+    for (const Series& series :
+         {Series{"as printed 0.3", nlohmann::json::object()},
+          Series{"as printed 0.4", friction_change({{"mu_s", 0.4}})},
+          Series{"as impulse 0.3", as_impulse(0.3, dt)}, Series{"as impulse 0.4", as_impulse(0.4, dt)},
+          Series{"mass splitting 0.3", mass_splitting(0.3)},
+          Series{"mass splitting 0.4", mass_splitting(0.4)},
+          Series{"mass splitting 0.16", mass_splitting(0.16)}}) {
         Scene scene = load_scene(file, series.change.dump());
         DistanceProbe way(series.name, angle_deg);
         SpringEnergyProbe energy(series.name, scene.contact);

@@ -21,8 +21,7 @@ double energy_with_springs(const World& world, const Contacts& contacts, const C
 
 SpringEnergyProbe::SpringEnergyProbe(std::string series, ContactParameters parameters)
     : TableProbe({"series", "time_s", "energy_j"}), series_(std::move(series)), parameters_(parameters)
-{
-}
+{}
 
 void SpringEnergyProbe::observe(const World& world, const Contacts& contacts, double)
 {

@@ -5,8 +5,8 @@
 
 namespace enduring::chapter04 {
 
-/// All that can turn into motion again [J]: kinetic, gravitational and elastic energy of the bodies, what the penalty springs
-/// hold (k depth^2 / 2 a pair), and what the friction springs hold.
+/// All that can turn into motion again [J]: kinetic, gravitational and elastic energy of the bodies, what the
+/// penalty springs hold (k depth^2 / 2 a pair), and what the friction springs hold.
 double energy_with_springs(const World& world, const Contacts& contacts, const ContactParameters& parameters);
 
 /// series, time_s, energy_j; and how far the energy ever rose above what it had been before.

@@ -13,15 +13,17 @@ constexpr double mass = 100, pairs = 4, stiffness = 20000;
 
 double tangent(double angle_deg) { return std::tan(angle_deg * std::numbers::pi / 180); }
 
-/// The thesis' model with a spring that the steps below resolve, and the damper of a given ratio n k_FD / (2 sqrt(n k_FP m)).
+/// The thesis' model with a spring that the steps below resolve, and the
+/// damper of a given ratio n k_FD / (2 sqrt(n k_FP m)).
 FrictionParameters printed_model(double damping_ratio)
 {
     constexpr double spring = 5000;
-    return YamaneNakamura{.spring = spring, .damper = damping_ratio * 2 * std::sqrt(pairs * spring * mass) / pairs};
+    return YamaneNakamura{.spring = spring,
+                          .damper = damping_ratio * 2 * std::sqrt(pairs * spring * mass) / pairs};
 }
 
-/// The largest force of a spring and damper that catch a weight, relative to that weight: they start unstretched, and
-/// overshoot by exp(-2 z acos(z) / sqrt(1 - z^2)).
+/// The largest force of a spring and damper that catch a weight, relative to that weight: they start
+/// unstretched, and overshoot by exp(-2 z acos(z) / sqrt(1 - z^2)).
 //! [overshoot]
 double peak_over_weight(double damping_ratio)
 {
@@ -59,8 +61,10 @@ void report_slides(const std::vector<double>& angles, Report& report)
             launch.friction = with_mu_s(MassSplitting{.spring = stiffness}, 0.8 * tangent(angle));
             const Vec3 up = uphill(angle);
             const double mu_d = std::get<MassSplitting>(launch.friction).mu_d;
-            const double up_error = mean_acceleration(launch, 2.5, 0.5) / (-9.81 * (up.y() + mu_d * up.x())) - 1;
-            const double down_error = mean_acceleration(launch, -0.5, -2.5) / (-9.81 * (up.y() - mu_d * up.x())) - 1;
+            const double up_error = mean_acceleration(launch, 2.5, 0.5) / (-9.81 * (up.y() + mu_d * up.x())) -
+                                    1;
+            const double down_error =
+                mean_acceleration(launch, -0.5, -2.5) / (-9.81 * (up.y() - mu_d * up.x())) - 1;
             table.add({angle, dt, 100 * up_error, 100 * down_error});
             worst = std::max({worst, std::abs(up_error), std::abs(down_error)});
         }
@@ -74,7 +78,8 @@ void report_slides(const std::vector<double>& angles, Report& report)
 /// Thesis 7.3: the smallest mu_s that holds the block at all, over slopes, steps and damping.
 void threshold(const RunOptions& options, Report& report)
 {
-    const std::vector<double> angles = options.quick ? std::vector{10.0, 30.0} : std::vector{5.0, 10.0, 20.0, 30.0};
+    const std::vector<double> angles = options.quick ? std::vector{10.0, 30.0}
+                                                     : std::vector{5.0, 10.0, 20.0, 30.0};
     const std::vector<double> steps = options.quick ? std::vector{0.01} : std::vector{0.01, 0.002};
     Table table({"model", "angle_deg", "dt", "damping_ratio", "mu_s"});
     Table ten({"model", "damping ratio", "Δt [s]", "smallest", "over tan 10°", "one degree of freedom"});

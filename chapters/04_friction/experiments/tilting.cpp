@@ -45,7 +45,8 @@ void tilting(const RunOptions& options, Report& report)
         for (const double coulomb : options.quick ? std::vector{10.0} : std::vector{5.0, 10.0, 20.0, 30.0})
             for (const double dt : options.quick ? std::vector{0.01} : std::vector{0.01, 0.002}) {
                 const double mu_s = std::tan(radians(coulomb));
-                const double angle = sliding_angle(height, dt, with_mu_s(MassSplitting{.spring = 20000}, mu_s));
+                const double angle = sliding_angle(height, dt,
+                                                   with_mu_s(MassSplitting{.spring = 20000}, mu_s));
                 const double ratio = mu_s / std::tan(radians(angle));
                 table.add({height < 1 ? "block" : "cube", coulomb, dt, angle, ratio});
                 worst = std::max(worst, std::abs(ratio - 1));

@@ -17,17 +17,22 @@ namespace {
 
 Scene level_scene(double dt)
 {
-    const nlohmann::json change{{"dt", dt},
-                                {"contact", {{"stiffness", 2000}, {"friction", {{"model", "mass_splitting"}, {"mu_s", 0.15}, {"mu_d", 0.1}}}}},
-                                {"planes", {{{"name", "floor"}}}},
-                                {"/bodies/block",
-                                 {{"mass", 2}, {"shape", {{"box", {{"size", {0.2, 0.02, 0.2}}}}}}, {"position", {0, 0.01 - 2 * 9.81 / 8000, 0}},
-                                  {"rotation", nullptr}, {"velocity", {1, 0, 0}}}}};
+    const nlohmann::json change{
+        {"dt", dt},
+        {"contact",
+         {{"stiffness", 2000}, {"friction", {{"model", "mass_splitting"}, {"mu_s", 0.15}, {"mu_d", 0.1}}}}},
+        {"planes", {{{"name", "floor"}}}},
+        {"/bodies/block",
+         {{"mass", 2},
+          {"shape", {{"box", {{"size", {0.2, 0.02, 0.2}}}}}},
+          {"position", {0, 0.01 - 2 * 9.81 / 8000, 0}},
+          {"rotation", nullptr},
+          {"velocity", {1, 0, 0}}}}};
     return load_scene(scene_file("block_on_slope"), change.dump());
 }
 
-/// Between friction and the opposite of the slip [degrees], the largest over the pairs. Slip is measured over the step, by
-/// where the vertex was and is.
+/// Between friction and the opposite of the slip [degrees], the largest over the pairs. Slip is measured over
+/// the step, by where the vertex was and is.
 double largest_angle(const World& world, const Contacts& contacts, const std::vector<Vec3>& before)
 {
     double largest = 0;
@@ -36,7 +41,8 @@ double largest_angle(const World& world, const Contacts& contacts, const std::ve
         const Vec3 way = world.bodies.front()->positions_t0()[v] - before[v];
         const Vec3 slip = way - way.y() * Vec3::UnitY();
         if (contact.slip > 0 && slip.norm() > 0 && contact.friction.norm() > 0)
-            largest = std::max(largest, std::atan2(contact.friction.cross(slip).norm(), -contact.friction.dot(slip)));
+            largest = std::max(largest,
+                               std::atan2(contact.friction.cross(slip).norm(), -contact.friction.dot(slip)));
     }
     return largest * 180 / std::numbers::pi;
 }

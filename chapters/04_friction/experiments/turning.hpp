@@ -12,7 +12,8 @@ struct Turn {
 
 struct TurnRecord {
     Table table{{"time_s", "x_m", "z_m", "vx_m_per_s", "vz_m_per_s", "fx_n", "fz_n", "angle_error_deg"}};
-    double worst_angle_deg = 0;  ///< between friction and the opposite of the slip, over all pairs that slip and all steps
+    /// between friction and the opposite of the slip, over all pairs that slip and all steps
+    double worst_angle_deg = 0;
 };
 
 TurnRecord drive_in_circles(const Turn& turn);

@@ -16,10 +16,12 @@ TEST_CASE("errata: friction along f_n, as (5.21) prints it, brakes nothing; (5.2
             CAPTURE(velocity.transpose());
             const Vec3 slip = plane.in_space(velocity);
             const Vec3 as_printed = friction.mu_d * normal_impulse * normal;
-            CHECK(std::abs(as_printed.dot(slip)) < 1e-12 * slip.norm());  // no work: a sliding block would never stop
+            // no work: a sliding block would never stop
+            CHECK(std::abs(as_printed.dot(slip)) < 1e-12 * slip.norm());
 
             const Vec2 stretch = Vec2(1, 1) * 1e3;  // far beyond what mu_s holds
-            const Vec3 against_slip = plane.in_space(yamane_nakamura({stretch, velocity, normal_impulse}, friction, dt).impulse);
+            const Vec3 against_slip =
+                plane.in_space(yamane_nakamura({stretch, velocity, normal_impulse}, friction, dt).impulse);
             CHECK((against_slip + friction.mu_d * normal_impulse * slip.normalized()).norm() < 1e-12);
         }
     }

@@ -11,7 +11,8 @@ namespace {
 
 const std::array<FrictionParameters, 2> both_models{YamaneNakamura{}, MassSplitting{.spring = 50}};
 
-/// One point of 1 kg on a plane with the normal y, already pushed by it, and predicted to move by `way` in a step of 0.1 s.
+/// One point of 1 kg on a plane with the normal y, already pushed by it, and
+/// predicted to move by `way` in a step of 0.1 s.
 struct OnPlane {
     World world;
     Contacts contacts;
@@ -22,7 +23,8 @@ struct OnPlane {
     {
         world.gravity.setZero();
         world.planes.push_back({"floor"});
-        world.bodies.push_back(std::make_unique<PointMasses>("point", std::vector<Vec3>{{0, 0, 0}, {5, 9, 0}, {0, 9, 5}}, std::vector<Face>{{0, 1, 2}}, 1.0));
+        world.bodies.push_back(std::make_unique<PointMasses>(
+            "point", std::vector<Vec3>{{0, 0, 0}, {5, 9, 0}, {0, 9, 5}}, std::vector<Face>{{0, 1, 2}}, 1.0));
         dynamic_cast<PointMasses&>(*world.bodies[0]).set_velocity(0, way / dt);
         world.bodies[0]->predict(world.gravity, dt);
         Contact contact;
@@ -64,7 +66,8 @@ TEST_CASE("friction anchors: a pair that does not push has none, and one that is
     CHECK(it.contact().stretch == Vec3::Zero());
 }
 
-TEST_CASE("friction anchors: when a pair lets go, the thesis' anchor comes to the point, the mass-splitting one within its pull")
+TEST_CASE(
+    "friction anchors: when a pair lets go, the thesis' anchor comes to the point, the mass-splitting one within its pull")
 {
     OnPlane printed(YamaneNakamura{}, {0.3, 0, 0});
     printed.contact().slip = 3;

@@ -10,7 +10,10 @@ namespace {
 
 class Random {
 public:
-    double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+    double between(double low, double high)
+    {
+        return std::uniform_real_distribution<double>(low, high)(engine_);
+    }
     double magnitude(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
     Vec2 vector(double length) { return length * Vec2(between(-1, 1), between(-1, 1)); }
 
@@ -65,14 +68,18 @@ TEST_CASE("friction law: no friction is longer than mu_s times the normal impuls
     Random random;
     int slipped = 0;
     for (int i = 0; i < 20000; ++i) {
-        const double dt = random.magnitude(1e-4, 0.1), normal = random.magnitude(1e-6, 1e3), w = random.magnitude(1e-3, 1e3);
-        const Vec2 stretch = random.vector(random.magnitude(1e-8, 1)), velocity = random.vector(random.magnitude(1e-8, 10));
+        const double dt = random.magnitude(1e-4, 0.1), normal = random.magnitude(1e-6, 1e3),
+                     w = random.magnitude(1e-3, 1e3);
+        const Vec2 stretch = random.vector(random.magnitude(1e-8, 1)),
+                   velocity = random.vector(random.magnitude(1e-8, 10));
         const auto printed = random_friction<YamaneNakamura>(random);
-        CHECK(yamane_nakamura({stretch, velocity, normal}, printed, dt).impulse.norm() <= printed.mu_s * normal * (1 + 1e-14));
+        CHECK(yamane_nakamura({stretch, velocity, normal}, printed, dt).impulse.norm() <=
+              printed.mu_s * normal * (1 + 1e-14));
 
         const auto mass_splitting = random_friction<MassSplitting>(random);
         const Vec2 guess = random.vector(mass_splitting.mu_s * normal / 2);
-        const FrictionImpulse better = better_impulse(guess, velocity, w, normal, anchor_of(mass_splitting, w, stretch, dt), mass_splitting);
+        const FrictionImpulse better = better_impulse(
+            guess, velocity, w, normal, anchor_of(mass_splitting, w, stretch, dt), mass_splitting);
         CHECK(better.impulse.norm() <= mass_splitting.mu_s * normal * (1 + 1e-14));
         if (better.slip > 0) {
             ++slipped;
@@ -97,7 +104,8 @@ TEST_CASE("friction law: one pair alone is one step of backward Euler of a dampe
         CHECK(anchor.damper == doctest::Approx(friction.damping_ratio * 2 * std::sqrt(anchor.spring * mass)));
         const Vec2 impulse = better_impulse(Vec2::Zero(), velocity, 1 / mass, 1, anchor, friction).impulse;
         // m (u - v) = -dt (k (s + dt u) + d u)
-        const Vec2 u = (mass * velocity - dt * anchor.spring * stretch) / (mass + dt * (dt * anchor.spring + anchor.damper));
+        const Vec2 u = (mass * velocity - dt * anchor.spring * stretch) /
+                       (mass + dt * (dt * anchor.spring + anchor.damper));
         CHECK((impulse - mass * (u - velocity)).norm() <= 1e-11 * (mass * velocity).norm());
     }
 }
@@ -108,13 +116,17 @@ TEST_CASE("friction law: fast slip feels mu_d, slow slip mu_s, and friction oppo
     const double mass = 2, normal = 0.3, dt = 0.01;
     const Anchor anchor = anchor_of(friction, 1 / mass, Vec2::Zero(), dt);
     const Vec2 direction(0.6, 0.8);
-    const FrictionImpulse fast = better_impulse(Vec2::Zero(), 3 * direction, 1 / mass, normal, anchor, friction);
+    const FrictionImpulse fast = better_impulse(Vec2::Zero(), 3 * direction, 1 / mass, normal, anchor,
+                                                friction);
     CHECK((fast.impulse + 0.1 * normal * direction).norm() < 1e-12);
-    const double holdable = 0.4 * normal * (1 / mass + anchor.yielding());  // the velocity that mu_s just stops
-    const FrictionImpulse slow = better_impulse(Vec2::Zero(), 1.0001 * holdable * direction, 1 / mass, normal, anchor, friction);
+    // the velocity that mu_s just stops
+    const double holdable = 0.4 * normal * (1 / mass + anchor.yielding());
+    const FrictionImpulse slow = better_impulse(Vec2::Zero(), 1.0001 * holdable * direction, 1 / mass, normal,
+                                                anchor, friction);
     CHECK(slow.slip == doctest::Approx(0.0001 * holdable).epsilon(1e-6));
     CHECK((slow.impulse + 0.4 * normal * direction).norm() < 1e-4);
-    CHECK(better_impulse(Vec2::Zero(), 0.9999 * holdable * direction, 1 / mass, normal, anchor, friction).slip == 0);
+    CHECK(better_impulse(Vec2::Zero(), 0.9999 * holdable * direction, 1 / mass, normal, anchor, friction)
+              .slip == 0);
 }
 
 TEST_CASE("friction law: a tangent plane's coordinates keep lengths and leave the normal out")

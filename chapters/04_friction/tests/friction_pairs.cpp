@@ -10,8 +10,8 @@
 #include "common/simulation/point_masses.hpp"
 #include "common/simulation/rigid_body.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>
+#include <Eigen/Eigenvalues>
 
 #include <random>
 
@@ -21,8 +21,8 @@ namespace {
 
 const std::array<FrictionParameters, 2> both_models{YamaneNakamura{}, MassSplitting{}};
 
-/// A rigid box thrown on a soft bar that lies on a static floor of triangles, with a rigid ball beside them on a plane:
-/// every kind of pair and every pair of kinds of bodies.
+/// A rigid box thrown on a soft bar that lies on a static floor of triangles, with a rigid ball beside them
+/// on a plane: every kind of pair and every pair of kinds of bodies.
 Scene heap(const FrictionParameters& model, const std::string& response)
 {
     Scene scene = read_scene(R"({"name": "heap", "dt": 0.005, "duration": 1, "contact": {"stiffness": 3000},
@@ -31,12 +31,14 @@ Scene heap(const FrictionParameters& model, const std::string& response)
           {"name": "floor", "type": "static", "shape": {"plane_grid": {"size": [3, 3], "cells": [5, 5]}}},
           {"name": "bar", "type": "deformable", "basis": "linear", "shape": {"bar": {"size": [1, 0.2, 0.4], "cells": [4, 1, 2]}}, "mass": 8, "young": 2e5,
            "poisson": 0.3, "rayleigh": {"stiffness": 0.01}, "position": [0, 0.13, 0], "velocity": [1, -1, 0.3],
-           "rotation": {"axis": [0, 1, 0], "angle_deg": 7}, "impulse_response": ")" + response + R"("},
+           "rotation": {"axis": [0, 1, 0], "angle_deg": 7}, "impulse_response": ")" +
+                                 response + R"("},
           {"name": "box", "type": "rigid", "shape": {"box": {"size": [0.5, 0.2, 0.3]}}, "mass": 3, "position": [0.05, 0.36, 0.02],
            "rotation": {"axis": [0, 1, 0.1], "angle_deg": 31}, "velocity": [-0.5, -2, 0.4], "angular_velocity": [0, 3, 0]},
           {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.2, "subdivisions": 1}}, "mass": 2, "position": [2, 0.17, 0],
            "velocity": [0.4, -1, 0.2], "angular_velocity": [2, 0, 1]}
-        ]})", "", "heap.json", {});
+        ]})",
+                             "", "heap.json", {});
     scene.contact.friction = model;
     if (auto* splitting = std::get_if<MassSplitting>(&scene.contact.friction))
         splitting->spring = scene.contact.stiffness;
@@ -67,7 +69,9 @@ Seen run_heap(const FrictionParameters& model, const std::string& response)
             seen.edge_edge += contact.kind == ContactKind::edge_edge;
             seen.slipping += contact.slip > 0;
             seen.holding += contact.slip == 0;
-            seen.worst_normal_part = std::max(seen.worst_normal_part, std::abs(contact.friction.dot(contact.impulse)) / (friction * normal));
+            seen.worst_normal_part = std::max(
+                seen.worst_normal_part,
+                std::abs(contact.friction.dot(contact.impulse)) / (friction * normal));
             seen.worst_length = std::max(seen.worst_length, friction / (MassSplitting{}.mu_s * normal));
         }
     }
@@ -76,7 +80,8 @@ Seen run_heap(const FrictionParameters& model, const std::string& response)
 
 }  // namespace
 
-TEST_CASE("friction: tangential to 1e-12 and within mu |f_n| at every pair and step, for all kinds and bodies")
+TEST_CASE(
+    "friction: tangential to 1e-12 and within mu |f_n| at every pair and step, for all kinds and bodies")
 {
     for (const FrictionParameters& model : both_models)
         for (const std::string response : {"lumped", "implicit"}) {
@@ -94,8 +99,9 @@ TEST_CASE("friction: tangential to 1e-12 and within mu |f_n| at every pair and s
 
 namespace {
 
-/// Two bodies of random points in random pairs of both kinds, p on q at the start of a step, with normal impulses and stretches
-/// that are given. Each pair's points are those of one other pair, too, and most share a face or an edge of B.
+/// Two bodies of random points in random pairs of both kinds, p on q at the start of a step,
+/// with normal impulses and stretches that are given. Each pair's points are those of one
+/// other pair, too, and most share a face or an edge of B.
 struct RandomMeeting {
     World world;
     Contacts contacts;
@@ -117,12 +123,16 @@ struct RandomMeeting {
             body->predict(Vec3(0, -9.81, 0), dt);
     }
 
-    double random(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+    double random(double low, double high)
+    {
+        return std::uniform_real_distribution<double>(low, high)(engine_);
+    }
     Vec3 vector(double size) { return size * Vec3(random(-1, 1), random(-1, 1), random(-1, 1)); }
 
     std::unique_ptr<PointMasses> points(const std::string& name, const std::vector<Vec3>& positions)
     {
-        auto body = std::make_unique<PointMasses>(name, positions, std::vector<Face>{{0, 1, 2}, {3, 4, 5}}, std::exp(random(-6, 6)));
+        auto body = std::make_unique<PointMasses>(name, positions, std::vector<Face>{{0, 1, 2}, {3, 4, 5}},
+                                                  std::exp(random(-6, 6)));
         for (int i = 0; i < body->surface().vertex_count(); ++i)
             body->set_velocity(i, vector(1));
         return body;
@@ -175,7 +185,10 @@ double predicted_kinetic(const World& world)
     return sum;
 }
 
-Vec3 momentum(const World& world) { return world.bodies[0]->linear_momentum() + world.bodies[1]->linear_momentum(); }
+Vec3 momentum(const World& world)
+{
+    return world.bodies[0]->linear_momentum() + world.bodies[1]->linear_momentum();
+}
 
 }  // namespace
 
@@ -191,7 +204,8 @@ TEST_CASE("friction: keeps linear momentum to rounding, between all kinds of pai
         }
 }
 
-TEST_CASE("friction: mass-splitting friction takes energy in every step, springs included, over random meetings")
+TEST_CASE(
+    "friction: mass-splitting friction takes energy in every step, springs included, over random meetings")
 {
     for (unsigned seed = 0; seed < 2000; ++seed) {
         RandomMeeting it(seed);
@@ -206,7 +220,10 @@ TEST_CASE("friction: mass-splitting friction takes energy in every step, springs
         double stiffest = 1e300;  // that no anchor has to soften for this step
         MassShares shares(it.world, it.contacts);
         for (const Contact& contact : it.contacts)
-            stiffest = std::min(stiffest, 1 / (it.dt * it.dt * shares.inverse_mass(it.world, contact, TangentPlane(contact.impulse.normalized()))));
+            stiffest = std::min(
+                stiffest,
+                1 / (it.dt * it.dt *
+                     shares.inverse_mass(it.world, contact, TangentPlane(contact.impulse.normalized()))));
         friction.spring = std::min(friction.spring, stiffest);
         const double springs_before = friction_spring_energy(it.contacts, friction);
         compute_friction_impulses(it.world, it.contacts, friction, it.dt);
@@ -223,7 +240,8 @@ TEST_CASE("friction: mass-splitting friction takes energy in every step, springs
         for (const auto& body : it.world.bodies)
             body->update_prediction(it.dt);
         move_friction_anchors(it.world, it.contacts, friction, it.dt);
-        const double change = predicted_kinetic(it.world) - kinetic_before + friction_spring_energy(it.contacts, friction) - springs_before;
+        const double change = predicted_kinetic(it.world) - kinetic_before +
+                              friction_spring_energy(it.contacts, friction) - springs_before;
         CHECK(change <= 1e-12 * kinetic_before);
     }
 }
@@ -233,7 +251,8 @@ TEST_CASE("friction: a pair's shares bound what all pairs do together")
     for (unsigned seed = 0; seed < 300; ++seed) {
         RandomMeeting it(seed);
         MassShares shares(it.world, it.contacts);
-        // Any impulses J: the kinetic energy of what they do, J K J / 2, is no more than that of the shares, sum w |J|^2 / 2.
+        // Any impulses J: the kinetic energy of what they do, J K J / 2, is no
+        // more than that of the shares, sum w |J|^2 / 2.
         double of_shares = 0;
         std::vector<Vec3> impulses;
         for (auto& body : it.world.bodies)
@@ -251,12 +270,15 @@ TEST_CASE("friction: a pair's shares bound what all pairs do together")
     }
 }
 
-TEST_CASE("friction: a pair that is alone on a rigid body has the whole of it, through however many vertices it pushes")
+TEST_CASE(
+    "friction: a pair that is alone on a rigid body has the whole of it, through however many vertices it pushes")
 {
     World world;
-    world.bodies.push_back(std::make_unique<PointMasses>("particle", std::vector<Vec3>{{0.1, 0.5, 0.1}}, std::vector<Face>{}, 2.0));
+    world.bodies.push_back(std::make_unique<PointMasses>("particle", std::vector<Vec3>{{0.1, 0.5, 0.1}},
+                                                         std::vector<Face>{}, 2.0));
     const SurfaceMesh cube = box({1, 1, 1});
-    world.bodies.push_back(std::make_unique<RigidBody>("cube", cube, with_mass(mass_properties(cube, 1.0), 3.0)));
+    world.bodies.push_back(
+        std::make_unique<RigidBody>("cube", cube, with_mass(mass_properties(cube, 1.0), 3.0)));
     const auto [f0, f1, f2] = cube.faces[0];
     Contact contact{ContactKind::vertex_face, 0, 1, 0, 0, {0, f0, f1, f2}, {1, -0.5, -0.3, -0.2}};
     contact.impulse = {0, 1, 0};
@@ -265,5 +287,6 @@ TEST_CASE("friction: a pair that is alone on a rigid body has the whole of it, t
         expected -= contact.weights[i] * world.bodies[1]->inverse_mass(contact.vertices[i]);
     const TangentPlane plane(Vec3::UnitY());
     const double found = MassShares(world, {contact}).inverse_mass(world, contact, plane);
-    CHECK(found == doctest::Approx(Eigen::SelfAdjointEigenSolver<Mat2>(plane.of(expected)).eigenvalues()[1]).epsilon(1e-12));
+    CHECK(found == doctest::Approx(Eigen::SelfAdjointEigenSolver<Mat2>(plane.of(expected)).eigenvalues()[1])
+                       .epsilon(1e-12));
 }

@@ -48,10 +48,14 @@ Progress1d after(Scene& scene, const Solver& solver, double seconds)
 TEST_CASE("slope: chapter 3 slides back for ever where friction holds")
 {
     Scene smooth = load_scene(scene_file("block_on_slope")), rough = load_scene(scene_file("block_on_slope"));
-    const Progress1d slid = after(smooth, chapter03_solver(smooth.contact), 4), held = after(rough, chapter04_solver(rough.contact), 4);
+    const Progress1d slid = after(smooth, chapter03_solver(smooth.contact), 4),
+                     held = after(rough, chapter04_solver(rough.contact), 4);
     CHECK(slid.speed == doctest::Approx(3 - 9.81 * std::sin(std::numbers::pi / 18) * 4).epsilon(1e-3));
     CHECK(std::abs(held.speed) < 1e-3);
-    CHECK(held.way == doctest::Approx(9 / (2 * 9.81 * (std::sin(std::numbers::pi / 18) + 0.1 * std::cos(std::numbers::pi / 18)))).epsilon(0.02));
+    CHECK(held.way ==
+          doctest::Approx(
+              9 / (2 * 9.81 * (std::sin(std::numbers::pi / 18) + 0.1 * std::cos(std::numbers::pi / 18))))
+              .epsilon(0.02));
 }
 
 TEST_CASE("threshold: mass-splitting friction holds within 5 % of the angle's tangent, and lets go below it")
@@ -84,8 +88,10 @@ TEST_CASE("slope: mass-splitting friction slides with g (sin -+ mu_d cos) within
             const Launch it = launch(angle, dt, with_mu_s(mass_splitting, 0.8 * tangent(angle)));
             const Vec3 up = uphill(angle);
             const double mu_d = std::get<MassSplitting>(it.friction).mu_d;
-            CHECK(mean_acceleration(it, 2.5, 0.5) == doctest::Approx(-9.81 * (up.y() + mu_d * up.x())).epsilon(0.01));
-            CHECK(mean_acceleration(it, -0.5, -2.5) == doctest::Approx(-9.81 * (up.y() - mu_d * up.x())).epsilon(0.01));
+            CHECK(mean_acceleration(it, 2.5, 0.5) ==
+                  doctest::Approx(-9.81 * (up.y() + mu_d * up.x())).epsilon(0.01));
+            CHECK(mean_acceleration(it, -0.5, -2.5) ==
+                  doctest::Approx(-9.81 * (up.y() - mu_d * up.x())).epsilon(0.01));
         }
 }
 
@@ -147,9 +153,12 @@ TEST_CASE("tilting: a soft bar on a tilted plane is held above the angle of fric
         for (const bool held : {true, false}) {
             CAPTURE(response);
             CAPTURE(held);
-            Scene scene = load_scene(scene_file("block_on_slope"), R"({"gravity": [-2, -9.6, 0], "contact": {"stiffness": 5000}, "planes": [{"name": "floor"}], "bodies": [
+            Scene scene = load_scene(
+                scene_file("block_on_slope"),
+                R"({"gravity": [-2, -9.6, 0], "contact": {"stiffness": 5000}, "planes": [{"name": "floor"}], "bodies": [
                 {"name": "bar", "type": "deformable", "basis": "linear", "shape": {"bar": {"size": [1, 0.2, 0.5], "cells": [4, 1, 2]}}, "mass": 100,
-                 "young": 1e6, "poisson": 0.3, "rayleigh": {"stiffness": 0.01}, "position": [0, 0.087, 0], "impulse_response": ")" + response + R"("}]})");
+                 "young": 1e6, "poisson": 0.3, "rayleigh": {"stiffness": 0.01}, "position": [0, 0.087, 0], "impulse_response": ")" +
+                    response + R"("}]})");
             scene.contact.friction = with_mu_s(MassSplitting{.spring = 5000}, (held ? 1.2 : 0.6) * 2 / 9.6);
             // A lumped push that moves one node strains its elements by more than the work it did.
             run(scene, chapter04_solver(scene.contact), {}, {.may_gain_energy = response == "lumped"});
@@ -157,7 +166,9 @@ TEST_CASE("tilting: a soft bar on a tilted plane is held above the angle of fric
             if (held)
                 CHECK(std::abs(speed) < 1e-3);
             else
-                CHECK(speed == doctest::Approx(-4 * (2 - 9.6 * std::get<MassSplitting>(scene.contact.friction).mu_d)).epsilon(0.05));
+                CHECK(speed ==
+                      doctest::Approx(-4 * (2 - 9.6 * std::get<MassSplitting>(scene.contact.friction).mu_d))
+                          .epsilon(0.05));
         }
 }
 
@@ -177,7 +188,8 @@ TEST_CASE("mesh: on a slope of triangles the block hooks within a cell, where on
     CHECK(farthest < 12.0 / 16);
 }
 
-TEST_CASE("errata: with the printed constants of 7.3 the cube sticks at almost 3 m/s, and mu_s = 0.3 holds it in the end")
+TEST_CASE(
+    "errata: with the printed constants of 7.3 the cube sticks at almost 3 m/s, and mu_s = 0.3 holds it in the end")
 {
     Launch it = launch(10, 0.01, printed(100, 25));
     it.friction = with_coefficients(it.friction, 0.3, 0.1);
@@ -206,12 +218,14 @@ TEST_CASE("errata: with the printed constants of 7.3 the cube sticks at almost 3
     }
 }
 
-TEST_CASE("slope scene: the cube and its friction as in their reference picture" * doctest::skip(!pictures_are_on))
+TEST_CASE("slope scene: the cube and its friction as in their reference picture" *
+          doctest::skip(!pictures_are_on))
 {
     Scene scene = load_scene(scene_file("slope"), R"({"duration": 0.6})");
     const RunResult result = run(scene, chapter04_solver(scene.contact));
     Stage stage = stage_of(scene.world, scene);
     mark_contacts(stage, scene.world, result.contacts);
-    const ReferenceCheck check = check_reference_picture(Renderer(480, 320).draw(stage), "04_friction/slope.png");
+    const ReferenceCheck check = check_reference_picture(Renderer(480, 320).draw(stage),
+                                                         "04_friction/slope.png");
     CHECK_MESSAGE(check.passed, check.message);
 }

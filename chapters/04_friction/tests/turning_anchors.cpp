@@ -66,7 +66,8 @@ Mat3 any_turn(unsigned seed)
 {
     std::mt19937 engine(seed);
     std::uniform_real_distribution<double> number(-1, 1);
-    return rides::turned_about(Vec3(number(engine), number(engine), number(engine)).normalized(), 3 * number(engine));
+    return rides::turned_about(Vec3(number(engine), number(engine), number(engine)).normalized(),
+                               3 * number(engine));
 }
 
 constexpr std::array<ContactKind, 2> kinds{ContactKind::vertex_face, ContactKind::edge_edge};
@@ -80,7 +81,9 @@ TEST_CASE("friction anchors: what turns and moves as one rigid whole takes its s
             for (unsigned seed = 0; seed < 200; ++seed) {
                 CAPTURE(seed);
                 const Mat3 turn = any_turn(seed);
-                MovingPair it(kind, seed, [&](std::size_t, const Vec3& x) { return Vec3(turn * x + Vec3(0.3, -0.2, 0.1)); });
+                MovingPair it(kind, seed, [&](std::size_t, const Vec3& x) {
+                    return Vec3(turn * x + Vec3(0.3, -0.2, 0.1));
+                });
                 it.contacts[0].hold(held);
                 const Vec3 before = it.contacts[0].stretch;
                 CHECK((it.moved_stretch() - turn * before).norm() < 1e-11);
@@ -93,8 +96,11 @@ TEST_CASE("friction anchors: what slides on a surface that turns is stretched by
     for (unsigned seed = 0; seed < 200; ++seed) {
         const Mat3 turn = any_turn(seed);
         Vec3 slide = Vec3::Zero();
-        const auto motion = [&](std::size_t body, const Vec3& x) { return Vec3(turn * (body == 0 ? Vec3(x + slide) : x)); };
-        slide = TangentPlane(MovingPair(ContactKind::vertex_face, seed, motion).normal).projected({0.02, -0.01, 0.03});
+        const auto motion = [&](std::size_t body, const Vec3& x) {
+            return Vec3(turn * (body == 0 ? Vec3(x + slide) : x));
+        };
+        slide = TangentPlane(MovingPair(ContactKind::vertex_face, seed, motion).normal)
+                    .projected({0.02, -0.01, 0.03});
         MovingPair it(ContactKind::vertex_face, seed, motion);
         const Vec3 before = it.contacts[0].stretch;
         CHECK((it.moved_stretch() - turn * (before + slide)).norm() < 1e-11);
@@ -105,7 +111,9 @@ TEST_CASE("friction anchors: of two edges that turn against each other neither c
 {
     for (unsigned seed = 0; seed < 200; ++seed) {
         CAPTURE(seed);
-        const auto motion = [&](std::size_t body, const Vec3& x) { return Vec3(any_turn(seed + 1000 * static_cast<unsigned>(body)) * x); };
+        const auto motion = [&](std::size_t body, const Vec3& x) {
+            return Vec3(any_turn(seed + 1000 * static_cast<unsigned>(body)) * x);
+        };
         MovingPair one(ContactKind::edge_edge, seed, motion), other(ContactKind::edge_edge, seed, motion);
         Contact& c = other.contacts[0];
         std::swap(other.world.bodies[0], other.world.bodies[1]);
@@ -117,7 +125,9 @@ TEST_CASE("friction anchors: of two edges that turn against each other neither c
     }
 }
 
-TEST_CASE("friction anchors: a load that is held on a table, a wheel or a soft slab that turns creeps less than 5 micrometres a turn" * doctest::test_suite("long simulation"))
+TEST_CASE(
+    "friction anchors: a load that is held on a table, a wheel or a soft slab that turns creeps less than 5 micrometres a turn" *
+    doctest::test_suite("long simulation"))
 {
     for (const rides::Ground ground : {rides::Ground::table, rides::Ground::wheel, rides::Ground::soft_slab})
         for (const rides::Load load : {rides::Load::block, rides::Load::grate}) {

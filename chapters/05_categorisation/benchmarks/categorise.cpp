@@ -36,7 +36,8 @@ Contacts pairs(const World& world, ContactKind kind, ContactCategory category)
         if (categorise(world, contact, 0) == category)
             all.push_back(contact);
     };
-    const SurfaceTopology &floor = world.bodies[floor_body]->surface(), &cube = world.bodies[cube_body]->surface();
+    const SurfaceTopology &floor = world.bodies[floor_body]->surface(),
+                          &cube = world.bodies[cube_body]->surface();
     if (kind == ContactKind::vertex_face) {
         for (int vertex = 0; vertex < cube.vertex_count(); ++vertex)
             for (int face = 0; face < static_cast<int>(floor.faces().size()); ++face)
@@ -70,7 +71,8 @@ void label(benchmark::State& state, ContactKind kind, ContactCategory category, 
 
 BENCHMARK_CAPTURE(label, vertex_face_regular, ContactKind::vertex_face, ContactCategory::regular, 0.0);
 BENCHMARK_CAPTURE(label, vertex_face_hooked, ContactKind::vertex_face, ContactCategory::hooked, 0.0);
-BENCHMARK_CAPTURE(label, vertex_face_hooked_at_impact, ContactKind::vertex_face, ContactCategory::hooked, 0.3);
+BENCHMARK_CAPTURE(label, vertex_face_hooked_at_impact, ContactKind::vertex_face, ContactCategory::hooked,
+                  0.3);
 BENCHMARK_CAPTURE(label, edge_edge_regular, ContactKind::edge_edge, ContactCategory::regular, 0.0);
 BENCHMARK_CAPTURE(label, edge_edge_hooked, ContactKind::edge_edge, ContactCategory::hooked, 0.0);
 BENCHMARK_CAPTURE(label, edge_edge_hooked_at_impact, ContactKind::edge_edge, ContactCategory::hooked, 0.3);

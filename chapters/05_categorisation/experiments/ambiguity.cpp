@@ -16,8 +16,9 @@ namespace enduring::chapter05 {
 namespace {
 
 // Lengths and counts in powers of two, so that the arrangements agree in every bit and not only nearly.
-constexpr double cell = 0.5;    ///< of both bodies' grids [m]
-constexpr double sunk = 0.0625;  ///< the vertex lies so far above the lower edge of B's face, and half as far behind it [m]
+constexpr double cell = 0.5;  ///< of both bodies' grids [m]
+/// the vertex lies so far above the lower edge of B's face, and half as far behind it [m]
+constexpr double sunk = 0.0625;
 
 const Vec3 the_vertex = Vec3::Zero();
 
@@ -53,7 +54,9 @@ int face_behind(const Body& body)
             continue;
         bool within = true;
         for (const auto& [from, to] : {std::array{f0, f1}, {f1, f2}, {f2, f0}})
-            within = within && (surface.position(to) - surface.position(from)).cross(the_vertex - surface.position(from)).x() >= 0;
+            within = within && (surface.position(to) - surface.position(from))
+                                       .cross(the_vertex - surface.position(from))
+                                       .x() >= 0;
         if (within)
             return face;
     }
@@ -91,10 +94,12 @@ Arrangement arrange(std::string name, std::unique_ptr<StaticBody> a, std::unique
     one.way_out = shortest_way_out(*a, *b);
     const int vertex = vertex_at(*a, the_vertex), face = face_behind(*b);
     const auto [f0, f1, f2] = b->surface().faces()[face];
-    one.contact = {ContactKind::vertex_face, 0, 1, vertex, face, {vertex, f0, f1, f2}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}};
+    one.contact = {ContactKind::vertex_face,         0, 1, vertex, face, {vertex, f0, f1, f2},
+                   {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}};
     one.world.bodies.push_back(std::move(a));
     one.world.bodies.push_back(std::move(b));
-    one.truly_regular = contact_geometry(one.world, one.contact, 0).normal.dot(one.way_out.normalized()) > hook_cosine;
+    one.truly_regular = contact_geometry(one.world, one.contact, 0).normal.dot(one.way_out.normalized()) >
+                        hook_cosine;
     return one;
 }
 
@@ -109,7 +114,11 @@ Picture draw(Renderer& renderer, const Arrangement& one)
     mark_contacts(stage, one.world, {one.contact});
     // Along the line on which the bodies part: A's way where it can be seen, else B's.
     const Vec3 arrow = one.way_out.y() < 0 ? Vec3::UnitY() : Vec3(one.way_out.normalized());
-    stage.segments.push_back({.from = the_vertex, .to = the_vertex + 0.8 * arrow, .color = palette::colliding_edge, .width_px = 5, .arrow = true});
+    stage.segments.push_back({.from = the_vertex,
+                              .to = the_vertex + 0.8 * arrow,
+                              .color = palette::colliding_edge,
+                              .width_px = 5,
+                              .arrow = true});
     stage.camera.target = {0, 0, 0};
     stage.camera.eye = {2.4, 2.0, 5.2};
     stage.camera.field_of_view_deg = 32;
@@ -160,7 +169,8 @@ void ambiguity(const RunOptions&, Report& report)
         const bool hooked = categorise(one.world, one.contact, 0) == ContactCategory::hooked;
         char length[32];
         std::snprintf(length, sizeof length, "%.4f ", way.norm());
-        table.add({one.name, length + direction, std::string(one.truly_regular ? "regular" : "hooked"), std::string(hooked ? "hooked" : "regular")});
+        table.add({one.name, length + direction, std::string(one.truly_regular ? "regular" : "hooked"),
+                   std::string(hooked ? "hooked" : "regular")});
     }
     report.table("ambiguity", table);
     report.page_table("ambiguity", table);

@@ -24,7 +24,8 @@ Corner cone_corner(std::string name, int edges, double angle)
 {
     std::vector<Vec3> rim;
     for (int i = 0; i < edges; ++i) {
-        const double phi = 0.45 - 2 * std::numbers::pi * i / edges;  // turned, so that pictures show two sides
+        // turned, so that pictures show two sides
+        const double phi = 0.45 - 2 * std::numbers::pi * i / edges;
         rim.emplace_back(std::sin(angle) * std::cos(phi), -std::cos(angle), std::sin(angle) * std::sin(phi));
     }
     return fan(std::move(name), rim);
@@ -59,9 +60,8 @@ Corner wedge_corner(std::string name, double opening)
 //! [can_touch]
 bool can_touch(const Corner& corner, const Vec3& contact_normal)
 {
-    return std::all_of(corner.positions.begin() + 1, corner.positions.end(), [&](const Vec3& neighbour) {
-        return neighbour.dot(contact_normal) >= -1e-12;
-    });
+    return std::all_of(corner.positions.begin() + 1, corner.positions.end(),
+                       [&](const Vec3& neighbour) { return neighbour.dot(contact_normal) >= -1e-12; });
 }
 //! [can_touch]
 

@@ -38,12 +38,15 @@ int lowest_edge_along(const Body& body, const Vec3& direction)
 Contact edge_pair(const World& world, const Vec3& cube_edge, const Vec3& floor_edge, const Vec3& out)
 {
     const Body &cube = *world.bodies[cube_body], &floor = *world.bodies[floor_body];
-    Contact contact{ContactKind::edge_edge, cube_body, floor_body, lowest_edge_along(cube, cube_edge), lowest_edge_along(floor, floor_edge)};
+    Contact contact{ContactKind::edge_edge, cube_body, floor_body, lowest_edge_along(cube, cube_edge),
+                    lowest_edge_along(floor, floor_edge)};
     const auto along = [](const Body& body, int edge) {
         const auto [a, b] = body.surface().edges()[edge];
         return Vec3(body.positions_t0()[b] - body.positions_t0()[a]);
     };
-    contact.orientation = along(cube, contact.feature_a).cross(along(floor, contact.feature_b)).dot(out) > 0 ? 1 : -1;
+    contact.orientation = along(cube, contact.feature_a).cross(along(floor, contact.feature_b)).dot(out) > 0
+                              ? 1
+                              : -1;
     return contact;
 }
 

@@ -21,7 +21,8 @@ World cube_in_floor();
 /// The edge of a body whose ends lie in this direction from each other, with its lowest middle; -1 for none.
 int lowest_edge_along(const Body& body, const Vec3& direction);
 
-/// The cube's lowest edge along one direction (A) against the floor's along another (B), with a normal that looks along `out`.
+/// The cube's lowest edge along one direction (A) against the floor's along
+/// another (B), with a normal that looks along `out`.
 Contact edge_pair(const World& world, const Vec3& cube_edge, const Vec3& floor_edge, const Vec3& out);
 
 }  // namespace enduring::chapter05

@@ -32,7 +32,11 @@ std::vector<Segment> span_arrows(const Corner& corner, double from, double to)
     const std::vector<Vec3> normals = normal_span(corner.surface(), corner.faces());
     std::vector<Segment> arrows;
     for (const Vec3& normal : normals)
-        arrows.push_back({.from = from * normal, .to = to * normal, .color = palette::ink, .width_px = 2.5, .arrow = true});
+        arrows.push_back({.from = from * normal,
+                          .to = to * normal,
+                          .color = palette::ink,
+                          .width_px = 2.5,
+                          .arrow = true});
     arrows.back().color = palette::colliding_edge;  // the average
     return arrows;
 }
@@ -49,8 +53,10 @@ Camera camera_at(const Vec3& target, double distance)
 Stage corner_stage(const Corner& corner)
 {
     Stage stage;
-    stage.bodies.push_back({.positions = corner.positions, .faces = {corner.topology.faces().begin(), corner.topology.faces().end()},
-                            .color = palette::sand, .wireframe = true});
+    stage.bodies.push_back({.positions = corner.positions,
+                            .faces = {corner.topology.faces().begin(), corner.topology.faces().end()},
+                            .color = palette::sand,
+                            .wireframe = true});
     stage.segments = span_arrows(corner, 0, 0.8);
     stage.dots.push_back({.point = Vec3::Zero()});
     stage.camera = camera_at({0, -0.05, 0}, 4.1);
@@ -62,8 +68,11 @@ Stage sphere_stage(const DirectionSphere& sphere, const Corner& corner)
     Stage stage;
     for (std::size_t group = 0; group < sphere.groups.size(); ++group)
         if (!sphere.groups[group].empty())
-            stage.bodies.push_back({.positions = sphere.points, .faces = sphere.groups[group], .color = group_colors[group],
-                                    .smooth = true, .casts_shadow = false});
+            stage.bodies.push_back({.positions = sphere.points,
+                                    .faces = sphere.groups[group],
+                                    .color = group_colors[group],
+                                    .smooth = true,
+                                    .casts_shadow = false});
     stage.segments = span_arrows(corner, 1, 1.25);
     stage.camera = camera_at({0, 0.1, 0}, 5.2);
     return stage;
@@ -89,7 +98,8 @@ DirectionSphere directions_around(const Corner& corner, int subdivisions)
         result.groups[(touches ? 0 : 2) + (regular ? 0 : 1)].push_back(face);
     }
     const double some = possible > 0 ? possible : 1;
-    result.shares = {possible / total, average_finds / some, span_finds / some, span_allows / (total - possible)};
+    result.shares = {possible / total, average_finds / some, span_finds / some,
+                     span_allows / (total - possible)};
     return result;
 }
 

@@ -19,7 +19,8 @@ struct DirectionShares {
 /// The sphere of directions, cut into faces; each goes to one of four groups.
 struct DirectionSphere {
     std::vector<Vec3> points;
-    std::array<std::vector<Face>, 4> groups;  ///< possible and regular, possible and hooked, only regular, neither
+    /// possible and regular, possible and hooked, only regular, neither
+    std::array<std::vector<Face>, 4> groups;
     DirectionShares shares;
 };
 

@@ -7,7 +7,8 @@ namespace enduring::chapter05 {
 /// What the thesis does not do, and why: remove the pairs that are labelled hooked.
 void dropping(const RunOptions&, Report& report)
 {
-    Table table({"scene", "hooked pairs", "deepest_mm", "vertices inside without a pair", "speed at the end [m/s]"});
+    Table table(
+        {"scene", "hooked pairs", "deepest_mm", "vertices inside without a pair", "speed at the end [m/s]"});
     Table depths({"hooked_pairs", "time_s", "depth_m"});
     std::vector<StripPicture> pictures;
     for (const IntrusionScene& scene : intrusion_scenes()) {
@@ -22,7 +23,8 @@ void dropping(const RunOptions&, Report& report)
                 continue;
             for (const std::vector<Cell>& row : found.depths.rows())
                 depths.add(row);
-            pictures.push_back({picture_of_intrusion(scene, treatment, found.deepest_at), "hooked pairs " + word});
+            pictures.push_back(
+                {picture_of_intrusion(scene, treatment, found.deepest_at), "hooked pairs " + word});
         }
     }
     report.fact("dropping", "wall_mm", 1000 * intrusion_scenes().back().thickness, 3);

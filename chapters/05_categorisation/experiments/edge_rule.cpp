@@ -9,14 +9,16 @@ namespace enduring::chapter05 {
 void edge_rule(const RunOptions& options, Report& report)
 {
     const std::filesystem::path file = options.scene.value_or(scene_file("hooked"));
-    Table table({"rule", "hooked pairs", "EE regular a step", "EE hooked a step", "distance_m", "speed at the end [m/s]"});
+    Table table({"rule", "hooked pairs", "EE regular a step", "EE hooked a step", "distance_m",
+                 "speed at the end [m/s]"});
     for (const EdgeRule rule : {EdgeRule::both, EdgeRule::either})
         for (const HookedPairs treatment : {HookedPairs::pushed, HookedPairs::held}) {
             Scene scene = load_scene(file);
             CensusProbe probe("cube");
             run(scene, solver_that(treatment, rule, scene.contact), {&probe}, failure_on_purpose());
             const double steps = probe.steps();
-            const std::string name = rule == EdgeRule::both ? "both" : "either", done = treatment == HookedPairs::held ? "held" : "pushed";
+            const std::string name = rule == EdgeRule::both ? "both" : "either",
+                              done = treatment == HookedPairs::held ? "held" : "pushed";
             table.add({name, done, double(probe.total().edge_edge_regular) / steps,
                        double(probe.total().edge_edge_hooked) / steps, probe.way(), probe.last_speed()});
             report.fact("edge_rule", name + "_" + done + "_way", probe.way(), 3);

@@ -28,10 +28,11 @@ Solver solver_that(HookedPairs treatment, EdgeRule rule, const ContactParameters
         label_contacts(world, contacts, rule);
         treat(contacts, treatment);
     });
-    solver.replace("categorise new", "categorise new", [rule, treatment](World& world, Contacts& contacts, double) {
-        label_new_contacts(world, contacts, rule);
-        treat(contacts, treatment);
-    });
+    solver.replace("categorise new", "categorise new",
+                   [rule, treatment](World& world, Contacts& contacts, double) {
+                       label_new_contacts(world, contacts, rule);
+                       treat(contacts, treatment);
+                   });
     return solver;
 }
 

@@ -11,8 +11,8 @@ enum class HookedPairs {
     dropped  ///< removed; the crossing is not looked for again until the features part
 };
 
-/// This chapter's solver with another edge rule, and with consequences. For experiments only: neither holding nor dropping is
-/// an answer.
+/// This chapter's solver with another edge rule, and with consequences. For
+/// experiments only: neither holding nor dropping is an answer.
 Solver solver_that(HookedPairs treatment, EdgeRule rule, const ContactParameters& parameters);
 
 }  // namespace enduring::chapter05

@@ -60,7 +60,8 @@ std::vector<IntrusionScene> intrusion_scenes()
             {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25, "subdivisions": 2}}, "mass": 20,
              "position": [0.03, 0.6, 0.02]}]})",
          "ball", "floor", Vec3::UnitY(), unbounded},
-        {"plate runs into a wall", R"({"duration": 0.3, "gravity": [0, 0, 0], "contact": {"stiffness": 100}, "bodies": [
+        {"plate runs into a wall",
+         R"({"duration": 0.3, "gravity": [0, 0, 0], "contact": {"stiffness": 100}, "bodies": [
             {"name": "wall", "type": "static", "shape": {"box": {"size": [0.18, 0.7, 0.9], "cells": [2, 5, 6]}}, "position": [0.09, 0.05, 0.03],
              "look": {"color": [0.45, 0.43, 0.38]}},
             {"name": "plate", "type": "rigid", "shape": {"box": {"size": [1, 0.1, 0.5], "cells": [20, 1, 10]}}, "mass": 20, "velocity": [4, 0, 0],
@@ -85,7 +86,8 @@ Intrusion intrude(const IntrusionScene& one, HookedPairs treatment)
         }
         found.lost_vertices = std::max(found.lost_vertices, lost_vertices(one, world, contacts));
         found.last_speed = body.linear_momentum().x() / body.mass();
-        found.depths.add({std::string(treatment == HookedPairs::pushed ? "pushed" : "dropped"), world.time, foremost});
+        found.depths.add(
+            {std::string(treatment == HookedPairs::pushed ? "pushed" : "dropped"), world.time, foremost});
     });
     run(scene, solver_that(treatment, EdgeRule::either, scene.contact), {&watch}, failure_on_purpose());
     return found;
@@ -96,7 +98,8 @@ Picture picture_of_intrusion(const IntrusionScene& one, HookedPairs treatment, d
     Scene scene = load_scene(scene_file("hooked"), one.patch);
     RunLimits limits;
     limits.steps = static_cast<int>(time / scene.dt + 0.5);
-    const RunResult result = run(scene, solver_that(treatment, EdgeRule::either, scene.contact), {}, failure_on_purpose(limits));
+    const RunResult result = run(scene, solver_that(treatment, EdgeRule::either, scene.contact), {},
+                                 failure_on_purpose(limits));
     Stage stage = stage_of(scene.world, scene);
     stage.bodies.front().opacity = 0.4;
     mark_by_label(stage, scene.world, result.contacts);

@@ -12,10 +12,10 @@ namespace enduring::chapter05 {
 /// A convex body that moves, and the flat surface of a static one that should keep it out.
 struct IntrusionScene {
     std::string name;
-    std::string patch;            ///< a change to the scene `hooked`
-    std::string body, obstacle;   ///< names
-    Vec3 outwards;                ///< of the obstacle's surface, which passes through the origin; unit length
-    double thickness;             ///< of the obstacle behind it [m]; infinite for a floor
+    std::string patch;           ///< a change to the scene `hooked`
+    std::string body, obstacle;  ///< names
+    Vec3 outwards;               ///< of the obstacle's surface, which passes through the origin; unit length
+    double thickness;            ///< of the obstacle behind it [m]; infinite for a floor
 };
 
 /// A cube that slides, a ball that falls on soft contacts, a plate that runs edge on into a wall.
@@ -23,10 +23,11 @@ std::vector<IntrusionScene> intrusion_scenes();
 
 /// How far the moving body got in.
 struct Intrusion {
-    double deepest = 0;      ///< of its foremost vertex, at any time [m]
-    double deepest_at = 0;   ///< [s]
-    long lost_vertices = 0;  ///< most at one time: vertices of either body inside the other that are in no vertex-face pair
-    double last_speed = 0;   ///< of the body along x at the end [m/s]
+    double deepest = 0;     ///< of its foremost vertex, at any time [m]
+    double deepest_at = 0;  ///< [s]
+    /// most at one time: vertices of either body inside the other that are in no vertex-face pair
+    long lost_vertices = 0;
+    double last_speed = 0;  ///< of the body along x at the end [m/s]
     Table depths{{"hooked_pairs", "time_s", "depth_m"}};
 };
 

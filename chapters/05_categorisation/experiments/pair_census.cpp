@@ -44,11 +44,10 @@ PairCensus census(const Contacts& contacts)
 //! [census]
 
 CensusProbe::CensusProbe(std::string body)
-    : TableProbe({"time_s", "x_m", "speed_m_per_s", "lowest_m", "vf_regular", "vf_hooked", "ee_regular", "ee_hooked", "without_normal",
-                  "sideways_n_s", "hooked_sideways_n_s"}),
+    : TableProbe({"time_s", "x_m", "speed_m_per_s", "lowest_m", "vf_regular", "vf_hooked", "ee_regular",
+                  "ee_hooked", "without_normal", "sideways_n_s", "hooked_sideways_n_s"}),
       body_(std::move(body))
-{
-}
+{}
 
 void CensusProbe::observe(const World& world, const Contacts& contacts, double)
 {
@@ -70,8 +69,9 @@ void CensusProbe::observe(const World& world, const Contacts& contacts, double)
     const PairCensus now = census(contacts);
     total_ += now;
     steps_ = world.step;
-    table_.add({world.time, middle.x(), last_speed_, lowest, now.vertex_face_regular, now.vertex_face_hooked, now.edge_edge_regular,
-                now.edge_edge_hooked, now.without_normal, now.sideways, now.hooked_sideways});
+    table_.add({world.time, middle.x(), last_speed_, lowest, now.vertex_face_regular, now.vertex_face_hooked,
+                now.edge_edge_regular, now.edge_edge_hooked, now.without_normal, now.sideways,
+                now.hooked_sideways});
 }
 
 }  // namespace enduring::chapter05

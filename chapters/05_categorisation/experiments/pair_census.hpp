@@ -24,7 +24,8 @@ public:
 
     const PairCensus& total() const { return total_; }  ///< over all steps
     int steps() const { return steps_; }
-    double stopped_at() const { return stopped_at_; }    ///< first time the body no longer moves towards +x [s], -1 never
+    /// first time the body no longer moves towards +x [s], -1 never
+    double stopped_at() const { return stopped_at_; }
     double way() const { return farthest_ - first_x_; }  ///< farthest towards +x [m]
     double sunk() const { return first_y_ - lowest_; }   ///< lowest point below the lowest of the start [m]
     double last_speed() const { return last_speed_; }    ///< along x [m/s]

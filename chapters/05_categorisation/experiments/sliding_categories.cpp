@@ -14,20 +14,25 @@
 namespace enduring::chapter05 {
 namespace {
 
-/// Chapter 4's solver on the same cube: on a plane and on triangles that form it, without friction and with a little.
+/// Chapter 4's solver on the same cube: on a plane and on triangles that
+/// form it, without friction and with a little.
 void chapter_4_defeated(const std::filesystem::path& file, Report& report)
 {
-    const std::string plane = R"({"planes": [{"name": "floor"}], "bodies": [{"name": "cube", "type": "rigid", "mass": 20,
+    const std::string plane =
+        R"({"planes": [{"name": "floor"}], "bodies": [{"name": "cube", "type": "rigid", "mass": 20,
         "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "position": [0, 0.255, 0.03], "velocity": [1.5, 0, 0]}])";
-    const std::string rough = R"("contact": {"friction": {"model": "mass_splitting", "mu_s": 0.1, "mu_d": 0.05}})";
+    const std::string rough =
+        R"("contact": {"friction": {"model": "mass_splitting", "mu_s": 0.1, "mu_d": 0.05}})";
     Table table({"floor", "mu_d", "distance_m", "speed after 1.5 s [m/s]"});
     for (const bool triangles : {false, true})
         for (const bool friction : {false, true}) {
-            const std::string patch = triangles ? (friction ? "{" + rough + "}" : "") : plane + (friction ? ", " + rough : "") + "}";
+            const std::string patch = triangles ? (friction ? "{" + rough + "}" : "")
+                                                : plane + (friction ? ", " + rough : "") + "}";
             Scene scene = load_scene(file, patch);
             CensusProbe probe("cube");
             run(scene, chapter04_solver(scene.contact), {&probe});
-            table.add({std::string(triangles ? "triangles" : "plane"), friction ? 0.05 : 0.0, probe.way(), probe.last_speed()});
+            table.add({std::string(triangles ? "triangles" : "plane"), friction ? 0.05 : 0.0, probe.way(),
+                       probe.last_speed()});
         }
     report.table("defeat", table);
     report.page_table("defeat", table);
@@ -42,13 +47,17 @@ void slide(const std::filesystem::path& file, Report& report)
     write_png(pictures.all(2), report.file("sliding.png"));
     report.table("sliding", probe.table());
     report.plot("chapters/05_categorisation/plots/sliding.gp");
-    report.fact("sliding_categories", "hooked_share_percent", 100 * probe.total().hooked_sideways / probe.total().sideways, 4);
+    report.fact("sliding_categories", "hooked_share_percent",
+                100 * probe.total().hooked_sideways / probe.total().sideways, 4);
     report.fact("sliding_categories", "sideways", probe.total().sideways, 3);
     report.fact("sliding_categories", "stopped_at", probe.stopped_at(), 3);
     report.fact("sliding_categories", "way", probe.way(), 3);
 }
 
-Cell share(long part, long all) { return all > 0 ? Cell(100.0 * double(part) / double(all)) : Cell(std::string("-")); }
+Cell share(long part, long all)
+{
+    return all > 0 ? Cell(100.0 * double(part) / double(all)) : Cell(std::string("-"));
+}
 
 }  // namespace
 
@@ -58,18 +67,21 @@ void sliding_categories(const RunOptions& options, Report& report)
     chapter_4_defeated(options.scene.value_or(scene_file("hooked")), report);
     slide(options.scene.value_or(scene_file("hooked")), report);
 
-    Table table({"scene", "true pairs", "labelled regular [%]", "artefacts", "labelled hooked [%]", "at 45°"});
+    Table table(
+        {"scene", "true pairs", "labelled regular [%]", "artefacts", "labelled hooked [%]", "at 45°"});
     LabelCounts all;
     for (const TruthScene& scene : truth_scenes()) {
         const LabelCounts found = count_labels(scene, options.quick ? 0.5 : 1.0);
-        table.add({scene.name, found.true_pairs(), share(found.true_regular, found.true_pairs()), found.artefacts(),
-                   share(found.artefact_hooked, found.artefacts()), found.on_border});
+        table.add({scene.name, found.true_pairs(), share(found.true_regular, found.true_pairs()),
+                   found.artefacts(), share(found.artefact_hooked, found.artefacts()), found.on_border});
         all += found;
     }
     report.table("labels", table);
     report.page_table("labels", table, 4);
-    report.fact("sliding_categories", "true_found_percent", 100.0 * double(all.true_regular) / double(std::max(1L, all.true_pairs())), 4);
-    report.fact("sliding_categories", "artefacts_found_percent", 100.0 * double(all.artefact_hooked) / double(std::max(1L, all.artefacts())), 4);
+    report.fact("sliding_categories", "true_found_percent",
+                100.0 * double(all.true_regular) / double(std::max(1L, all.true_pairs())), 4);
+    report.fact("sliding_categories", "artefacts_found_percent",
+                100.0 * double(all.artefact_hooked) / double(std::max(1L, all.artefacts())), 4);
 }
 
 }  // namespace enduring::chapter05

@@ -22,20 +22,23 @@ Corner corner_of(const Wedge& wedge) { return wedge_corner(wedge.name, wedge.ope
 /// The normal of a floor that leans by an angle against the corner's averaged normal, which looks down.
 Vec3 floor_normal(double lean_deg) { return {-std::sin(lean_deg * degree), std::cos(lean_deg * degree), 0}; }
 
-/// Around each wedge, for every direction that the corner could be pushed from: what is possible, and what the rules say.
-/// The direction stands as x and y of the reversed contact normal, so that it points from the corner at the obstacle.
+/// Around each wedge, for every direction that the corner could be pushed from: what is
+/// possible, and what the rules say. The direction stands as x and y of the reversed contact
+/// normal, so that it points from the corner at the obstacle.
 Table circles()
 {
     Table table({"corner", "opening_deg", "lean_deg", "x", "y", "possible", "average", "span"});
     for (const Wedge& wedge : wedges) {
         const Corner corner = corner_of(wedge);
-        std::vector<double> leans{0};  // where alone a floor can touch the flat one; the others stay clear of every border
+        // where alone a floor can touch the flat one; the others stay clear of every border
+        std::vector<double> leans{0};
         for (double lean = -179.5; lean < 180; lean += 1)
             leans.push_back(lean);
         for (const double lean : leans) {
             const Vec3 normal = floor_normal(lean);
-            table.add({wedge.name, wedge.opening_deg, lean, -normal.x(), -normal.y(), long(can_touch(corner, normal)),
-                       long(average_says_regular(corner, normal)), long(span_says_regular(corner, normal))});
+            table.add({wedge.name, wedge.opening_deg, lean, -normal.x(), -normal.y(),
+                       long(can_touch(corner, normal)), long(average_says_regular(corner, normal)),
+                       long(span_says_regular(corner, normal))});
         }
     }
     return table;
@@ -46,12 +49,14 @@ std::string word(bool regular) { return regular ? "regular" : "hooked"; }
 /// Thesis figures 6.6 and 6.8 as a table: corners on floors that lean.
 Table verdicts()
 {
-    Table table({"corner", "opening_deg", "floor leans by [°]", "it can touch there", "averaged normal says", "span says"});
+    Table table({"corner", "opening_deg", "floor leans by [°]", "it can touch there", "averaged normal says",
+                 "span says"});
     for (const Wedge& wedge : wedges) {
         const Corner corner = corner_of(wedge);
         for (const double lean : {0.0, 40.0, 60.0}) {
             const Vec3 normal = floor_normal(lean);
-            table.add({wedge.name, wedge.opening_deg, lean, std::string(can_touch(corner, normal) ? "yes" : "no"),
+            table.add({wedge.name, wedge.opening_deg, lean,
+                       std::string(can_touch(corner, normal) ? "yes" : "no"),
                        word(average_says_regular(corner, normal)), word(span_says_regular(corner, normal))});
         }
     }
@@ -68,15 +73,16 @@ void spans(const RunOptions& options, Report& report)
     report.page_table("verdicts", verdicts());
 
     const int subdivisions = options.quick ? 4 : 6;
-    Table shares({"corner", "can touch [% of directions]", "of these regular by average [%]", "of these regular by span [%]",
-                  "of the others regular by span [%]"});
+    Table shares({"corner", "can touch [% of directions]", "of these regular by average [%]",
+                  "of these regular by span [%]", "of the others regular by span [%]"});
     std::vector<DirectionSphere> spheres;
     for (const Corner& corner : sphere_corners()) {
         spheres.push_back(directions_around(corner, subdivisions));
         const DirectionShares& found = spheres.back().shares;
         const bool any = found.possible > 0;
         const auto percent = [&](double share) { return any ? Cell(100 * share) : Cell(std::string("-")); };
-        shares.add({corner.name, 100 * found.possible, percent(found.average_finds), percent(found.span_finds), 100 * found.span_allows});
+        shares.add({corner.name, 100 * found.possible, percent(found.average_finds),
+                    percent(found.span_finds), 100 * found.span_allows});
     }
     report.table("direction_shares", shares);
     report.page_table("direction_shares", shares);

@@ -15,11 +15,13 @@ using namespace enduring::chapter05;
 
 namespace {
 
-constexpr ContactCategory regular = ContactCategory::regular, hooked = ContactCategory::hooked, unknown = ContactCategory::unknown;
+constexpr ContactCategory regular = ContactCategory::regular, hooked = ContactCategory::hooked,
+                          unknown = ContactCategory::unknown;
 
 }  // namespace
 
-TEST_CASE("errata: (6.3) as printed, with \"and\", calls a cube's upright edge against a floor's edge regular")
+TEST_CASE(
+    "errata: (6.3) as printed, with \"and\", calls a cube's upright edge against a floor's edge regular")
 {
     const World world = cube_in_floor();
     // The cube slides along +x; its front meets a floor edge across its way, which pushes it back.
@@ -34,12 +36,15 @@ TEST_CASE("errata: (6.3) as printed, with \"and\", calls a cube's upright edge a
     CHECK(categorise(world, met, 0, EdgeRule::either) == hooked);
 }
 
-TEST_CASE("labels: a cube's lower edge on a floor's edge is regular upwards and hooked downwards, by both rules")
+TEST_CASE(
+    "labels: a cube's lower edge on a floor's edge is regular upwards and hooked downwards, by both rules")
 {
     const World world = cube_in_floor();
     for (const EdgeRule rule : {EdgeRule::both, EdgeRule::either}) {
-        CHECK(categorise(world, edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()), 0, rule) == regular);
-        CHECK(categorise(world, edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitY()), 0, rule) == hooked);
+        CHECK(categorise(world, edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()), 0, rule) ==
+              regular);
+        CHECK(categorise(world, edge_pair(world, Vec3::UnitX(), Vec3::UnitZ(), -Vec3::UnitY()), 0, rule) ==
+              hooked);
     }
 }
 
@@ -54,13 +59,15 @@ TEST_CASE("labels: exchanging the two bodies of an edge pair changes no label")
                 Contact exchanged = pair;
                 std::swap(exchanged.body_a, exchanged.body_b);
                 std::swap(exchanged.feature_a, exchanged.feature_b);
-                // b x a = -(a x b), and the normal from the new B to the new A is the old one reversed: the same sign.
+                // b x a = -(a x b), and the normal from the new B to the new A
+                // is the old one reversed: the same sign.
                 CAPTURE(sign);
                 CHECK(categorise(world, exchanged, 0, rule) == categorise(world, pair, 0, rule));
             }
 }
 
-TEST_CASE("labels: parallel edges and a face without area have no normal and stay unknown, also in rotated axes")
+TEST_CASE(
+    "labels: parallel edges and a face without area have no normal and stay unknown, also in rotated axes")
 {
     const World world = cube_in_floor();
     const int along = lowest_edge_along(*world.bodies[cube_body], Vec3::UnitX());
@@ -69,7 +76,8 @@ TEST_CASE("labels: parallel edges and a face without area have no normal and sta
 
     const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     World degenerate;
-    const SurfaceMesh line{{turn * Vec3(0, 0, 0), turn * Vec3(0.1, 0.3, 0.7), turn * Vec3(0.3, 0.9, 2.1)}, {{0, 1, 2}}};
+    const SurfaceMesh line{{turn * Vec3(0, 0, 0), turn * Vec3(0.1, 0.3, 0.7), turn * Vec3(0.3, 0.9, 2.1)},
+                           {{0, 1, 2}}};
     degenerate.bodies.push_back(still(line, Vec3::Zero()));
     degenerate.bodies.push_back(still(box({1, 1, 1}), Vec3::Zero()));
     CHECK(categorise_vertex_face(degenerate, 1, 0, 0, 0, 0) == unknown);
@@ -78,7 +86,8 @@ TEST_CASE("labels: parallel edges and a face without area have no normal and sta
 TEST_CASE("labels: edges and faces thinner than a ten-thousandth still have a normal, so a label")
 {
     World world;
-    // An edge along x of a triangle that looks down lies over an edge of one that looks down, too, and then up.
+    // An edge along x of a triangle that looks down lies over an edge
+    // of one that looks down, too, and then up.
     world.bodies.push_back(still({{{-1, 0, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, 2, 1}}}, Vec3::Zero()));
     world.bodies.push_back(still({{{-1, 0, -1e-4}, {1, 0, 1e-4}, {0, 0, 1}}, {{0, 1, 2}}}, Vec3::Zero()));
     const auto edge = [&](int body) {
@@ -110,7 +119,8 @@ TEST_CASE("labels: a label is taken when the pair begins to push, and a new pair
     const SurfaceMesh mesh = box({1, 1, 1});
     // Turns by 80 degrees about z in one step of 1 s: the face below becomes one that looks to the side.
     const Vec3 spin(0, 0, 80 * std::numbers::pi / 180);
-    world.bodies.push_back(std::make_unique<RigidBody>("cube", mesh, with_mass(mass_properties(mesh, 1.0), 1.0), Vec3::Zero(), spin));
+    world.bodies.push_back(std::make_unique<RigidBody>(
+        "cube", mesh, with_mass(mass_properties(mesh, 1.0), 1.0), Vec3::Zero(), spin));
     world.bodies[cube_body]->predict(Vec3::Zero(), 1.0);
     int below = -1;
     for (int face = 0; face < 12; ++face)

@@ -24,7 +24,8 @@ using namespace enduring::chapter05;
 namespace {
 
 /// Every vertex of every body after every step, one after the other.
-std::vector<Vec3> trajectory(const std::string& patch, const std::function<Solver(const ContactParameters&)>& solver)
+std::vector<Vec3> trajectory(const std::string& patch,
+                             const std::function<Solver(const ContactParameters&)>& solver)
 {
     Scene scene = load_scene(scene_file("hooked"), patch);
     std::vector<Vec3> all;
@@ -61,7 +62,8 @@ TEST_CASE("labels: they change nothing: chapter 4's and chapter 5's trajectories
 {
     for (const std::string patch : {"", friction}) {
         CAPTURE(patch);
-        const std::vector<Vec3> before = trajectory(patch, chapter04_solver), with_labels = trajectory(patch, chapter05_solver);
+        const std::vector<Vec3> before = trajectory(patch, chapter04_solver),
+                                with_labels = trajectory(patch, chapter05_solver);
         REQUIRE(before.size() == with_labels.size());
         CHECK(std::memcmp(before.data(), with_labels.data(), before.size() * sizeof(Vec3)) == 0);
     }
@@ -82,7 +84,8 @@ TEST_CASE("labels: after every step of the slide every pair of features has one"
     CHECK(without == 0);
 }
 
-TEST_CASE("hooked: a cube that slides over triangles stops under chapters 4 and 5; held hooked pairs let it slide, by (6.3) with \"or\" alone")
+TEST_CASE(
+    "hooked: a cube that slides over triangles stops under chapters 4 and 5; held hooked pairs let it slide, by (6.3) with \"or\" alone")
 {
     for (const auto& solver : {chapter04_solver, chapter05_solver}) {
         const Slide stopped = slide(solver);
@@ -104,7 +107,8 @@ TEST_CASE("labels: hooked pairs give the sliding cube almost all of what it gets
     CHECK(probe.total().hooked_sideways > 0.95 * probe.total().sideways);
 }
 
-TEST_CASE("labels: on scenes with a known truth 99 in 100 artefacts are found, and 97 in 100 true pairs at least")
+TEST_CASE(
+    "labels: on scenes with a known truth 99 in 100 artefacts are found, and 97 in 100 true pairs at least")
 {
     for (const TruthScene& scene : truth_scenes()) {
         CAPTURE(scene.name);
@@ -122,7 +126,8 @@ TEST_CASE("labels: with \"and\" most artefacts of the sliding cube pass for regu
     CHECK(double(found.artefact_regular) > 0.5 * double(found.artefacts()));
 }
 
-TEST_CASE("ambiguity: three arrangements agree in every bit that the rule reads, so in their label, and not in the truth")
+TEST_CASE(
+    "ambiguity: three arrangements agree in every bit that the rule reads, so in their label, and not in the truth")
 {
     const std::vector<Arrangement> all = arrangements();
     REQUIRE(all.size() == 3);
@@ -142,7 +147,8 @@ TEST_CASE("ambiguity: three arrangements agree in every bit that the rule reads,
 TEST_CASE("dropping: a plate whose hooked pairs are dropped comes out behind a wall that stops it otherwise")
 {
     const IntrusionScene wall = intrusion_scenes().back();
-    const Intrusion pushed = intrude(wall, HookedPairs::pushed), dropped = intrude(wall, HookedPairs::dropped);
+    const Intrusion pushed = intrude(wall, HookedPairs::pushed),
+                    dropped = intrude(wall, HookedPairs::dropped);
     CHECK(pushed.deepest < wall.thickness);
     CHECK(dropped.deepest > wall.thickness);
     CHECK(pushed.lost_vertices == 0);
@@ -152,12 +158,14 @@ TEST_CASE("dropping: a plate whose hooked pairs are dropped comes out behind a w
 TEST_CASE("directions: the shares of the sphere are those of spherical geometry")
 {
     const std::vector<Corner> corners = sphere_corners();
-    // Normals of three faces that enclose 120 degrees pairwise: 3 * 120 - 180 degrees of excess, a quarter of the sphere.
+    // Normals of three faces that enclose 120 degrees pairwise: 3 * 120 - 180
+    // degrees of excess, a quarter of the sphere.
     CHECK(directions_around(corners[0], 5).shares.possible == doctest::Approx(0.25).epsilon(0.01));
     CHECK(directions_around(corners[1], 5).shares.possible == doctest::Approx(0.125).epsilon(0.01));
     const DirectionShares flat = directions_around(corners[2], 5).shares;
     CHECK(flat.possible == 0);
-    CHECK(flat.span_allows == doctest::Approx((1 - std::sqrt(0.5)) / 2).epsilon(0.01));  // a cap of 45 degrees
+    // a cap of 45 degrees
+    CHECK(flat.span_allows == doctest::Approx((1 - std::sqrt(0.5)) / 2).epsilon(0.01));
 }
 
 TEST_CASE("hooked: the moment that stops the cube is as in its reference picture")
@@ -169,6 +177,7 @@ TEST_CASE("hooked: the moment that stops the cube is as in its reference picture
     Stage stage = stage_of(scene.world, scene);
     mark_by_label(stage, scene.world, result.contacts);
     Renderer renderer(640, 420);
-    const ReferenceCheck check = check_reference_picture(renderer.draw(stage), "05_categorisation/hooked.png");
+    const ReferenceCheck check = check_reference_picture(renderer.draw(stage),
+                                                         "05_categorisation/hooked.png");
     CHECK_MESSAGE(check.passed, check.message);
 }

@@ -11,11 +11,15 @@ using namespace enduring::chapter05;
 
 namespace {
 
-/// Two triangles that hinge on the edge from vertex 0 to 1 along z, each leaning down by an angle from the plane y = 0.
+/// Two triangles that hinge on the edge from vertex 0 to 1 along z, each
+/// leaning down by an angle from the plane y = 0.
 Corner hinge(double angle)
 {
     Corner corner;
-    corner.positions = {{0, 0, 0}, {0, 0, 1}, {std::cos(angle), -std::sin(angle), 0.5}, {-std::cos(angle), -std::sin(angle), 0.5}};
+    corner.positions = {{0, 0, 0},
+                        {0, 0, 1},
+                        {std::cos(angle), -std::sin(angle), 0.5},
+                        {-std::cos(angle), -std::sin(angle), 0.5}};
     corner.topology = SurfaceTopology(4, {{0, 1, 2}, {1, 0, 3}});
     return corner;
 }
@@ -32,14 +36,16 @@ int edge_between(const SurfaceTopology& topology, int a, int b)
 
 TEST_CASE("normal span: a cube's corner has the three directions of its sides, and their average last")
 {
-    const Corner corner = fan("corner", {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}});  // the solid lies where all are positive
+    // the solid lies where all are positive
+    const Corner corner = fan("corner", {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}});
     const std::vector<Vec3> normals = normal_span(corner.surface(), corner.faces());
     REQUIRE(normals.size() == 4);
     Vec3 sum = Vec3::Zero();
     for (int axis = 0; axis < 3; ++axis) {
         const Vec3 expected = -Vec3::Unit(axis);
         CAPTURE(axis);
-        CHECK(std::count_if(normals.begin(), normals.end(), [&](const Vec3& n) { return (n - expected).norm() < 1e-15; }) == 1);
+        CHECK(std::count_if(normals.begin(), normals.end(),
+                            [&](const Vec3& n) { return (n - expected).norm() < 1e-15; }) == 1);
         sum += expected;
     }
     CHECK((normals.back() - sum / std::sqrt(3.0)).norm() < 1e-15);
@@ -64,7 +70,8 @@ TEST_CASE("normal span: on a border there is one face and its normal stands for 
 {
     const Corner fold = hinge(0.4);
     const Vec3 expected(std::sin(0.4), std::cos(0.4), 0);
-    for (const Vec3& normal : normal_span(fold.surface(), fold.topology.faces_at_edge(edge_between(fold.topology, 0, 2))))
+    for (const Vec3& normal :
+         normal_span(fold.surface(), fold.topology.faces_at_edge(edge_between(fold.topology, 0, 2))))
         CHECK((normal - expected).norm() < 1e-15);
     CHECK(normal_span(fold.surface(), fold.topology.faces_around_vertex(2)).size() == 2);
 }
@@ -73,10 +80,12 @@ TEST_CASE("normal span: faces without area say nothing, and opposite faces have 
 {
     Corner needle = hinge(0.4);
     needle.positions[3] = needle.positions[0];  // the second face collapses
-    CHECK(normal_span(needle.surface(), needle.topology.faces_at_edge(edge_between(needle.topology, 0, 1))).size() == 2);
+    CHECK(normal_span(needle.surface(), needle.topology.faces_at_edge(edge_between(needle.topology, 0, 1)))
+              .size() == 2);
 
     const Corner sheet = hinge(std::numbers::pi / 2);  // both faces hang down, back to back
-    const std::vector<Vec3> two_sides = normal_span(sheet.surface(), sheet.topology.faces_at_edge(edge_between(sheet.topology, 0, 1)));
+    const std::vector<Vec3> two_sides = normal_span(
+        sheet.surface(), sheet.topology.faces_at_edge(edge_between(sheet.topology, 0, 1)));
     REQUIRE(two_sides.size() == 2);
     CHECK((two_sides[0] + two_sides[1]).norm() < 1e-15);
 }

@@ -12,7 +12,9 @@ const Face& face_of(const SurfaceTopology& surface, int face) { return surface.f
 Vec3 unit_normal(const SurfaceTopology& surface, std::span<const Vec3> positions, int face)
 {
     const auto [a, b, c] = face_of(surface, face);
-    return (at(positions, b) - at(positions, a)).cross(at(positions, c) - at(positions, a)).stableNormalized();
+    return (at(positions, b) - at(positions, a))
+        .cross(at(positions, c) - at(positions, a))
+        .stableNormalized();
 }
 
 double angle_at(const SurfaceTopology& surface, std::span<const Vec3> positions, int face, int vertex)
@@ -20,7 +22,8 @@ double angle_at(const SurfaceTopology& surface, std::span<const Vec3> positions,
     Face corners = face_of(surface, face);
     while (corners[0] != vertex)
         corners = {corners[1], corners[2], corners[0]};
-    const Vec3 one = at(positions, corners[1]) - at(positions, vertex), other = at(positions, corners[2]) - at(positions, vertex);
+    const Vec3 one = at(positions, corners[1]) - at(positions, vertex),
+               other = at(positions, corners[2]) - at(positions, vertex);
     return std::atan2(one.cross(other).norm(), one.dot(other));
 }
 
@@ -62,7 +65,8 @@ FaceWeights closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const V
         return {0, 0, 1};
 
     // Areas of the triangles that p makes with the edges, times the triangle's own: negative beyond an edge.
-    const double area_c = ab_a * ac_b - ab_b * ac_a, area_b = ab_c * ac_a - ab_a * ac_c, area_a = ab_b * ac_c - ab_c * ac_b;
+    const double area_c = ab_a * ac_b - ab_b * ac_a, area_b = ab_c * ac_a - ab_a * ac_c,
+                 area_a = ab_b * ac_c - ab_c * ac_b;
     if (area_c <= 0 && ab_a >= 0 && ab_b <= 0) {
         const double t = ab_a / (ab_a - ab_b);
         return {1 - t, t, 0};
@@ -82,8 +86,8 @@ FaceWeights closest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const V
 //! [closest_weights]
 
 //! [closest_point]
-ClosestPoint closest_point(const FaceTree& tree, const SurfaceTopology& surface, std::span<const Vec3> positions,
-                           const Vec3& p, double within)
+ClosestPoint closest_point(const FaceTree& tree, const SurfaceTopology& surface,
+                           std::span<const Vec3> positions, const Vec3& p, double within)
 {
     ClosestPoint best;
     best.squared_distance = within * within;
@@ -99,7 +103,8 @@ ClosestPoint closest_point(const FaceTree& tree, const SurfaceTopology& surface,
 }
 //! [closest_point]
 
-Vec3 pseudonormal(const SurfaceTopology& surface, std::span<const Vec3> positions, const ClosestPoint& closest)
+Vec3 pseudonormal(const SurfaceTopology& surface, std::span<const Vec3> positions,
+                  const ClosestPoint& closest)
 {
     const Face& corners = face_of(surface, closest.face);
     for (std::size_t i = 0; i < 3; ++i)

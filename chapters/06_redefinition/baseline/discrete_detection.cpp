@@ -47,7 +47,8 @@ void DiscreteDetection::build(const World& world)
     for (int a = 0; a < count; ++a)
         for (int b = 0; b < count; ++b)
             if (a != b && !(bodies_[at(a)]->is_static() && bodies_[at(b)]->is_static()))
-                sides_.push_back({a, b, std::vector<double>(last_[at(a)].size(), 0), std::vector<int>(last_[at(a)].size(), -1)});
+                sides_.push_back({a, b, std::vector<double>(last_[at(a)].size(), 0),
+                                  std::vector<int>(last_[at(a)].size(), -1)});
 }
 
 void DiscreteDetection::refit(const World& world)
@@ -68,7 +69,8 @@ void DiscreteDetection::use_up_clearances()
     for (Side& side : sides_) {
         const std::vector<double>& of_vertices = moved_[at(side.a)];
         const std::vector<double>& of_surface = moved_[at(side.b)];
-        const double surface = of_surface.empty() ? 0 : *std::max_element(of_surface.begin(), of_surface.end());
+        const double surface = of_surface.empty() ? 0
+                                                  : *std::max_element(of_surface.begin(), of_surface.end());
         for (std::size_t v = 0; v < of_vertices.size(); ++v)
             side.clearance[v] -= of_vertices[v] + surface;
     }
@@ -79,18 +81,21 @@ void DiscreteDetection::use_up_clearances()
 void DiscreteDetection::look_at(const World& world, Side& side, Contacts& contacts) const
 {
     const SurfaceTopology& surface = bodies_[at(side.b)]->surface();
-    const std::span<const Vec3> vertices = world.bodies[at(side.a)]->positions_t1(), of_surface = world.bodies[at(side.b)]->positions_t1();
+    const std::span<const Vec3> vertices = world.bodies[at(side.a)]->positions_t1(),
+                                of_surface = world.bodies[at(side.b)]->positions_t1();
     for (int v = 0; v < static_cast<int>(vertices.size()); ++v) {
         const int pair = side.pair[at(v)];
         if (side.clearance[at(v)] > 0 || (pair >= 0 && contacts[at(pair)].answered()))
             continue;
         const Vec3& p = vertices[at(v)];
-        const ClosestPoint closest = closest_point(trees_[at(side.b)], surface, of_surface, p, std::numeric_limits<double>::infinity());
+        const ClosestPoint closest = closest_point(trees_[at(side.b)], surface, of_surface, p,
+                                                   std::numeric_limits<double>::infinity());
         if (closest.face < 0)
             continue;
         const double outside = pseudonormal(surface, of_surface, closest).dot(p - closest.point);
         const bool inside = outside < 0;
-        // Beyond the border of an open surface a vertex may come in without passing through it: no clearance there.
+        // Beyond the border of an open surface a vertex may come in without
+        // passing through it: no clearance there.
         side.clearance[at(v)] = outside > 0 ? caution * std::sqrt(closest.squared_distance) : 0;
         if (!inside) {
             if (pair >= 0)
@@ -106,7 +111,9 @@ void DiscreteDetection::look_at(const World& world, Side& side, Contacts& contac
 
 void DiscreteDetection::update_inside_vertices(const World& world, Contacts& contacts)
 {
-    const auto same = [](const Body* mine, const std::unique_ptr<Body>& theirs) { return mine == theirs.get(); };
+    const auto same = [](const Body* mine, const std::unique_ptr<Body>& theirs) {
+        return mine == theirs.get();
+    };
     if (!std::equal(bodies_.begin(), bodies_.end(), world.bodies.begin(), world.bodies.end(), same))
         build(world);
     refit(world);
@@ -114,11 +121,14 @@ void DiscreteDetection::update_inside_vertices(const World& world, Contacts& con
     for (Side& side : sides_) {
         std::fill(side.pair.begin(), side.pair.end(), -1);
         for (std::size_t i = 0; i < contacts.size(); ++i)
-            if (contacts[i].kind == ContactKind::vertex_face && contacts[i].body_a == side.a && contacts[i].body_b == side.b)
+            if (contacts[i].kind == ContactKind::vertex_face && contacts[i].body_a == side.a &&
+                contacts[i].body_b == side.b)
                 side.pair[at(contacts[i].feature_a)] = static_cast<int>(i);
         look_at(world, side, contacts);
     }
-    const auto ended = [](const Contact& contact) { return contact.kind == ContactKind::vertex_face && contact.feature_b < 0; };
+    const auto ended = [](const Contact& contact) {
+        return contact.kind == ContactKind::vertex_face && contact.feature_b < 0;
+    };
     contacts.erase(std::remove_if(contacts.begin(), contacts.end(), ended), contacts.end());
 }
 

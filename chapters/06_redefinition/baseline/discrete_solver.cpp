@@ -16,7 +16,8 @@ void push_to_closest_points(const World& world, Contacts& contacts, double stiff
         if (!contact.waiting())
             continue;
         if (contact.kind == ContactKind::vertex_plane) {
-            contact.impulse = discrete_on_plane(pair_step(world, contact), 0, pair_stiffness(world, contact, stiffness), dt);
+            contact.impulse = discrete_on_plane(pair_step(world, contact), 0,
+                                                pair_stiffness(world, contact, stiffness), dt);
             continue;
         }
         Vec3 out = Vec3::Zero();  // q - p
@@ -35,9 +36,10 @@ Solver discrete_solver(const ContactParameters& parameters)
     solver.append(StepStage::detect, "closest points", [detection](World& world, Contacts& contacts, double) {
         detection->update_inside_vertices(world, contacts);
     });
-    solver.replace("push out of planes", "impulses", [stiffness = parameters.stiffness](World& world, Contacts& contacts, double dt) {
-        push_to_closest_points(world, contacts, stiffness, dt);
-    });
+    solver.replace("push out of planes", "impulses",
+                   [stiffness = parameters.stiffness](World& world, Contacts& contacts, double dt) {
+                       push_to_closest_points(world, contacts, stiffness, dt);
+                   });
     return solver;
 }
 

@@ -1,8 +1,9 @@
-// What one resting pair costs in each stage and altogether: passes over the pairs under a cube that rests on a triangulated
-// floor, of one kind or of both, divided by their number. The column that counts is "per_pair" [s].
+// What one resting pair costs in each stage and altogether: passes over the pairs
+// under a cube that rests on a triangulated floor, of one kind or of both, divided by
+// their number. The column that counts is "per_pair" [s].
 //
-// Mass-splitting friction solves all pairs together. With half of them taken away the cube no longer rests, and it takes more
-// rounds: "both" is the number to read there.
+// Mass-splitting friction solves all pairs together. With half of them taken away the cube no longer rests,
+// and it takes more rounds: "both" is the number to read there.
 
 #include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/03_penalty_impulses/penalty_law.hpp"
@@ -26,8 +27,9 @@ using namespace enduring;
 struct Resting {
     Resting(std::optional<ContactKind> only, const std::string& model)
         : kind(only),
-          scene(load_scene(scene_file("hooked"), R"({"/bodies/cube/velocity": [0, 0, 0], "contact": {"friction": {"model": ")" + model +
-                                                   R"(", "mu_s": 0.5, "mu_d": 0.4}}})"))
+          scene(load_scene(scene_file("hooked"),
+                           R"({"/bodies/cube/velocity": [0, 0, 0], "contact": {"friction": {"model": ")" +
+                               model + R"(", "mu_s": 0.5, "mu_d": 0.4}}})"))
     {
         RunLimits limits;
         limits.steps = 300;
@@ -75,11 +77,17 @@ void follow(Resting& at)
         dismiss_enduring_edges(at.scene.world, at.pairs);
 }
 
-void push(Resting& at, const NormalLaw& law) { push_apart(at.scene.world, at.pairs, law, at.scene.contact.stiffness, at.scene.dt); }
+void push(Resting& at, const NormalLaw& law)
+{
+    push_apart(at.scene.world, at.pairs, law, at.scene.contact.stiffness, at.scene.dt);
+}
 void push_continuous(Resting& at) { push(at, continuous_penalty); }
 void push_discrete(Resting& at) { push(at, discrete_penalty); }
 
-void friction(Resting& at) { compute_friction_impulses(at.scene.world, at.pairs, at.scene.contact.friction, at.scene.dt); }
+void friction(Resting& at)
+{
+    compute_friction_impulses(at.scene.world, at.pairs, at.scene.contact.friction, at.scene.dt);
+}
 
 template <Stage impulse>
 void altogether(Resting& at)
@@ -90,7 +98,8 @@ void altogether(Resting& at)
     resolve(at);
 }
 
-void run_stage(benchmark::State& state, std::optional<ContactKind> kind, Stage stage, const std::string& model = "mass_splitting")
+void run_stage(benchmark::State& state, std::optional<ContactKind> kind, Stage stage,
+               const std::string& model = "mass_splitting")
 {
     Resting at(kind, model);
     push_continuous(at);  // friction needs a normal impulse
@@ -99,16 +108,17 @@ void run_stage(benchmark::State& state, std::optional<ContactKind> kind, Stage s
         benchmark::ClobberMemory();
     }
     state.counters["pairs"] = static_cast<double>(at.pairs.size());
-    state.counters["per_pair"] = benchmark::Counter(static_cast<double>(at.pairs.size()),
-                                                    benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_pair"] = benchmark::Counter(
+        static_cast<double>(at.pairs.size()),
+        benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 constexpr ContactKind VF = ContactKind::vertex_face, EE = ContactKind::edge_edge;
 const std::string thesis = "yamane_nakamura";
 
-#define EACH_KIND(name, ...)                                              \
-    BENCHMARK_CAPTURE(run_stage, name##_VF, VF, __VA_ARGS__);             \
-    BENCHMARK_CAPTURE(run_stage, name##_EE, EE, __VA_ARGS__);             \
+#define EACH_KIND(name, ...)                                  \
+    BENCHMARK_CAPTURE(run_stage, name##_VF, VF, __VA_ARGS__); \
+    BENCHMARK_CAPTURE(run_stage, name##_EE, EE, __VA_ARGS__); \
     BENCHMARK_CAPTURE(run_stage, name##_both, std::nullopt, __VA_ARGS__)
 
 EACH_KIND(resolve, resolve);

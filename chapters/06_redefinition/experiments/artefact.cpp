@@ -7,8 +7,10 @@ namespace {
 
 using namespace motivating;
 
-/// Runs the scene under one solver: moments of it side by side, the number after each step, and the last as a fact.
-void watch(const MotivatingScene& motivating, const Compared& compared, Table& numbers, std::vector<StripPicture>& pictures, Report& report)
+/// Runs the scene under one solver: moments of it side by side, the
+/// number after each step, and the last as a fact.
+void watch(const MotivatingScene& motivating, const Compared& compared, Table& numbers,
+           std::vector<StripPicture>& pictures, Report& report)
 {
     Scene scene = load_scene(scene_file(motivating.file), motivating.patch);
     const std::string solver = "chapter " + std::to_string(compared.chapter);
@@ -18,7 +20,8 @@ void watch(const MotivatingScene& motivating, const Compared& compared, Table& n
             numbers.add({static_cast<long>(compared.chapter), world.time, *gauge.value()});
     });
     StripProbe strip(scene, motivating.moments, mark_pairs, 480, 320);
-    run(scene, compared.make(scene.contact), {&gauge, &note, &strip}, limits_of(motivating, compared.chapter));
+    run(scene, compared.make(scene.contact), {&gauge, &note, &strip},
+        limits_of(motivating, compared.chapter));
     pictures.push_back({strip.all(0), solver});
     if (gauge.value())
         report.fact(motivating.name, "chapter_" + std::to_string(compared.chapter), *gauge.value(), 3);

@@ -19,8 +19,9 @@ Vec3 middle(const World& world) { return body_named(world, "cube").centre(); }
 
 Scene scene_of(const Coefficients& mu, const std::string& basis)
 {
-    return load_scene(scene_file("bar_friction"), R"({"contact": {"friction": {"mu_s": )" + shortest(mu.mu_s) + R"(, "mu_d": )" +
-                                                      shortest(mu.mu_d) + R"(}}, "/bodies/bar/basis": ")" + basis + "\"}");
+    return load_scene(scene_file("bar_friction"),
+                      R"({"contact": {"friction": {"mu_s": )" + shortest(mu.mu_s) + R"(, "mu_d": )" +
+                          shortest(mu.mu_d) + R"(}}, "/bodies/bar/basis": ")" + basis + "\"}");
 }
 
 //! [drift]
@@ -39,7 +40,8 @@ RestOnBar rest_on_bar(Scene& scene, int settled, int steps, Table* moments, Prob
         result.drift = std::max(result.drift, (now - anchor).norm());
         const Body& cube = body_named(world, "cube");
         if (moments != nullptr && world.step % 20 == 0)
-            moments->add({mu, world.time, now.x(), cube.linear_momentum().x() / cube.mass(), (now - anchor).norm()});
+            moments->add(
+                {mu, world.time, now.x(), cube.linear_momentum().x() / cube.mass(), (now - anchor).norm()});
     });
     std::vector<Probe*> probes{&watch};
     if (other != nullptr)
@@ -51,7 +53,8 @@ RestOnBar rest_on_bar(Scene& scene, int settled, int steps, Table* moments, Prob
 }
 //! [drift]
 
-/// Thesis figure 7.16, its two pairs of coefficients as ours; beside it the same on linear elements, without pictures.
+/// Thesis figure 7.16, its two pairs of coefficients as ours; beside it
+/// the same on linear elements, without pictures.
 void bar_friction(const RunOptions& options, Report& report)
 {
     const int settled = options.quick ? 1500 : 5000, steps = options.quick ? 2000 : 20000;
@@ -64,8 +67,10 @@ void bar_friction(const RunOptions& options, Report& report)
             Scene scene = scene_of(mu, basis);
             StripProbe strip(scene, {0.0, 0.15, steps * scene.dt}, motivating::mark_pairs, 560, 360);
             const double speed = 1.2, on_plane = speed * speed / (2 * 9.81 * mu.mu_d);
-            const RestOnBar result = rest_on_bar(scene, settled, steps, of_thesis ? &moments : nullptr, of_thesis ? &strip : nullptr);
-            table.add({elements_of(scene.world, "bar"), mu.mu_s, mu.mu_d, result.way, on_plane, result.drift});
+            const RestOnBar result = rest_on_bar(scene, settled, steps, of_thesis ? &moments : nullptr,
+                                                 of_thesis ? &strip : nullptr);
+            table.add(
+                {elements_of(scene.world, "bar"), mu.mu_s, mu.mu_d, result.way, on_plane, result.drift});
             if (!of_thesis)
                 continue;
             worst = std::max(worst, result.drift);

@@ -59,9 +59,9 @@ void open_up(Stage& stage)
 }  // namespace
 
 BarSlideProbe::BarSlideProbe(std::string solver)
-    : TableProbe({"solver", "time_s", "x_m", "speed_m_per_s", "force_n", "pairs", "held"}), solver_(std::move(solver)), force_("cube", "bar")
-{
-}
+    : TableProbe({"solver", "time_s", "x_m", "speed_m_per_s", "force_n", "pairs", "held"}),
+      solver_(std::move(solver)), force_("cube", "bar")
+{}
 
 void BarSlideProbe::observe(const World& world, const Contacts& contacts, double dt)
 {
@@ -72,9 +72,12 @@ void BarSlideProbe::observe(const World& world, const Contacts& contacts, double
     if (moments_.empty())
         top_ = top_face(cube);
     weight_ = -cube.mass() * world.gravity.y();
-    moments_.push_back({world.time, middle.x(), speed, force, std::acos(std::clamp(face_normal(cube, top_).y(), -1.0, 1.0))});
-    const long pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.answered(); }),
-               held = std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.held(); });
+    moments_.push_back({world.time, middle.x(), speed, force,
+                        std::acos(std::clamp(face_normal(cube, top_).y(), -1.0, 1.0))});
+    const long pairs = std::count_if(contacts.begin(), contacts.end(),
+                                     [](const Contact&c) { return c.answered(); }),
+               held = std::count_if(contacts.begin(), contacts.end(),
+                                    [](const Contact&c) { return c.held(); });
     table_.add({solver_, world.time, middle.x(), speed, force, pairs, held});
 }
 
@@ -113,10 +116,12 @@ void mark_vertex_pairs(Stage& stage, const World& world, const Contacts& contact
 void mark_edge_pairs(Stage& stage, const World& world, const Contacts& contacts)
 {
     open_up(stage);
-    for (const Contact& contact : those(contacts, [](const Contact& c) { return c.kind == ContactKind::edge_edge && c.held(); }))
+    for (const Contact& contact :
+         those(contacts, [](const Contact& c) { return c.kind == ContactKind::edge_edge && c.held(); }))
         for (const int first : {0, 2})
-            stage.segments.push_back({contact_vertex(world, contact, first, 0), contact_vertex(world, contact, first + 1, 0),
-                                      palette::colliding_vertex, 2});
+            stage.segments.push_back({contact_vertex(world, contact, first, 0),
+                                      contact_vertex(world, contact, first + 1, 0), palette::colliding_vertex,
+                                      2});
     mark_pushing(stage, world, contacts, ContactKind::edge_edge);
 }
 

@@ -18,13 +18,15 @@ namespace {
 /// At rest: this share of the kinetic energy with which the bunny hit the bowl.
 constexpr double rest_share = 0.001;
 
-/// time_s, kinetic_j, share (of the impact's; 0 before it), total_j, pairs, held, inverted, depth_max_m (planes counted), plane_depth_m.
+/// time_s, kinetic_j, share (of the impact's; 0 before it), total_j, pairs, held, inverted, depth_max_m
+/// (planes counted), plane_depth_m.
 class RestProbe final : public TableProbe {
 public:
     explicit RestProbe(double stiffness)
-        : TableProbe({"time_s", "kinetic_j", "share", "total_j", "pairs", "held", "inverted", "depth_max_m", "plane_depth_m"}), penetration_(stiffness)
-    {
-    }
+        : TableProbe({"time_s", "kinetic_j", "share", "total_j", "pairs", "held", "inverted", "depth_max_m",
+                      "plane_depth_m"}),
+          penetration_(stiffness)
+    {}
     void observe(const World& world, const Contacts& contacts, double dt) override
     {
         penetration_.observe(world, contacts, dt);
@@ -45,25 +47,32 @@ public:
         if (world.step == 0)
             first_energy_ = energy.total();
         highest_energy_ = std::max(highest_energy_, energy.total() / first_energy_);
-        table_.add({world.time, energy.kinetic, last_share_, energy.total(), static_cast<long>(contacts.size()),
-                    static_cast<long>(std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) { return contact.held(); })),
+        table_.add({world.time, energy.kinetic, last_share_, energy.total(),
+                    static_cast<long>(contacts.size()),
+                    static_cast<long>(std::count_if(contacts.begin(), contacts.end(),
+                                                    [](const Contact& contact) { return contact.held(); })),
                     static_cast<long>(inverted), deepest_, in_ground_});
     }
 
-    double impact() const { return impact_; }              ///< kinetic energy of all before the bunny touches the bowl [J]
-    double share() const { return last_share_; }           ///< of it that is left at the end
-    double rest_since() const { return rest_since_; }      ///< last time at which more than rest_share was left [s]
+    /// kinetic energy of all before the bunny touches the bowl [J]
+    double impact() const { return impact_; }
+    double share() const { return last_share_; }  ///< of it that is left at the end
+    /// last time at which more than rest_share was left [s]
+    double rest_since() const { return rest_since_; }
     double highest_energy() const { return highest_energy_; }  ///< over that at the start
     int most_inverted() const { return most_inverted_; }
     int steps_with_inverted() const { return steps_with_inverted_; }
-    double deepest() const { return deepest_; }                      ///< pair or vertex in the ground, at the end [m]
-    double in_ground() const { return in_ground_; }                  ///< deepest vertex in the ground, at the end [m]
+    /// pair or vertex in the ground, at the end [m]
+    double deepest() const { return deepest_; }
+    /// deepest vertex in the ground, at the end [m]
+    double in_ground() const { return in_ground_; }
     double deepest_in_ground() const { return deepest_in_ground_; }  ///< of all steps [m]
 
 private:
     PenetrationProbe penetration_;
     double deepest_ = 0, in_ground_ = 0, deepest_in_ground_ = 0;
-    double impact_ = 0, last_kinetic_ = 0, last_share_ = 0, rest_since_ = 0, first_energy_ = 1, highest_energy_ = 0;
+    double impact_ = 0, last_kinetic_ = 0, last_share_ = 0, rest_since_ = 0, first_energy_ = 1,
+           highest_energy_ = 0;
     int most_inverted_ = 0, steps_with_inverted_ = 0;
 };
 
@@ -71,8 +80,9 @@ private:
 void mark_feature_pairs(Stage& stage, const World& world, const Contacts& contacts)
 {
     Contacts pairs;
-    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pairs),
-                 [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane && !contact.held(); });
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pairs), [](const Contact& contact) {
+        return contact.kind != ContactKind::vertex_plane && !contact.held();
+    });
     mark_contacts(stage, world, pairs);
 }
 
@@ -81,7 +91,8 @@ std::string mesh_change(int elements)
     return nlohmann::json{{"/bodies/bunny/shape/file", "bunny_" + std::to_string(elements) + ".msh"}}.dump();
 }
 
-/// How fast one size of the bunny runs, and what became of it. The only table here that a clock takes part in.
+/// How fast one size of the bunny runs, and what became of it. The
+/// only table here that a clock takes part in.
 void add_size(Table& sizes, int elements, const Scene& scene, const RunResult& result, const RestProbe& probe)
 {
     const Timings& timings = result.timings;
@@ -95,18 +106,23 @@ void add_size(Table& sizes, int elements, const Scene& scene, const RunResult& r
     for (const auto& body : scene.world.bodies)
         if (const auto* deformable = dynamic_cast<const DeformableBody*>(body.get()))
             unknowns += 3 * deformable->elastic().node_count();
-    sizes.add({static_cast<long>(elements), static_cast<long>(unknowns), std::get<long>(probe.table().rows().back()[4]),
-               per_step({"predict"}), per_step({"update prediction"}), per_step({"broad phase", "queries", "categorise new", "admit new pairs", "edge pairs of entries"}),
-               per_step({"drop resolved pairs", "redefine vertices", "dismiss edges", "edge pairs of redefinitions", "drop dismissed pairs",
-                         "resolve vertices", "edge pairs of exits", "resolve edges"}), per_step({"impulses", "friction", "apply impulses", "move friction anchors"}),
-               1000 * timings.total() / result.steps, result.steps * scene.dt / timings.total(), 100 * probe.share(),
-               static_cast<long>(probe.most_inverted())});
+    sizes.add(
+        {static_cast<long>(elements), static_cast<long>(unknowns),
+         std::get<long>(probe.table().rows().back()[4]), per_step({"predict"}),
+         per_step({"update prediction"}),
+         per_step({"broad phase", "queries", "categorise new", "admit new pairs", "edge pairs of entries"}),
+         per_step({"drop resolved pairs", "redefine vertices", "dismiss edges", "edge pairs of redefinitions",
+                   "drop dismissed pairs", "resolve vertices", "edge pairs of exits", "resolve edges"}),
+         per_step({"impulses", "friction", "apply impulses", "move friction anchors"}),
+         1000 * timings.total() / result.steps, result.steps * scene.dt / timings.total(),
+         100 * probe.share(), static_cast<long>(probe.most_inverted())});
 }
 
 Table sizes_table()
 {
-    return Table({"elements", "unknowns", "pairs at the end", "predict [ms]", "answer [ms]", "detect [ms]", "follow, resolve [ms]",
-                  "impulses, friction [ms]", "step [ms]", "real-time factor", "kinetic energy left [%]", "most inverted"});
+    return Table({"elements", "unknowns", "pairs at the end", "predict [ms]", "answer [ms]", "detect [ms]",
+                  "follow, resolve [ms]", "impulses, friction [ms]", "step [ms]", "real-time factor",
+                  "kinetic energy left [%]", "most inverted"});
 }
 
 /// Six seconds of the scene as it stands, filmed.
@@ -144,7 +160,8 @@ void compare_sizes(const std::filesystem::path& file, Report& report, Table& siz
         RestProbe rest(scene.contact.stiffness);
         const RunResult result = run(scene, chapter06_solver(scene.contact), {&rest});
         add_size(sizes, elements, scene, result, rest);
-        report.fact("bunny_bowl", "real_time_factor_" + std::to_string(elements), result.steps * scene.dt / result.timings.total(), 2);
+        report.fact("bunny_bowl", "real_time_factor_" + std::to_string(elements),
+                    result.steps * scene.dt / result.timings.total(), 2);
     }
 }
 
@@ -165,15 +182,20 @@ void count_inversions(const RunOptions& options, const std::filesystem::path& fi
     if (options.quick)
         cases = {{"implicit", 0.01, 200, 0.6}, {"lumped", 0.01, 200, 0.56}};
 
-    const nlohmann::json close_up{{"eye", {1.4, 0.9, 1.9}}, {"target", {0, 0.5, 0}}, {"field_of_view_deg", 34}};
-    Table table({"response", "dt_s", "stiffness_n_per_m", "most inverted", "steps with inverted [%]", "highest energy / first"});
+    const nlohmann::json close_up{
+        {"eye", {1.4, 0.9, 1.9}}, {"target", {0, 0.5, 0}}, {"field_of_view_deg", 34}};
+    Table table({"response", "dt_s", "stiffness_n_per_m", "most inverted", "steps with inverted [%]",
+                 "highest energy / first"});
     Picture worst;
     for (const InversionCase& c : cases) {
-        Scene scene = load_scene(file, nlohmann::json{{"dt", c.dt}, {"contact", {{"stiffness", c.stiffness}}},
+        Scene scene = load_scene(file, nlohmann::json{{"dt", c.dt},
+                                                      {"contact", {{"stiffness", c.stiffness}}},
                                                       {"/bodies/bunny/impulse_response", c.response},
-                                                      {"camera", close_up}}.dump());
+                                                      {"camera", close_up}}
+                                           .dump());
         RestProbe rest(scene.contact.stiffness);
-        const bool pictured = c.response == "lumped" && c.stiffness == 200 && (c.dt == 0.002 || options.quick);
+        const bool pictured = c.response == "lumped" && c.stiffness == 200 &&
+                              (c.dt == 0.002 || options.quick);
         Stage stage;
         int most = 0;
         WatchProbe watch([&](const World& world, const Contacts&, double) {

@@ -13,8 +13,9 @@ namespace {
 /// What happens when the cube rams the block at some speed.
 struct Ram {
     double deepest_vertex = 0;  ///< of either body in the other [m]
-    double deepest_pair = 0;    ///< depth of a vertex-face pair that pushes upwards, which nothing here should do [m]
-    double energy_ratio = 0;    ///< kinetic energy after over before
+    /// depth of a vertex-face pair that pushes upwards, which nothing here should do [m]
+    double deepest_pair = 0;
+    double energy_ratio = 0;  ///< kinetic energy after over before
 };
 
 double deepest_in(const Body& of, const Body& in)
@@ -27,7 +28,8 @@ double deepest_in(const Body& of, const Body& in)
 
 Ram ram(const Compared& compared, double speed)
 {
-    Scene scene = load_scene(scene_file("deep"), R"({"/bodies/cube/velocity": [)" + shortest(speed) + ", 0, 0]}");
+    Scene scene = load_scene(scene_file("deep"),
+                             R"({"/bodies/cube/velocity": [)" + shortest(speed) + ", 0, 0]}");
     Ram result;
     double before = 0;
     WatchProbe watch([&](const World& world, const Contacts& contacts, double) {
@@ -35,10 +37,12 @@ Ram ram(const Compared& compared, double speed)
         const double energy = cube.energy(world.gravity).kinetic;
         before = world.step == 0 ? energy : before;
         result.energy_ratio = energy / before;
-        result.deepest_vertex = std::max({result.deepest_vertex, deepest_in(block, cube), deepest_in(cube, block)});
+        result.deepest_vertex =
+            std::max({result.deepest_vertex, deepest_in(block, cube), deepest_in(cube, block)});
         for (const Contact& contact : contacts) {
             const ContactGeometry at = contact_geometry(world, contact, 0);
-            if (contact.kind == ContactKind::vertex_face && !contact.impulse.isZero() && std::abs(at.normal.y()) > std::sqrt(0.5))
+            if (contact.kind == ContactKind::vertex_face && !contact.impulse.isZero() &&
+                std::abs(at.normal.y()) > std::sqrt(0.5))
                 result.deepest_pair = std::max(result.deepest_pair, -at.depth);
         }
     });
@@ -56,7 +60,8 @@ void deep(const RunOptions& options, Report& report)
     for (const double speed : {0.5, 1.0, 2.0, 3.0})
         for (const Compared& compared : last_and_this) {
             const Ram result = ram(compared, speed);
-            table.add({speed, "chapter " + std::to_string(compared.chapter), 1000 * result.deepest_vertex, 1000 * result.deepest_pair, result.energy_ratio});
+            table.add({speed, "chapter " + std::to_string(compared.chapter), 1000 * result.deepest_vertex,
+                       1000 * result.deepest_pair, result.energy_ratio});
             if (speed == 3 && compared.chapter == 6) {
                 report.fact("deep", "vertex_mm", 1000 * result.deepest_vertex, 2);
                 report.fact("deep", "pair_mm", 1000 * result.deepest_pair, 2);

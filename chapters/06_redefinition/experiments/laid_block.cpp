@@ -17,16 +17,21 @@ constexpr double half_height = 0.125;
 
 World world_of(const LaidBlock& laid)
 {
-    const auto rotation = [](double angle, const Vec3& axis) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); };
-    const Mat3 slope = rotation(laid.slope_deg * std::numbers::pi / 180, Vec3::UnitZ()), turn = rotation(laid.turned, Vec3::UnitY());
+    const auto rotation = [](double angle, const Vec3& axis) {
+        return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+    };
+    const Mat3 slope = rotation(laid.slope_deg * std::numbers::pi / 180, Vec3::UnitZ()),
+               turn = rotation(laid.turned, Vec3::UnitY());
     SurfaceMesh slab = box({4, 0.4, 4}, {8, 1, 8}), block = box({1, 2 * half_height, 1});
     for (Vec3& x : slab.vertices)
         x = slope * (x - Vec3(0, 0.2, 0));
     for (Vec3& x : block.vertices)
         x = slope * (turn * x + Vec3(0.125, half_height + laid.gap, 0.125));
     World world;
-    world.bodies.push_back(std::make_unique<StaticBody>("slab", SurfaceTopology(static_cast<int>(slab.vertices.size()), slab.faces), slab.vertices));
-    world.bodies.push_back(std::make_unique<RigidBody>("block", block, with_mass(mass_properties(block, 1000), 20)));
+    world.bodies.push_back(std::make_unique<StaticBody>(
+        "slab", SurfaceTopology(static_cast<int>(slab.vertices.size()), slab.faces), slab.vertices));
+    world.bodies.push_back(
+        std::make_unique<RigidBody>("block", block, with_mass(mass_properties(block, 1000), 20)));
     return world;
 }
 
@@ -62,7 +67,8 @@ LaidOutcome lay(const LaidBlock& laid)
 void laid_block(const RunOptions& options, Report& report)
 {
     Table table({"gap_m", "placements", "with_a_corner_missed", "most_energy_gained_J"});
-    const std::vector<double> slopes = options.quick ? std::vector<double>{10, 15} : std::vector<double>{5, 10, 15, 20, 25, 30};
+    const std::vector<double> slopes = options.quick ? std::vector<double>{10, 15}
+                                                     : std::vector<double>{5, 10, 15, 20, 25, 30};
     for (const double gap : {0.0, 1e-12, 1e-9, 1e-6}) {
         long placements = 0, missed = 0;
         double most = 0;

@@ -4,9 +4,9 @@ namespace enduring::chapter06 {
 
 /// A block of 20 kg laid on a slab of triangles, both turned together; without friction.
 struct LaidBlock {
-    double gap = 0;         ///< between them, but for rounding [m]
+    double gap = 0;  ///< between them, but for rounding [m]
     double slope_deg = 10;
-    double turned = 0.3;    ///< of the block, about the slab's normal [rad]
+    double turned = 0.3;  ///< of the block, about the slab's normal [rad]
 };
 
 struct LaidOutcome {

@@ -8,7 +8,8 @@
 namespace enduring::chapter06 {
 namespace {
 
-std::unique_ptr<Body> block(const std::string& name, SurfaceMesh mesh, const Vec3& place, double turned, double mass, const Vec3& velocity)
+std::unique_ptr<Body> block(const std::string& name, SurfaceMesh mesh, const Vec3& place, double turned,
+                            double mass, const Vec3& velocity)
 {
     const Mat3 rotation = Eigen::AngleAxisd(turned, Vec3::UnitY()).toRotationMatrix();
     for (Vec3& x : mesh.vertices)
@@ -45,11 +46,13 @@ LeverCost cost_of_levers(double dt, double speed)
     World world;
     world.gravity.setZero();
     world.bodies.push_back(block("lower", box({2, 0.2, 1}, {7, 1, 3}), {0, -0.1, 0}, 0, 40, Vec3::Zero()));
-    world.bodies.push_back(block("upper", box({0.2, 0.2, 0.2}), {-0.3, 0.10005, 0.03}, 0.2, 20, {speed, -0.2, 0}));
+    world.bodies.push_back(
+        block("upper", box({0.2, 0.2, 0.2}), {-0.3, 0.10005, 0.03}, 0.2, 20, {speed, -0.2, 0}));
     LeverCost cost;
     Solver solver = chapter06_solver({PenaltyMethod::continuous, 20000});
     // First of all: what comes later in this list may resolve pairs that have pushed.
-    solver.insert_before("resolve vertices", "levers", [&cost](World& in, Contacts& contacts, double) { add_levers(in, contacts, cost); });
+    solver.insert_before("resolve vertices", "levers",
+                         [&cost](World& in, Contacts& contacts, double) { add_levers(in, contacts, cost); });
     Contacts contacts;
     const Vec3 before = angular_momentum(world);
     for (double time = 0; time < 0.1; time += dt)

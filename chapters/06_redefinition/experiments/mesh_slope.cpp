@@ -14,7 +14,8 @@
 namespace enduring::chapter06 {
 namespace {
 
-constexpr double gap = 0.0005;  // [m], between block and triangles: a pair begins with a crossing, so it starts outside
+// [m], between block and triangles: a pair begins with a crossing, so it starts outside
+constexpr double gap = 0.0005;
 constexpr double half_height = 0.05, g = 9.81;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
@@ -38,12 +39,14 @@ Scene scene_of(const SlopeTrial& trial)
 {
     const Vec3 up = uphill(trial.angle_deg), out(-up.y(), up.x(), 0);
     const Vec3 position = trial.start * up + (half_height + gap) * out + Vec3(0, 0, 0.13);
-    const nlohmann::json change{{"dt", trial.dt},
-                                {"contact", {{"stiffness", 200 / trial.dt}, {"friction", {{"mu_s", trial.mu_s}, {"mu_d", trial.mu_d}}}}},
-                                {"/bodies/slope/shape/slope/angle_deg", trial.angle_deg},
-                                {"/bodies/block/rotation/angle_deg", trial.angle_deg},
-                                {"/bodies/block/position", list(position)},
-                                {"/bodies/block/velocity", list(trial.speed * up)}};
+    const nlohmann::json change{
+        {"dt", trial.dt},
+        {"contact",
+         {{"stiffness", 200 / trial.dt}, {"friction", {{"mu_s", trial.mu_s}, {"mu_d", trial.mu_d}}}}},
+        {"/bodies/slope/shape/slope/angle_deg", trial.angle_deg},
+        {"/bodies/block/rotation/angle_deg", trial.angle_deg},
+        {"/bodies/block/position", list(position)},
+        {"/bodies/block/velocity", list(trial.speed * up)}};
     return load_scene(scene_file("block_on_triangles"), change.dump());
 }
 
@@ -59,7 +62,9 @@ bool holds(const SlopeTrial& trial)
             from = to;
     });
     RunLimits limits;
-    limits.stop = [&](const World& world, const Contacts&) { return world.time > scene.duration - 5 && std::abs(to - from) > 0.001; };
+    limits.stop = [&](const World& world, const Contacts&) {
+        return world.time > scene.duration - 5 && std::abs(to - from) > 0.001;
+    };
     run(scene, chapter06_solver(scene.contact), {&watch}, limits);
     return std::abs(to - from) < 0.001;
 }
@@ -101,7 +106,8 @@ void mesh_slope(const RunOptions& options, Report& report)
         for (const double dt : {0.01, 0.002}) {
             if (options.quick && (dt < 0.01 || angle != 10))
                 continue;
-            const double tangent = std::tan(radians(angle)), mu_d = tangent / 2, ratio = threshold_over_tangent(angle, dt);
+            const double tangent = std::tan(radians(angle)), mu_d = tangent / 2,
+                         ratio = threshold_over_tangent(angle, dt);
             const double exact = g * (std::sin(radians(angle)) - mu_d * std::cos(radians(angle)));
             const double acceleration = slide_acceleration(angle, dt, mu_d) / exact;
             table.add({angle, dt, ratio * tangent, ratio, acceleration});

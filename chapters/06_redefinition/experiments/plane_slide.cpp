@@ -18,12 +18,17 @@ Vec3 direction_of(const PlaneSlide& slide)
 }
 
 /// One cell is 0.1 m; diagonally the cube crosses as many rows as columns.
-double distance_of(const PlaneSlide& slide) { return 0.1 * slide_cells * (slide.direction % 2 == 0 ? 1 : std::numbers::sqrt2); }
+double distance_of(const PlaneSlide& slide)
+{
+    return 0.1 * slide_cells * (slide.direction % 2 == 0 ? 1 : std::numbers::sqrt2);
+}
 
 /// Follows the cube.
 class SlideProbe final : public Probe {
 public:
-    SlideProbe(const PlaneSlide& slide, double duration) : direction_(direction_of(slide)), settled_(duration / 10), stiffness_(slide.stiffness) {}
+    SlideProbe(const PlaneSlide& slide, double duration)
+        : direction_(direction_of(slide)), settled_(duration / 10), stiffness_(slide.stiffness)
+    {}
 
     void observe(const World& world, const Contacts& contacts, double) override
     {
@@ -41,7 +46,8 @@ public:
             outcome_.lowest = std::min(outcome_.lowest, lowest);
             outcome_.highest = std::max(outcome_.highest, lowest);
         }
-        pushes_ += std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.answered(); });
+        pushes_ += std::count_if(contacts.begin(), contacts.end(),
+                                 [](const Contact& c) { return c.answered(); });
         mass_times_gravity_ = -cube.mass() * world.gravity.y();
         ++looks_;
     }
@@ -49,7 +55,8 @@ public:
     SlideOutcome outcome() const
     {
         SlideOutcome result = outcome_;
-        result.mean_pairs = static_cast<double>(pushes_) / static_cast<double>(looks_ - 1);  // the first look is before any step
+        // the first look is before any step
+        result.mean_pairs = static_cast<double>(pushes_) / static_cast<double>(looks_ - 1);
         result.sag = mass_times_gravity_ / (result.mean_pairs * stiffness_);
         return result;
     }
@@ -66,21 +73,23 @@ private:
 std::string name_of(GridDiagonals diagonals)
 {
     switch (diagonals) {
-    case GridDiagonals::same:
-        return "same";
-    case GridDiagonals::alternating:
-        return "alternating";
-    case GridDiagonals::crossed:
-        break;
+        case GridDiagonals::same:
+            return "same";
+        case GridDiagonals::alternating:
+            return "alternating";
+        case GridDiagonals::crossed:
+            break;
     }
     return "crossed";
 }
 
 Scene scene_of(const PlaneSlide& slide)
 {
-    // The cube's half side is 2.5 cells, so a middle in the middle of a cell puts its faces on lines of the grid.
+    // The cube's half side is 2.5 cells, so a middle in the middle of a
+    // cell puts its faces on lines of the grid.
     const Vec3 middle = slide.on_lattice ? Vec3(0.05, 0.2500001, 0.05) : Vec3(0.013, 0.2500001, 0.027);
-    const Vec3 start = middle - distance_of(slide) / 2 * direction_of(slide), velocity = slide_speed * direction_of(slide);
+    const Vec3 start = middle - distance_of(slide) / 2 * direction_of(slide),
+               velocity = slide_speed * direction_of(slide);
     const auto list = [](const Vec3& v) { return nlohmann::json{v.x(), v.y(), v.z()}; };
     const nlohmann::json change{{"dt", slide.dt},
                                 {"duration", distance_of(slide) / slide_speed},

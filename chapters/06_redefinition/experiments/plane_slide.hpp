@@ -5,8 +5,8 @@
 
 namespace enduring::chapter06 {
 
-/// Where the cube of scene sliding_plane starts, in whose triangles, and in which of eight directions it goes. It crosses
-/// 20 cells along x, along z, or along both.
+/// Where the cube of scene sliding_plane starts, in whose triangles, and in which of eight directions it
+/// goes. It crosses 20 cells along x, along z, or along both.
 struct PlaneSlide {
     GridDiagonals diagonals = GridDiagonals::same;
     int direction = 0;        ///< times 45 degrees from +x towards +z
@@ -19,18 +19,19 @@ struct PlaneSlide {
 inline constexpr double slide_speed = 2;  ///< [m/s]
 inline constexpr int slide_cells = 20;
 /// For tables.
-inline constexpr std::array<GridDiagonals, 3> all_diagonals{GridDiagonals::same, GridDiagonals::alternating, GridDiagonals::crossed};
+inline constexpr std::array<GridDiagonals, 3> all_diagonals{GridDiagonals::same, GridDiagonals::alternating,
+                                                            GridDiagonals::crossed};
 std::string name_of(GridDiagonals diagonals);
 
 Scene scene_of(const PlaneSlide& slide);
 
 /// How the cube came through. Speeds are parts of its first speed.
 struct SlideOutcome {
-    double speed_change = 0;          ///< largest departure along its direction, with its sign
-    double sideways_speed = 0;        ///< largest, along the floor and across its direction
-    double mean_pairs = 0;            ///< that pushed, per step
-    double sag = 0;                   ///< m g / (n k) for that n [m]
-    double lowest = 0, highest = 0;   ///< of the cube's lowest vertex [m], after the first tenth of the run
+    double speed_change = 0;         ///< largest departure along its direction, with its sign
+    double sideways_speed = 0;       ///< largest, along the floor and across its direction
+    double mean_pairs = 0;           ///< that pushed, per step
+    double sag = 0;                  ///< m g / (n k) for that n [m]
+    double lowest = 0, highest = 0;  ///< of the cube's lowest vertex [m], after the first tenth of the run
 };
 
 /// Runs a slide under a solver made for it.

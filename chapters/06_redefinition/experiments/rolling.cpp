@@ -23,11 +23,14 @@ SurfaceMesh prism(int sides)
     SurfaceMesh mesh;
     for (const double z : {-0.2, 0.2})
         for (int i = 0; i < sides; ++i)
-            mesh.vertices.emplace_back(Roll::radius * std::cos(2 * pi * i / sides), Roll::radius * std::sin(2 * pi * i / sides), z);
+            mesh.vertices.emplace_back(Roll::radius * std::cos(2 * pi * i / sides),
+                                       Roll::radius * std::sin(2 * pi * i / sides), z);
     mesh.vertices.insert(mesh.vertices.end(), {{0, 0, -0.2}, {0, 0, 0.2}});
     for (int i = 0; i < sides; ++i) {
         const int next = (i + 1) % sides;
-        mesh.faces.insert(mesh.faces.end(), {{i, next, sides + next}, {i, sides + next, sides + i}, {next, i, 2 * sides},
+        mesh.faces.insert(mesh.faces.end(), {{i, next, sides + next},
+                                             {i, sides + next, sides + i},
+                                             {next, i, 2 * sides},
                                              {sides + i, sides + next, 2 * sides + 1}});
     }
     return mesh;
@@ -54,18 +57,21 @@ World world_of(const Roll& roll)
         SurfaceMesh ground = plane_grid(12, 2, {60, 10});
         for (Vec3& x : ground.vertices)
             x += Vec3(0.13, 0, 0.11);
-        world.bodies.push_back(std::make_unique<StaticBody>("ground", SurfaceTopology(static_cast<int>(ground.vertices.size()), ground.faces),
-                                                            ground.vertices));
+        world.bodies.push_back(std::make_unique<StaticBody>(
+            "ground", SurfaceTopology(static_cast<int>(ground.vertices.size()), ground.faces),
+            ground.vertices));
     } else {
         world.planes.push_back({"ground"});
     }
     const SurfaceMesh mesh = placed_shape(roll);
-    world.bodies.push_back(std::make_unique<RigidBody>("ball", mesh, with_mass(mass_properties(mesh, 1000), roll.mass), Vec3(roll.speed, 0, 0),
-                                                       Vec3(0, 0, -(roll.speed + roll.spin) / Roll::radius)));
+    world.bodies.push_back(std::make_unique<RigidBody>(
+        "ball", mesh, with_mass(mass_properties(mesh, 1000), roll.mass), Vec3(roll.speed, 0, 0),
+        Vec3(0, 0, -(roll.speed + roll.spin) / Roll::radius)));
     return world;
 }
 
-/// The part of a step after which a constant force acts as one impulse: CPF's in its middle, DPF's at its end.
+/// The part of a step after which a constant force acts as one
+/// impulse: CPF's in its middle, DPF's at its end.
 double late_by(PenaltyMethod method) { return method == PenaltyMethod::continuous ? 0.5 : 1; }
 
 double inertia(const Roll& roll)
@@ -74,7 +80,8 @@ double inertia(const Roll& roll)
 }
 
 //! [brake]
-/// Torque [N m] of the weight's share along the normal, with a lever that is too long by what the surface goes until the force acts.
+/// Torque [N m] of the weight's share along the normal, with a lever that is too
+/// long by what the surface goes until the force acts.
 double braking_torque(const Roll& roll, double surface_speed)
 {
     const double normal_force = roll.mass * g * std::cos(roll.slope_deg * pi / 180);
@@ -90,7 +97,8 @@ RollOutcome roll(const Roll& roll)
     const auto& body = dynamic_cast<const RigidBody&>(*world.bodies.back());
     ContactParameters parameters{roll.method, roll.stiffness, NoFriction{}};
     if (roll.mu_s > 0)
-        parameters.friction = MassSplitting{.mu_s = roll.mu_s, .mu_d = 0.8 * roll.mu_s, .spring = roll.stiffness};
+        parameters.friction = MassSplitting{
+            .mu_s = roll.mu_s, .mu_d = 0.8 * roll.mu_s, .spring = roll.stiffness};
     const Solver solver = chapter06_solver(parameters);
     Contacts contacts;
 
@@ -113,7 +121,8 @@ RollOutcome roll(const Roll& roll)
     outcome.surface_speed = way / time;
     const double rolling_inertia = inertia(roll) + roll.mass * r * r;
     outcome.exact = roll.mass * r * r * g * std::sin(roll.slope_deg * pi / 180) / rolling_inertia;
-    outcome.brake = braking_torque(roll, outcome.surface_speed) * r / (roll.mu_s > 0 ? rolling_inertia : inertia(roll));
+    outcome.brake = braking_torque(roll, outcome.surface_speed) * r /
+                    (roll.mu_s > 0 ? rolling_inertia : inertia(roll));
     return outcome;
 }
 
@@ -131,12 +140,17 @@ void roll_down(bool quick, Report& report)
             for (const double dt : {0.005, 0.0025, 0.001}) {
                 if (quick && dt != 0.005)
                     continue;
-                const RollOutcome outcome = roll({.method = method, .dt = dt, .on_triangles = on_triangles, .duration = quick ? 0.6 : 1.5});
-                table.add({on_triangles ? "triangles" : "plane", name_of(method), dt, outcome.acceleration, outcome.exact - outcome.brake, outcome.exact});
+                const RollOutcome outcome = roll({.method = method,
+                                                  .dt = dt,
+                                                  .on_triangles = on_triangles,
+                                                  .duration = quick ? 0.6 : 1.5});
+                table.add({on_triangles ? "triangles" : "plane", name_of(method), dt, outcome.acceleration,
+                           outcome.exact - outcome.brake, outcome.exact});
                 const double lost = 1 - outcome.acceleration / outcome.exact;
                 worst = std::max(worst, lost);
                 slowest = std::min(slowest, lost);
-                farthest = std::max(farthest, std::abs(outcome.acceleration - outcome.exact + outcome.brake) / outcome.exact);
+                farthest = std::max(
+                    farthest, std::abs(outcome.acceleration - outcome.exact + outcome.brake) / outcome.exact);
             }
     report.table("rolling", table);
     report.page_table("rolling", table, 4);
@@ -153,24 +167,36 @@ void spin_on_the_spot(bool quick, Report& report)
         for (const double dt : {0.005, 0.0025, 0.001}) {
             if (quick && dt != 0.005)
                 continue;
-            const RollOutcome outcome = roll({.method = method, .dt = dt, .slope_deg = 0, .mu_s = 0, .spin = 1, .duration = quick ? 0.4 : 1});
+            const RollOutcome outcome = roll({.method = method,
+                                              .dt = dt,
+                                              .slope_deg = 0,
+                                              .mu_s = 0,
+                                              .spin = 1,
+                                              .duration = quick ? 0.4 : 1});
             table.add({name_of(method), dt, -outcome.spin_change, outcome.brake});
         }
     report.table("rolling_spin", table);
     report.page_table("rolling_spin", table, 3);
 }
 
-/// What presses the ball in deeper: more mass on the same springs. With the smallest step, where the lever matters least.
+/// What presses the ball in deeper: more mass on the same springs. With the
+/// smallest step, where the lever matters least.
 void roll_deep(bool quick, Report& report)
 {
     Table table({"mass_kg", "stiffness_n_per_m", "weight_over_k_mm", "acceleration", "by_formula", "exact"});
-    for (const auto& [mass, stiffness] : {std::pair{20.0, 20000.0}, {20.0, 2000.0}, {100.0, 2000.0}, {500.0, 2000.0}}) {
+    for (const auto& [mass, stiffness] :
+         {std::pair{20.0, 20000.0}, {20.0, 2000.0}, {100.0, 2000.0}, {500.0, 2000.0}}) {
         if (quick && stiffness == 2000 && mass < 500)
             continue;
-        const RollOutcome outcome = roll({.dt = quick ? 0.0025 : 0.001, .mass = mass, .stiffness = stiffness, .duration = quick ? 0.6 : 1.5});
-        table.add({mass, stiffness, 1000 * mass * g / stiffness, outcome.acceleration, outcome.exact - outcome.brake, outcome.exact});
+        const RollOutcome outcome = roll({.dt = quick ? 0.0025 : 0.001,
+                                          .mass = mass,
+                                          .stiffness = stiffness,
+                                          .duration = quick ? 0.6 : 1.5});
+        table.add({mass, stiffness, 1000 * mass * g / stiffness, outcome.acceleration,
+                   outcome.exact - outcome.brake, outcome.exact});
         if (mass == 500)
-            report.fact("rolling", "deepest_lost_percent", 100 * (1 - outcome.acceleration / outcome.exact), 2);
+            report.fact("rolling", "deepest_lost_percent", 100 * (1 - outcome.acceleration / outcome.exact),
+                        2);
     }
     report.table("rolling_depth", table);
     report.page_table("rolling_depth", table, 4);
@@ -185,7 +211,8 @@ void roll_prisms(bool quick, Report& report)
             if (quick && dt != 0.005)
                 continue;
             const RollOutcome outcome = roll({.dt = dt, .sides = sides, .speed = 1, .duration = 1.5});
-            table.add({static_cast<long>(sides), dt, outcome.acceleration, outcome.exact - outcome.brake, outcome.exact});
+            table.add({static_cast<long>(sides), dt, outcome.acceleration, outcome.exact - outcome.brake,
+                       outcome.exact});
         }
     report.table("rolling_prisms", table);
     report.page_table("rolling_prisms", table, 3);

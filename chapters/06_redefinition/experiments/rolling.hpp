@@ -7,26 +7,29 @@ namespace enduring::chapter06 {
 /// A ball, or a cylinder with flat sides, of 0.2 m on level or sloping ground.
 struct Roll {
     PenaltyMethod method = PenaltyMethod::continuous;
-    double dt = 0.001;         ///< [s]
-    bool on_triangles = false; ///< instead of an analytic plane
-    int sides = 0;             ///< of a cylinder; 0 is a ball of 5,120 faces
-    double mass = 20;          ///< [kg]
-    double stiffness = 20000;  ///< of one pair [N/m]
+    double dt = 0.001;          ///< [s]
+    bool on_triangles = false;  ///< instead of an analytic plane
+    int sides = 0;              ///< of a cylinder; 0 is a ball of 5,120 faces
+    double mass = 20;           ///< [kg]
+    double stiffness = 20000;   ///< of one pair [N/m]
     double slope_deg = 15;
-    double mu_s = 0.5;         ///< mu_d is 0.8 of it; 0 is no friction at all
-    double speed = 0;          ///< of the centre at first [m/s], rolling
-    double spin = 0;           ///< at first, beyond rolling: of the surface against the centre [m/s]
-    double duration = 1.5;     ///< [s]; the first two fifths of it are not measured
+    double mu_s = 0.5;      ///< mu_d is 0.8 of it; 0 is no friction at all
+    double speed = 0;       ///< of the centre at first [m/s], rolling
+    double spin = 0;        ///< at first, beyond rolling: of the surface against the centre [m/s]
+    double duration = 1.5;  ///< [s]; the first two fifths of it are not measured
 
     static constexpr double radius = 0.2;  ///< [m]
 };
 
 struct RollOutcome {
-    double acceleration = 0;  ///< of the centre, down the slope [m/s^2]
-    double spin_change = 0;   ///< of the surface's speed around the centre [m/s^2]
-    double surface_speed = 0; ///< around the centre, mean [m/s]
-    double exact = 0;         ///< acceleration of a round body that rolls without loss, m r^2 g sin / (m r^2 + I) [m/s^2]
-    double brake = 0;         ///< what the lever of the step's start takes of the acceleration, by formula [m/s^2]; without friction, of the spin
+    double acceleration = 0;   ///< of the centre, down the slope [m/s^2]
+    double spin_change = 0;    ///< of the surface's speed around the centre [m/s^2]
+    double surface_speed = 0;  ///< around the centre, mean [m/s]
+    /// acceleration of a round body that rolls without loss, m r^2 g sin / (m r^2 + I) [m/s^2]
+    double exact = 0;
+    /// what the lever of the step's start takes of the acceleration, by
+    /// formula [m/s^2]; without friction, of the spin
+    double brake = 0;
 };
 
 /// Rolls with this chapter's solver and takes the means of the last three fifths.

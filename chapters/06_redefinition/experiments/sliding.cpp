@@ -20,7 +20,8 @@ namespace {
 /// Every direction, every triangulation, on the lines of the grid and between them.
 void over_planes(bool quick, Report& report)
 {
-    Table table({"diagonals", "direction_deg", "on_lattice", "speed_change_percent", "sideways_percent", "pairs", "sag_m"});
+    Table table({"diagonals", "direction_deg", "on_lattice", "speed_change_percent", "sideways_percent",
+                 "pairs", "sag_m"});
     double worst = 0, sideways = 0, sag = 0;
     for (const GridDiagonals diagonals : all_diagonals)
         for (int direction = quick ? 1 : 0; direction < 8; direction += quick ? 8 : 1)
@@ -28,9 +29,11 @@ void over_planes(bool quick, Report& report)
                 const PlaneSlide slide{diagonals, direction, on_lattice};
                 if (quick && on_lattice)
                     continue;
-                const SlideOutcome outcome = slide_over_plane(slide, chapter06_solver(scene_of(slide).contact));
-                table.add({name_of(diagonals), static_cast<long>(45 * direction), on_lattice ? "yes" : "no", 100 * outcome.speed_change,
-                           100 * outcome.sideways_speed, outcome.mean_pairs, outcome.sag});
+                const SlideOutcome outcome = slide_over_plane(slide,
+                                                              chapter06_solver(scene_of(slide).contact));
+                table.add({name_of(diagonals), static_cast<long>(45 * direction), on_lattice ? "yes" : "no",
+                           100 * outcome.speed_change, 100 * outcome.sideways_speed, outcome.mean_pairs,
+                           outcome.sag});
                 worst = std::max(worst, std::abs(outcome.speed_change));
                 sideways = std::max(sideways, outcome.sideways_speed);
                 sag = std::max(sag, outcome.sag);
@@ -46,7 +49,8 @@ void over_planes(bool quick, Report& report)
 /// The stiffness of one pair, and how the n k of all compares with the step.
 void over_stiffness(bool quick, Report& report)
 {
-    Table table({"stiffness_n_per_m", "pairs", "nk_n_per_m", "stable_step_s", "dt_s", "sag_m", "rise_m", "speed_change_percent"});
+    Table table({"stiffness_n_per_m", "pairs", "nk_n_per_m", "stable_step_s", "dt_s", "sag_m", "rise_m",
+                 "speed_change_percent"});
     std::vector<double> all{3e3, 1e4, 3e4, 1e5, 3e5, 1e6, 3e6};
     if (quick)
         all = {3e6};
@@ -58,7 +62,8 @@ void over_stiffness(bool quick, Report& report)
         const Scene scene = scene_of(slide);
         const SlideOutcome outcome = slide_over_plane(slide, chapter06_solver(scene.contact));
         const double nk = outcome.mean_pairs * stiffness;
-        table.add({stiffness, outcome.mean_pairs, nk, std::sqrt(2 * body_named(scene.world, "cube").mass() / nk), slide.dt, outcome.sag,
+        table.add({stiffness, outcome.mean_pairs, nk,
+                   std::sqrt(2 * body_named(scene.world, "cube").mass() / nk), slide.dt, outcome.sag,
                    outcome.highest - outcome.lowest, 100 * outcome.speed_change});
     }
     report.table("sliding_stiffness", table);
@@ -74,56 +79,67 @@ void with_omissions(bool quick, Report& report)
             continue;
         PlaneSlide slide;
         slide.direction = quick ? 0 : 1;
-        const SlideOutcome outcome = slide_over_plane(slide, solver_without(omission, scene_of(slide).contact));
-        table.add({name_of(omission), outcome.mean_pairs, 100 * outcome.speed_change, 100 * outcome.sideways_speed, outcome.highest - outcome.lowest});
+        const SlideOutcome outcome = slide_over_plane(slide,
+                                                      solver_without(omission, scene_of(slide).contact));
+        table.add({name_of(omission), outcome.mean_pairs, 100 * outcome.speed_change,
+                   100 * outcome.sideways_speed, outcome.highest - outcome.lowest});
     }
     report.table("sliding_rules", table);
     report.page_table("sliding_rules", table);
 }
 
-constexpr double settled = 0.3;    // [s], by then the landing is over
+constexpr double settled = 0.3;        // [s], by then the landing is over
 constexpr double front_at_end = 1.25;  // [m], x of the cube's middle when its front reaches the bar's end
 
 /// The slide that the pictures show, with a solver of this chapter or the one before.
-BarSlideOutcome along_bar(const std::filesystem::path& file, const std::string& name, const RunOptions& options, Report& report, Table& moments)
+BarSlideOutcome along_bar(const std::filesystem::path& file, const std::string& name,
+                          const RunOptions& options, Report& report, Table& moments)
 {
     Scene scene = load_scene(file);
     const bool redefined = name == "chapter 6";
-    const std::vector<double> times = redefined ? std::vector<double>{0.2, 1.0, 2.0, 2.4} : std::vector<double>{0.03, 0.1, 0.3, 0.6};
+    const std::vector<double> times = redefined ? std::vector<double>{0.2, 1.0, 2.0, 2.4}
+                                                : std::vector<double>{0.03, 0.1, 0.3, 0.6};
     BarSlideProbe probe(name);
     StripProbe vertices(scene, times, mark_vertex_pairs), edges(scene, times, mark_edge_pairs);
     RunLimits limits;
     if (options.quick)
         limits.steps = 310;
-    run(scene, redefined ? chapter06_solver(scene.contact) : chapter05_solver(scene.contact), {&probe, &vertices, &edges}, limits);
-    write_png(vertices.all(2), report.file(redefined ? "sliding_vertices.png" : "sliding_vertices_without.png"));
+    run(scene, redefined ? chapter06_solver(scene.contact) : chapter05_solver(scene.contact),
+        {&probe, &vertices, &edges}, limits);
+    write_png(vertices.all(2),
+              report.file(redefined ? "sliding_vertices.png" : "sliding_vertices_without.png"));
     write_png(edges.all(2), report.file(redefined ? "sliding_edges.png" : "sliding_edges_without.png"));
     moments.append(probe.table());
     return outcome_of(probe, settled, front_at_end);
 }
 
 /// A row of the table of bars.
-void add_bar(Table& table, const std::string& bar, const std::string& elements, const std::string& solver, const BarSlideOutcome& outcome)
+void add_bar(Table& table, const std::string& bar, const std::string& elements, const std::string& solver,
+             const BarSlideOutcome& outcome)
 {
-    table.add({bar, elements, solver, 100 * outcome.speed_kept, 100 * outcome.largest_leap, 100 * outcome.mean_leap});
+    table.add({bar, elements, solver, 100 * outcome.speed_kept, 100 * outcome.largest_leap,
+               100 * outcome.mean_leap});
 }
 
 /// The same slide on a bar whose dent differs, up to where the front reaches the end.
-void along_control(const std::filesystem::path& file, const std::string& bar, const std::string& change, Table& table)
+void along_control(const std::filesystem::path& file, const std::string& bar, const std::string& change,
+                   Table& table)
 {
     Scene scene = load_scene(file, change);
     BarSlideProbe probe("control");
     RunLimits limits;
     limits.stop = [&](const World&, const Contacts&) { return probe.moments().back().x > front_at_end; };
     run(scene, chapter06_solver(scene.contact), {&probe}, limits);
-    add_bar(table, bar, elements_of(scene.world, "bar"), "chapter 6", outcome_of(probe, settled, front_at_end));
+    add_bar(table, bar, elements_of(scene.world, "bar"), "chapter 6",
+            outcome_of(probe, settled, front_at_end));
 }
 
 void along_bars(const RunOptions& options, Report& report)
 {
     const std::filesystem::path file = options.scene.value_or(scene_file("sliding"));
     Table moments({"solver", "time_s", "x_m", "speed_m_per_s", "force_n", "pairs", "held"});
-    Table table({"bar", "elements", "solver", "speed_kept_percent", "largest_leap_percent", "mean_leap_percent"});
+    Table table(
+        {"bar", "elements", "solver", "speed_kept_percent", "largest_leap_percent", "mean_leap_percent"});
     const std::string elements = elements_of(load_scene(file).world, "bar");
     report.fact("sliding", "elements", elements);
     const BarSlideOutcome with = along_bar(file, "chapter 6", options, report, moments),
@@ -135,7 +151,9 @@ void along_bars(const RunOptions& options, Report& report)
         along_control(file, "2 x softer", R"({"/bodies/bar/young": 5e4})", table);
         along_control(file, "2 x finer", R"({"/bodies/bar/shape/bar/cells": [24, 2, 6]})", table);
         along_control(file, "linear", R"({"/bodies/bar/basis": "linear"})", table);
-        along_control(file, "linear, 2 x finer", R"({"/bodies/bar": {"basis": "linear", "shape": {"bar": {"cells": [24, 2, 6]}}}})", table);
+        along_control(file, "linear, 2 x finer",
+                      R"({"/bodies/bar": {"basis": "linear", "shape": {"bar": {"cells": [24, 2, 6]}}}})",
+                      table);
     }
     report.table("sliding_bar", moments);
     report.table("sliding_bars", table);

@@ -11,7 +11,8 @@
 namespace enduring::chapter06 {
 namespace {
 
-constexpr int rounds = 3;  ///< of each pass; the quickest counts, for others on the machine can only slow it down
+/// of each pass; the quickest counts, for others on the machine can only slow it down
+constexpr int rounds = 3;
 
 /// The quickest of several rounds of some work over a list, each from a fresh copy [s].
 template <class Work>
@@ -45,8 +46,7 @@ struct StagePasses {
         : layer(chapter06_solver(parameters)),
           discrete(chapter03_solver({PenaltyMethod::discrete, parameters.stiffness})),
           continuous(chapter03_solver({PenaltyMethod::continuous, parameters.stiffness}))
-    {
-    }
+    {}
 };
 
 /// Seconds, summed over the steps, until the end makes nanoseconds a pair of them.
@@ -60,7 +60,8 @@ public:
         const Contacts pairs = only(contacts, kind_);
         enduring_ += static_cast<long>(pairs.size());
         const double labels = quickest(pairs, [&](Contacts& list) { label_contacts(world, list); });
-        const Pass& follow = passes_.layer.pass(kind_ == ContactKind::vertex_face ? "redefine vertices" : "dismiss edges");
+        const Pass& follow = passes_.layer.pass(kind_ == ContactKind::vertex_face ? "redefine vertices"
+                                                                                  : "dismiss edges");
         const double follows = quickest(pairs, [&](Contacts& list) { follow.run(world, list, dt); });
         times_.categorise += labels;
         times_.redefine += std::max(0.0, follows - labels);
@@ -72,7 +73,8 @@ public:
         Contacts pairs = only(contacts, kind_);
         std::erase_if(pairs, [](const Contact& contact) { return !contact.waiting(); });
         answered_ += static_cast<long>(pairs.size());
-        const Pass &dpf = passes_.discrete.pass("impulses"), &cpf = passes_.continuous.pass("impulses"), &friction = passes_.layer.pass("friction");
+        const Pass &dpf = passes_.discrete.pass("impulses"), &cpf = passes_.continuous.pass("impulses"),
+                   &friction = passes_.layer.pass("friction");
         times_.dpf += quickest(pairs, [&](Contacts& list) { dpf.run(world, list, dt); });
         times_.cpf += quickest(pairs, [&](Contacts& list) { cpf.run(world, list, dt); });
         cpf.run(world, pairs, dt);
@@ -82,8 +84,10 @@ public:
     /// All pairs, before the step is committed: vertex pairs decide about edge pairs.
     void at_the_end(World& world, const Contacts& contacts, double dt)
     {
-        resolved_ += std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) { return contact.kind == kind_; });
-        const Pass& resolve = passes_.layer.pass(kind_ == ContactKind::vertex_face ? "resolve vertices" : "resolve edges");
+        resolved_ += std::count_if(contacts.begin(), contacts.end(),
+                                   [&](const Contact& contact) { return contact.kind == kind_; });
+        const Pass& resolve = passes_.layer.pass(kind_ == ContactKind::vertex_face ? "resolve vertices"
+                                                                                   : "resolve edges");
         times_.resolve += quickest(contacts, [&](Contacts& list) { resolve.run(world, list, dt); });
     }
 
@@ -92,8 +96,8 @@ public:
         const double enduring = 1e9 / static_cast<double>(std::max(enduring_, 1L));
         const double answered = 1e9 / static_cast<double>(std::max(answered_, 1L));
         const double resolved = 1e9 / static_cast<double>(std::max(resolved_, 1L));
-        return {times_.resolve * resolved,   times_.categorise * enduring, times_.redefine * enduring,
-                times_.cpf * answered,       times_.dpf * answered,        times_.friction * answered};
+        return {times_.resolve * resolved, times_.categorise * enduring, times_.redefine * enduring,
+                times_.cpf * answered,     times_.dpf * answered,        times_.friction * answered};
     }
     long pairs() const { return enduring_; }
 
@@ -117,19 +121,22 @@ PairTimes time_stages(Scene& scene, int steps, int from)
         work(edge_edge);
     };
     Solver solver = passes.layer;
-    solver.insert_before("resolve planes", "clock what endures", [&](World& world, Contacts& contacts, double dt) {
-        both(world, [&](StageClock& clock) { clock.at_the_start(world, contacts, dt); });
-    });
+    solver.insert_before("resolve planes", "clock what endures",
+                         [&](World& world, Contacts& contacts, double dt) {
+                             both(world, [&](StageClock& clock) { clock.at_the_start(world, contacts, dt); });
+                         });
     solver.insert_before("impulses", "clock the response", [&](World& world, Contacts& contacts, double dt) {
         both(world, [&](StageClock& clock) { clock.before_the_response(world, contacts, dt); });
     });
-    solver.insert_before("resolve vertices", "clock the resolution", [&](World& world, Contacts& contacts, double dt) {
-        both(world, [&](StageClock& clock) { clock.at_the_end(world, contacts, dt); });
-    });
+    solver.insert_before("resolve vertices", "clock the resolution",
+                         [&](World& world, Contacts& contacts, double dt) {
+                             both(world, [&](StageClock& clock) { clock.at_the_end(world, contacts, dt); });
+                         });
     RunLimits limits;
     limits.steps = steps;
     run(scene, solver, {}, limits);
-    return {vertex_face.per_pair(), edge_edge.per_pair(), static_cast<double>(vertex_face.pairs() + edge_edge.pairs()) / (steps - from)};
+    return {vertex_face.per_pair(), edge_edge.per_pair(),
+            static_cast<double>(vertex_face.pairs() + edge_edge.pairs()) / (steps - from)};
 }
 
 }  // namespace enduring::chapter06

@@ -21,10 +21,10 @@ struct PairTimes {
     double pairs_per_step = 0;  ///< of both kinds
 };
 
-/// Runs a scene under chapter 6's solver and repeats every stage of each step on the side, from the same prediction and on
-/// copies of the list that hold one kind, whole passes long: reading a clock takes as long as handling a pair.
-/// Nothing of it is applied. Categorisation is a part of the redefinition pass; the difference of the two passes is
-/// what `redefine` says.
+/// Runs a scene under chapter 6's solver and repeats every stage of each step on the side, from the same
+/// prediction and on copies of the list that hold one kind, whole passes long: reading a clock takes as long
+/// as handling a pair. Nothing of it is applied. Categorisation is a part of the redefinition pass; the
+/// difference of the two passes is what `redefine` says.
 /// @param from  the first step that counts; those before run without clocks
 PairTimes time_stages(Scene& scene, int steps, int from = 0);
 

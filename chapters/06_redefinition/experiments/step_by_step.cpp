@@ -12,13 +12,14 @@
 namespace enduring::chapter06 {
 namespace {
 
-/// A redefinition caught in the act: all that algorithm 6.1 looked at, from its own functions, and the surfaces it saw.
+/// A redefinition caught in the act: all that algorithm 6.1 looked at,
+/// from its own functions, and the surfaces it saw.
 struct Caught {
     std::string title;
-    Stage stage;                     ///< without marks
+    Stage stage;  ///< without marks
     Vec3 vertex;
-    std::array<Vec3, 3> present;     ///< the face that the pair had
-    std::vector<FaceTrial> trials;   ///< each candidate once
+    std::array<Vec3, 3> present;             ///< the face that the pair had
+    std::vector<FaceTrial> trials;           ///< each candidate once
     std::vector<std::array<Vec3, 3>> faces;  ///< of the trials
     std::vector<Vec3> feet;
     std::optional<FaceTrial> choice;
@@ -49,13 +50,21 @@ Stage stage_at(const World& world, const Scene& scene, double tau)
 }
 
 //! [catch]
-Caught catch_redefinition(const World& world, const Scene& scene, const Contact& contact, double tau, const Corners& around, double tolerance)
+Caught catch_redefinition(const World& world, const Scene& scene, const Contact& contact, double tau,
+                          const Corners& around, double tolerance)
 {
     const PairSurfaces surfaces(world, contact, tau);
-    Caught caught{"", stage_at(world, scene, tau), surfaces.a.position(contact.feature_a), corners_of(surfaces.b, contact.feature_b), {}, {}, {},
+    Caught caught{"",
+                  stage_at(world, scene, tau),
+                  surfaces.a.position(contact.feature_a),
+                  corners_of(surfaces.b, contact.feature_b),
+                  {},
+                  {},
+                  {},
                   find_face(world, contact, tau, around, {tolerance})};
     visit_candidates(surfaces, contact, around, [&](int face) {
-        if (std::any_of(caught.trials.begin(), caught.trials.end(), [&](const FaceTrial& trial) { return trial.face == face; }))
+        if (std::any_of(caught.trials.begin(), caught.trials.end(),
+                        [&](const FaceTrial& trial) { return trial.face == face; }))
             return;
         caught.trials.push_back(try_face(surfaces, contact.feature_a, face, {tolerance}));
         caught.faces.push_back(corners_of(surfaces.b, face));
@@ -73,8 +82,10 @@ std::optional<Caught> barycentric_case(const World& world, const Scene& scene, c
             continue;
         const PairSurfaces surfaces(world, contact, 0);
         const auto foot = foot_on_face(surfaces.a, contact.feature_a, surfaces.b, contact.feature_b);
-        if (foot && overshoot(foot->weights) > 0 && find_face(world, contact, 0, corners_towards(*foot), {overshoot(foot->weights)}))
-            return catch_redefinition(world, scene, contact, 0, corners_towards(*foot), overshoot(foot->weights));
+        if (foot && overshoot(foot->weights) > 0 &&
+            find_face(world, contact, 0, corners_towards(*foot), {overshoot(foot->weights)}))
+            return catch_redefinition(world, scene, contact, 0, corners_towards(*foot),
+                                      overshoot(foot->weights));
     }
     return std::nullopt;
 }
@@ -82,17 +93,20 @@ std::optional<Caught> barycentric_case(const World& world, const Scene& scene, c
 /// Not at a corner, where little could be seen.
 bool in_the_middle(const Contact& contact)
 {
-    return std::all_of(contact.weights.begin() + 1, contact.weights.end(), [](double weight) { return std::abs(weight) < 0.75; });
+    return std::all_of(contact.weights.begin() + 1, contact.weights.end(),
+                       [](double weight) { return std::abs(weight) < 0.75; });
 }
 
 /// Thesis figures 6.12 and 6.13: the first hooked pair that a detection brings.
-std::optional<Caught> hooked_case(const World& world, const Scene& scene, const Contacts& contacts, CrossingDetection& detection)
+std::optional<Caught> hooked_case(const World& world, const Scene& scene, const Contacts& contacts,
+                                  CrossingDetection& detection)
 {
     Contacts fresh = contacts;
     detection.find_candidates(world);
     detection.append_entries(world, fresh);
     for (std::size_t i = contacts.size(); i < fresh.size(); ++i) {
-        const bool hooked = fresh[i].kind == ContactKind::vertex_face && categorise(world, fresh[i], fresh[i].start) == ContactCategory::hooked;
+        const bool hooked = fresh[i].kind == ContactKind::vertex_face &&
+                            categorise(world, fresh[i], fresh[i].start) == ContactCategory::hooked;
         if (hooked && in_the_middle(fresh[i]) && find_face(world, fresh[i], 1, all_corners, {}))
             return catch_redefinition(world, scene, fresh[i], 1, all_corners, 0);
     }
@@ -103,15 +117,17 @@ std::optional<Caught> hooked_case(const World& world, const Scene& scene, const 
 /// @throws std::runtime_error  nothing was caught
 Caught run_until_caught(const std::string& name, bool hooked)
 {
-    const std::string aside = R"({"/bodies/cube/position": [0, 0.255, 0.1]})";  // so that a vertex meets its front away from the corners
+    const std::string aside =
+        R"({"/bodies/cube/position": [0, 0.255, 0.1]})";  // so that a vertex meets its front away from the corners
     Scene scene = load_scene(scene_file(name), hooked ? aside : "");
     Solver solver = chapter06_solver(scene.contact);
     std::optional<Caught> caught;
     const auto detection = std::make_shared<CrossingDetection>();
     const Pass spy{"spy", [&](World& world, Contacts& contacts, double) {
-        if (!caught)
-            caught = hooked ? hooked_case(world, scene, contacts, *detection) : barycentric_case(world, scene, contacts);
-    }};
+                       if (!caught)
+                           caught = hooked ? hooked_case(world, scene, contacts, *detection)
+                                           : barycentric_case(world, scene, contacts);
+                   }};
     solver.insert_before(hooked ? "detect planes" : "resolve planes", spy);
     run(scene, solver, {}, {std::nullopt, [&](const World&, const Contacts&) { return caught.has_value(); }});
     if (!caught)
@@ -124,10 +140,14 @@ Caught run_until_caught(const std::string& name, bool hooked)
 bool still_in(const FaceTrial& trial, int step, const std::optional<FaceTrial>& choice)
 {
     switch (step) {
-    case 1: return true;
-    case 2: return trial.verdict == FaceVerdict::hooked || trial.verdict == FaceVerdict::fit;
-    case 3: return trial.verdict == FaceVerdict::fit;
-    default: return choice && trial.face == choice->face;
+        case 1:
+            return true;
+        case 2:
+            return trial.verdict == FaceVerdict::hooked || trial.verdict == FaceVerdict::fit;
+        case 3:
+            return trial.verdict == FaceVerdict::fit;
+        default:
+            return choice && trial.face == choice->face;
     }
 }
 
@@ -146,11 +166,13 @@ Stage draw_step(const Caught& caught, int step)
     for (std::size_t i = 0; i < caught.trials.size(); ++i) {
         const bool in = still_in(caught.trials[i], step, caught.choice);
         if (in) {
-            stage.triangles.push_back({caught.faces[i], step == 4 ? palette::colliding_edge : palette::colliding_face});
+            stage.triangles.push_back(
+                {caught.faces[i], step == 4 ? palette::colliding_edge : palette::colliding_face});
             add_outline(stage, caught.faces[i]);
         }
         if (step == 2 || (in && step > 2)) {
-            stage.segments.push_back({caught.vertex, caught.feet[i], in ? palette::ink : palette::slate, 2, false, true});
+            stage.segments.push_back(
+                {caught.vertex, caught.feet[i], in ? palette::ink : palette::slate, 2, false, true});
             stage.dots.push_back({caught.feet[i], in ? palette::ink : palette::slate, 4});
         }
     }
@@ -162,11 +184,16 @@ Stage draw_step(const Caught& caught, int step)
 std::string words(FaceVerdict verdict)
 {
     switch (verdict) {
-    case FaceVerdict::above: return "not below it";
-    case FaceVerdict::deep: return "on the far side";
-    case FaceVerdict::beside: return "foot outside";
-    case FaceVerdict::hooked: return "hooked";
-    default: return "regular";
+        case FaceVerdict::above:
+            return "not below it";
+        case FaceVerdict::deep:
+            return "on the far side";
+        case FaceVerdict::beside:
+            return "foot outside";
+        case FaceVerdict::hooked:
+            return "hooked";
+        default:
+            return "regular";
     }
 }
 
@@ -179,7 +206,8 @@ void add_rows(Table& table, const Caught& caught)
     }
 }
 
-constexpr std::array<const char*, 4> captions{"1: the faces around are candidates", "2: those with the foot outside go", "3: hooked ones go",
+constexpr std::array<const char*, 4> captions{"1: the faces around are candidates",
+                                              "2: those with the foot outside go", "3: hooked ones go",
                                               "4: the one left, or the least deep"};
 
 /// Nearer than the scene's camera, from the same side.
@@ -202,7 +230,8 @@ void step_by_step(const RunOptions&, Report& report)
         Caught caught = run_until_caught(hooked ? "hooked" : "shifted", hooked);
         for (Drawable& drawable : caught.stage.bodies)
             drawable.opacity = 0.45;
-        look_at(caught.stage, caught.vertex + Vec3(0, hooked ? 0.1 : 0.03, 0), hooked ? 1.9 : 1.1, hooked ? 0.0 : 0.35);
+        look_at(caught.stage, caught.vertex + Vec3(0, hooked ? 0.1 : 0.03, 0), hooked ? 1.9 : 1.1,
+                hooked ? 0.0 : 0.35);
         std::vector<StripPicture> pictures;
         for (int step = 1; step <= 4; ++step)
             pictures.push_back({renderer.draw(draw_step(caught, step)), captions[step - 1]});

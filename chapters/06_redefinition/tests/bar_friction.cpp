@@ -5,7 +5,8 @@
 using namespace enduring;
 using namespace enduring::chapter06;
 
-TEST_CASE("bar friction: a cube that friction has stopped on the soft bar stays within a micrometre" * doctest::test_suite("long simulation"))
+TEST_CASE("bar friction: a cube that friction has stopped on the soft bar stays within a micrometre" *
+          doctest::test_suite("long simulation"))
 {
     for (const Coefficients& mu : bar_coefficients) {
         CAPTURE(mu.mu_s);

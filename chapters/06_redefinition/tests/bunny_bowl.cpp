@@ -24,14 +24,18 @@ double kinetic(const World& world)
 
 }  // namespace
 
-TEST_CASE("bunny in the bowl: with friction and redefinition it comes to rest, within 6 s and to 0.1 % of the impact's kinetic energy" * doctest::test_suite("long simulation"))
+TEST_CASE(
+    "bunny in the bowl: with friction and redefinition it comes to rest, within 6 s and to 0.1 % of the impact's kinetic energy" *
+    doctest::test_suite("long simulation"))
 {
     Scene scene = load_scene(scene_file("bunny_at_rest"), coarse);
     double before_touch = 0;
     bool touched = false;
     int most_inverted = 0;
     WatchProbe watch([&](const World& world, const Contacts& contacts, double) {
-        touched = touched || std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) { return c.kind != ContactKind::vertex_plane; });
+        touched = touched || std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) {
+                      return c.kind != ContactKind::vertex_plane;
+                  });
         if (!touched)
             before_touch = kinetic(world);
         most_inverted = std::max(most_inverted, chapter06::count_inverted(world));
@@ -42,14 +46,17 @@ TEST_CASE("bunny in the bowl: with friction and redefinition it comes to rest, w
     CHECK(kinetic(scene.world) < 0.001 * before_touch);
     CHECK(result.contacts.size() > 50);  // it lies in the bowl, and has not fallen through
     CHECK(most_inverted <= 3);
-    CHECK(std::get<double>(depths.table().rows().back()[8]) < 0.005);  // the bowl stands on the ground, not in it
+    // the bowl stands on the ground, not in it
+    CHECK(std::get<double>(depths.table().rows().back()[8]) < 0.005);
 }
 
-TEST_CASE("bunny in the bowl: at the impact the lumped response turns elements inside out, and the implicit one fewer")
+TEST_CASE(
+    "bunny in the bowl: at the impact the lumped response turns elements inside out, and the implicit one fewer")
 {
     int inverted[2] = {};
     for (const bool implicit : {false, true}) {
-        Scene scene = load_scene(scene_file("bunny_at_rest"), implicit ? coarse : R"({"/bodies/bunny/shape/file": "bunny_363.msh",
+        Scene scene = load_scene(scene_file("bunny_at_rest"),
+                                 implicit ? coarse : R"({"/bodies/bunny/shape/file": "bunny_363.msh",
             "/bodies/bunny/impulse_response": "lumped"})");
         WatchProbe watch([&](const World& world, const Contacts&, double) {
             inverted[implicit] = std::max(inverted[implicit], chapter06::count_inverted(world));
@@ -63,13 +70,15 @@ TEST_CASE("bunny in the bowl: at the impact the lumped response turns elements i
 TEST_CASE("cost: the clocks look on, and change not a bit of the run")
 {
     const int steps = 52;
-    Scene timed = load_scene(scene_file("bunny_at_rest"), coarse), plain = load_scene(scene_file("bunny_at_rest"), coarse);
+    Scene timed = load_scene(scene_file("bunny_at_rest"), coarse),
+          plain = load_scene(scene_file("bunny_at_rest"), coarse);
     const chapter06::PairTimes times = chapter06::time_stages(timed, steps);
     RunLimits limits;
     limits.steps = steps;
     run(plain, chapter06_solver(plain.contact), {}, limits);
     CHECK(times.pairs_per_step > 1);
     for (std::size_t body = 0; body < plain.world.bodies.size(); ++body)
-        CHECK(std::equal(plain.world.bodies[body]->positions_t0().begin(), plain.world.bodies[body]->positions_t0().end(),
+        CHECK(std::equal(plain.world.bodies[body]->positions_t0().begin(),
+                         plain.world.bodies[body]->positions_t0().end(),
                          timed.world.bodies[body]->positions_t0().begin()));
 }

@@ -14,17 +14,24 @@ namespace {
 
 struct Random {
     std::mt19937_64 generator{7};
-    double operator()(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator); }
+    double operator()(double low, double high)
+    {
+        return std::uniform_real_distribution<double>(low, high)(generator);
+    }
     Vec3 vector(double size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
 };
 
 struct Surface {
     explicit Surface(const SurfaceMesh& mesh)
-        : positions(mesh.vertices), topology(static_cast<int>(mesh.vertices.size()), mesh.faces), tree(topology, positions)
+        : positions(mesh.vertices), topology(static_cast<int>(mesh.vertices.size()), mesh.faces),
+          tree(topology, positions)
     {
         tree.refit({topology, positions, positions});
     }
-    ClosestPoint closest(const Vec3& p, double within = 1e300) const { return closest_point(tree, topology, positions, p, within); }
+    ClosestPoint closest(const Vec3& p, double within = 1e300) const
+    {
+        return closest_point(tree, topology, positions, p, within);
+    }
     bool has_inside(const Vec3& p) const
     {
         const ClosestPoint closest = this->closest(p);
@@ -35,7 +42,8 @@ struct Surface {
     FaceTree tree;
 };
 
-/// A sharp tetrahedron with one of its sides cut into thin faces: a plain sum of normals would follow their number.
+/// A sharp tetrahedron with one of its sides cut into thin faces: a
+/// plain sum of normals would follow their number.
 SurfaceMesh fanned_spike()
 {
     const int cuts = 12;
@@ -53,14 +61,17 @@ SurfaceMesh fanned_spike()
 
 }  // namespace
 
-TEST_CASE("closest point: no corner of the triangle lies on the far side of the plane through it, square to the way there")
+TEST_CASE(
+    "closest point: no corner of the triangle lies on the far side of the plane through it, square to the way there")
 {
-    // The triangle is convex, so this is necessary and sufficient: (p - q) . (x - q) <= 0 for all of its corners x.
+    // The triangle is convex, so this is necessary and sufficient: (p -
+    // q) . (x - q) <= 0 for all of its corners x.
     Random random;
     std::array<int, 4> zeros{};
     for (int i = 0; i < 20000; ++i) {
         CAPTURE(i);
-        const Vec3 a = random.vector(1), b = random.vector(1), c = i % 4 ? random.vector(1) : Vec3(0.9 * b + 0.1 * a + random.vector(0.02));
+        const Vec3 a = random.vector(1), b = random.vector(1),
+                   c = i % 4 ? random.vector(1) : Vec3(0.9 * b + 0.1 * a + random.vector(0.02));
         const Vec3 p = random.vector(2);
         const FaceWeights w = closest_weights(p, a, b, c);
         const Vec3 q = w[0] * a + w[1] * b + w[2] * c;
@@ -76,7 +87,8 @@ TEST_CASE("closest point: no corner of the triangle lies on the far side of the 
     CHECK(zeros[2] > 500);
 }
 
-TEST_CASE("closest point: the tree finds what looking at every face finds, and nothing beyond the asked distance")
+TEST_CASE(
+    "closest point: the tree finds what looking at every face finds, and nothing beyond the asked distance")
 {
     const Surface surface(bowl({}));
     Random random;
@@ -85,13 +97,13 @@ TEST_CASE("closest point: the tree finds what looking at every face finds, and n
         const Vec3 p = random.vector(1.3);
         double nearest = 1e300;
         for (const auto& [a, b, c] : surface.topology.faces()) {
-            const Vec3 &x = surface.positions[a], &y = surface.positions[b],
-                       &z = surface.positions[c];
+            const Vec3 &x = surface.positions[a], &y = surface.positions[b], &z = surface.positions[c];
             const FaceWeights w = closest_weights(p, x, y, z);
             nearest = std::min(nearest, (p - w[0] * x - w[1] * y - w[2] * z).squaredNorm());
         }
         CHECK(surface.closest(p).squared_distance == doctest::Approx(nearest).epsilon(1e-12));
-        CHECK(surface.closest(p, 1.01 * std::sqrt(nearest)).squared_distance == doctest::Approx(nearest).epsilon(1e-12));
+        CHECK(surface.closest(p, 1.01 * std::sqrt(nearest)).squared_distance ==
+              doctest::Approx(nearest).epsilon(1e-12));
         CHECK(surface.closest(p, 0.99 * std::sqrt(nearest)).face == -1);
     }
 }
@@ -118,16 +130,19 @@ TEST_CASE("closest point: in a fine sphere the depth is radius minus distance, a
         const double radius = random(0.3, 1.7);
         CAPTURE(radius);
         const ClosestPoint closest = surface.closest(radius * direction);
-        CHECK(std::abs(std::sqrt(closest.squared_distance) - std::abs(1 - radius)) < 0.004);  // the facets' height
+        // the facets' height
+        CHECK(std::abs(std::sqrt(closest.squared_distance) - std::abs(1 - radius)) < 0.004);
         CHECK(closest.point.normalized().dot(direction) > 0.995);
         if (std::abs(1 - radius) > 0.004)
             CHECK(surface.has_inside(radius * direction) == (radius < 1));
     }
 }
 
-TEST_CASE("closest point: the pseudonormal tells inside from outside as the winding number does, at sharp and hollow corners too")
+TEST_CASE(
+    "closest point: the pseudonormal tells inside from outside as the winding number does, at sharp and hollow corners too")
 {
-    std::vector<SurfaceMesh> meshes{bowl({.segments_around = 12, .segments_along = 5, .segments_rim = 2}), box({1, 1, 1}), fanned_spike()};
+    std::vector<SurfaceMesh> meshes{bowl({.segments_around = 12, .segments_along = 5, .segments_rim = 2}),
+                                    box({1, 1, 1}), fanned_spike()};
     Random random;
     for (const SurfaceMesh& mesh : meshes) {
         const Surface surface(mesh);

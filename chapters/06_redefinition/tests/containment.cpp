@@ -24,7 +24,8 @@ void check_bodies(const World& world, int a, int b, const Contacts& contacts, Bo
             ++pairs[c.feature_a];
     const Body &mine = *world.bodies[a], &other = *world.bodies[b];
     for (int v = 0; v < mine.surface().vertex_count(); ++v) {
-        const bool inside = winding_number(other.surface().faces(), other.positions_t0(), mine.positions_t0()[v]) > 0.5;
+        const bool inside = winding_number(other.surface().faces(), other.positions_t0(),
+                                           mine.positions_t0()[v]) > 0.5;
         const int count = pairs.count(v) ? pairs[v] : 0;
         books.inside += inside;
         books.without_pair += inside && count == 0;
@@ -43,7 +44,8 @@ World tower(const Vec3& aside)
         for (Vec3& x : cube.vertices)
             x += Vec3(0, 0.25 + 0.5001 * i, 0) + (i % 2) * aside;
         MassProperties properties = mass_properties(cube, 160);
-        // Axes a little askew, so that coordinates are rounded. Cubes along their axes stay exact, and win nothing.
+        // Axes a little askew, so that coordinates are rounded. Cubes along
+        // their axes stay exact, and win nothing.
         properties.inertia += 1e-3 * properties.inertia(0, 0) * Vec3(1, 2, -3) * Vec3(1, 2, -3).transpose();
         world.bodies.push_back(std::make_unique<RigidBody>("cube " + std::to_string(i), cube, properties));
     }
@@ -84,7 +86,8 @@ struct TowerMotion {
     double sideways = 0;  ///< of the fastest cube at the end [m/s]
 };
 
-/// One second of the tower without friction. The springs' own energy is not counted: what is won here is more still.
+/// One second of the tower without friction. The springs' own energy is
+/// not counted: what is won here is more still.
 TowerMotion stand(const Vec3& aside)
 {
     World world = tower(aside);
@@ -112,7 +115,8 @@ TEST_CASE("tower: cubes that stand a little beside each other win no energy and 
     CHECK(motion.sideways < 0.15);
 }
 
-TEST_CASE("tower: cubes that stand exactly edge on edge win a little energy, for their rims are in and out at once, but do not jump aside")
+TEST_CASE(
+    "tower: cubes that stand exactly edge on edge win a little energy, for their rims are in and out at once, but do not jump aside")
 {
     const TowerMotion motion = stand(Vec3::Zero());
     CHECK(motion.most_won > 1e-3);  // the limit is real: when this fails, the page may say so

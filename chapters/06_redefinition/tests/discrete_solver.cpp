@@ -1,5 +1,5 @@
-#include "chapters/06_redefinition/baseline/discrete_detection.hpp"
 #include "chapters/06_redefinition/baseline/discrete_solver.hpp"
+#include "chapters/06_redefinition/baseline/discrete_detection.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -51,10 +51,13 @@ const char* floating = R"({"gravity": [0, 0, 0], "dt": 0.005, "contact": {"stiff
 Scene cubes(const Vec3& position, const Vec3& velocity, const std::string& rotation, double height = 1)
 {
     const auto text = [](const Vec3& v) { return nlohmann::json{v.x(), v.y(), v.z()}.dump(); };
-    return load_scene(scene_file("falling_sphere"), R"({"gravity": [0, 0, 0], "dt": 0.01, "planes": null, "bodies": [
-        {"name": "table", "type": "static", "shape": {"box": {"size": [1, )" + std::to_string(height) + R"(, 1]}}},
-        {"name": "cube", "type": "rigid", "mass": 1, "shape": {"box": {"size": [1, 1, 1]}}, "position": )" + text(position) +
-        R"(, "velocity": )" + text(velocity) + R"(, "rotation": )" + rotation + R"(}]})");
+    return load_scene(scene_file("falling_sphere"),
+                      R"({"gravity": [0, 0, 0], "dt": 0.01, "planes": null, "bodies": [
+        {"name": "table", "type": "static", "shape": {"box": {"size": [1, )" +
+                          std::to_string(height) + R"(, 1]}}},
+        {"name": "cube", "type": "rigid", "mass": 1, "shape": {"box": {"size": [1, 1, 1]}}, "position": )" +
+                          text(position) + R"(, "velocity": )" + text(velocity) + R"(, "rotation": )" +
+                          rotation + R"(}]})");
 }
 
 const char* straight = R"({"axis": [0, 1, 0], "angle_deg": 0})";
@@ -92,7 +95,8 @@ TEST_CASE("discrete detection: with clearances it finds what looking at every ve
     CHECK(most > 5);
 }
 
-TEST_CASE("discrete solver: a corner below the middle of a side gets k times its depth, along the side's normal")
+TEST_CASE(
+    "discrete solver: a corner below the middle of a side gets k times its depth, along the side's normal")
 {
     const double depth = 0.05, k = 1000;
     const char* on_its_corner = R"({"axis": [1, 0, -1], "angle_deg": 54.735610317245346})";
@@ -103,7 +107,8 @@ TEST_CASE("discrete solver: a corner below the middle of a side gets k times its
     CHECK((contacts[0].impulse - Vec3(0, k * depth * scene.dt, 0)).norm() <= 1e-9 * k * scene.dt);
 }
 
-TEST_CASE("discrete solver: linear momentum is conserved while a soft body and a rigid one bounce off each other")
+TEST_CASE(
+    "discrete solver: linear momentum is conserved while a soft body and a rigid one bounce off each other")
 {
     Scene scene = collision(floating);
     const Solver solver = discrete_solver(scene.contact);
@@ -127,12 +132,15 @@ TEST_CASE("discrete solver: linear momentum is conserved while a soft body and a
 
 TEST_CASE("discrete solver: it does not see two edges cross")
 {
-    // An upright edge's middle of the table against the cube's, turned by 45 degrees: corners of neither are inside.
+    // An upright edge's middle of the table against the cube's, turned by
+    // 45 degrees: corners of neither are inside.
     const double reach = 0.5 * std::sqrt(2.0);
-    Scene scene = load_scene(scene_file("falling_sphere"), R"({"gravity": [0, 0, 0], "dt": 0.01, "planes": null, "bodies": [
+    Scene scene = load_scene(scene_file("falling_sphere"),
+                             R"({"gravity": [0, 0, 0], "dt": 0.01, "planes": null, "bodies": [
         {"name": "table", "type": "static", "shape": {"box": {"size": [1, 1, 3]}}, "rotation": {"axis": [0, 0, 1], "angle_deg": 45}},
         {"name": "cube", "type": "rigid", "mass": 1, "shape": {"box": {"size": [3, 1, 1]}}, "rotation": {"axis": [1, 0, 0], "angle_deg": 45},
-         "position": [0, )" + std::to_string(2 * reach - 0.1) + R"(, 0]}]})");
+         "position": [0, )" + std::to_string(2 * reach - 0.1) +
+                                 R"(, 0]}]})");
     CHECK(after_one_step(scene).empty());
 }
 

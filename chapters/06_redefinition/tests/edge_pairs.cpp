@@ -14,8 +14,8 @@ using namespace enduring::small_worlds;
 
 namespace {
 
-/// Two triangles: body 0 looks down with an edge from (0, 0, 0) to (1, 0, 0), moved by `offset`; body 1 lies in y = 0, looks
-/// up, and has an edge along z through x = 0.5.
+/// Two triangles: body 0 looks down with an edge from (0, 0, 0) to (1, 0, 0), moved by `offset`; body 1 lies
+/// in y = 0, looks up, and has an edge along z through x = 0.5.
 World crossing_edges(const Vec3& offset)
 {
     World world;
@@ -37,7 +37,14 @@ int edge_between(const Body& body, int v, int w)
 
 Contact pair_in(const World& world)
 {
-    return {ContactKind::edge_edge, 0, 1, edge_between(*world.bodies[0], 0, 1), edge_between(*world.bodies[1], 0, 1), {0, 1, 0, 1}, {}, -1};
+    return {ContactKind::edge_edge,
+            0,
+            1,
+            edge_between(*world.bodies[0], 0, 1),
+            edge_between(*world.bodies[1], 0, 1),
+            {0, 1, 0, 1},
+            {},
+            -1};
 }
 
 /// The pair after the pass, with the upper edge moved by `offset`.
@@ -51,7 +58,8 @@ Contact dismissed(const Vec3& offset)
 
 }  // namespace
 
-TEST_CASE("edges: a pair pushes while both feet are on their edges, is held a little beyond, and dismissed farther out")
+TEST_CASE(
+    "edges: a pair pushes while both feet are on their edges, is held a little beyond, and dismissed farther out")
 {
     // The lower edge crosses the upper one at s = 0.5 - x, and is crossed at t = 0.5 + z.
     const double small = 1e-9;
@@ -59,10 +67,12 @@ TEST_CASE("edges: a pair pushes while both feet are on their edges, is held a li
         double x, z;
         bool held, gone;
     };
-    for (const Case& c : {Case{0.5 - small, 0, false, false}, Case{0.5 + small, 0, true, false}, Case{0.8 - small, 0, true, false},
-                          Case{0.8 + small, 0, true, true}, Case{-0.5 + small, 0, false, false}, Case{-0.5 - small, 0, true, false},
-                          Case{-0.8 - small, 0, true, true}, Case{0, 0.5 - small, false, false}, Case{0, 0.5 + small, true, false},
-                          Case{0, 0.8 + small, true, true}, Case{0, -0.8 + small, true, false}, Case{0, -0.8 - small, true, true}}) {
+    for (const Case& c : {Case{0.5 - small, 0, false, false}, Case{0.5 + small, 0, true, false},
+                          Case{0.8 - small, 0, true, false}, Case{0.8 + small, 0, true, true},
+                          Case{-0.5 + small, 0, false, false}, Case{-0.5 - small, 0, true, false},
+                          Case{-0.8 - small, 0, true, true}, Case{0, 0.5 - small, false, false},
+                          Case{0, 0.5 + small, true, false}, Case{0, 0.8 + small, true, true},
+                          Case{0, -0.8 + small, true, false}, Case{0, -0.8 - small, true, true}}) {
         CAPTURE(c.x);
         CAPTURE(c.z);
         const Contact contact = dismissed({c.x, -0.01, c.z});
@@ -93,7 +103,8 @@ TEST_CASE("edges: two edges that have become parallel are held, for nothing says
 
 namespace {
 
-/// crossing_edges with the upper triangle turned over: it looks up, so a push upwards is along its own surface.
+/// crossing_edges with the upper triangle turned over: it looks up,
+/// so a push upwards is along its own surface.
 World hooked_edges()
 {
     World world = crossing_edges(Vec3::Zero());
@@ -101,7 +112,8 @@ World hooked_edges()
     return world;
 }
 
-/// What the hand-over of a vertex brings, from a face to itself: all edges at the vertex against all of the face.
+/// What the hand-over of a vertex brings, from a face to itself: all
+/// edges at the vertex against all of the face.
 Contacts brought_by(const Redefinition& redefinition)
 {
     Contacts contacts;
@@ -132,9 +144,11 @@ TEST_CASE("edges: a hooked pair is held, and one that is hooked at its entry doe
     CHECK(entries.size() == 1);
 }
 
-TEST_CASE("edges: the pairs that a vertex brings push from when its own pair does, out of the body that they name second")
+TEST_CASE(
+    "edges: the pairs that a vertex brings push from when its own pair does, out of the body that they name second")
 {
-    const Contacts of_a = brought_by({0, 0, 1, 0, 0, Vec3::UnitY(), 0.4}), of_b = brought_by({1, 0, 0, 0, 0, -Vec3::UnitY(), 0.4});
+    const Contacts of_a = brought_by({0, 0, 1, 0, 0, Vec3::UnitY(), 0.4}),
+                   of_b = brought_by({1, 0, 0, 0, 0, -Vec3::UnitY(), 0.4});
     const World world = crossing_edges({0, -0.01, 0});
     for (const Contacts* brought : {&of_a, &of_b}) {
         REQUIRE(brought->size() > 0);
@@ -151,7 +165,8 @@ TEST_CASE("edges: the pairs that a vertex brings push from when its own pair doe
 
 namespace {
 
-/// A box that slides over a floor: body 0 the floor with cells of 0.1 m, body 1 the box, its bottom 1 mm below the floor.
+/// A box that slides over a floor: body 0 the floor with cells of 0.1 m,
+/// body 1 the box, its bottom 1 mm below the floor.
 World sliding_box(const Vec3& velocity)
 {
     World world;
@@ -181,7 +196,8 @@ bool cross_in_plan(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s)
 bool pushed(const Contacts& contacts, int edge_a, int edge_b)
 {
     return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
-        return c.kind == ContactKind::edge_edge && c.answered() && c.feature_a == edge_a && c.feature_b == edge_b;
+        return c.kind == ContactKind::edge_edge && c.answered() && c.feature_a == edge_a &&
+               c.feature_b == edge_b;
     });
 }
 
@@ -192,12 +208,15 @@ void count(const World& world, const std::vector<Vec3>& x, const Contacts& conta
     const auto at = [](int i) { return static_cast<std::size_t>(i); };
     for (int b = 0; b < static_cast<int>(box_body.surface().edges().size()); ++b) {
         const auto [b0, b1] = box_body.surface().edges()[at(b)];
-        const bool along_axis = std::abs(x[at(b0)].x() - x[at(b1)].x()) < 1e-12 || std::abs(x[at(b0)].z() - x[at(b1)].z()) < 1e-12;
-        if (x[at(b0)].y() > 0 || x[at(b1)].y() > 0 || !along_axis)  // only the bottom's sides, not its diagonal
+        const bool along_axis = std::abs(x[at(b0)].x() - x[at(b1)].x()) < 1e-12 ||
+                                std::abs(x[at(b0)].z() - x[at(b1)].z()) < 1e-12;
+        // only the bottom's sides, not its diagonal
+        if (x[at(b0)].y() > 0 || x[at(b1)].y() > 0 || !along_axis)
             continue;
         for (int a = 0; a < static_cast<int>(floor.surface().edges().size()); ++a) {
             const auto [a0, a1] = floor.surface().edges()[at(a)];
-            if (!cross_in_plan(floor.positions_t0()[at(a0)], floor.positions_t0()[at(a1)], x[at(b0)], x[at(b1)]))
+            if (!cross_in_plan(floor.positions_t0()[at(a0)], floor.positions_t0()[at(a1)], x[at(b0)],
+                               x[at(b1)]))
                 continue;
             ++coverage.crossing;
             coverage.missing += !pushed(contacts, a, b);
@@ -217,7 +236,8 @@ Coverage coverage_of(const Vec3& velocity, bool with_exits)
     turn_to(world, velocity);
     Coverage coverage;
     for (int step = 0; step < 100; ++step) {
-        const std::vector<Vec3> before(world.bodies[1]->positions_t0().begin(), world.bodies[1]->positions_t0().end());
+        const std::vector<Vec3> before(world.bodies[1]->positions_t0().begin(),
+                                       world.bodies[1]->positions_t0().end());
         advance(world, contacts, solver, 0.01);
         count(world, before, contacts, coverage);
     }
@@ -226,9 +246,11 @@ Coverage coverage_of(const Vec3& velocity, bool with_exits)
 
 }  // namespace
 
-TEST_CASE("edges: an edge that slides over a floor always has its pairs; a trailing one only if vertices that leave bring them")
+TEST_CASE(
+    "edges: an edge that slides over a floor always has its pairs; a trailing one only if vertices that leave bring them")
 {
-    for (const Vec3& velocity : {Vec3(0.5, 0, 0), Vec3(0, 0, -0.5), Vec3(-0.47, 0, 0.31), Vec3(0.3, 0, 0.5)}) {
+    for (const Vec3& velocity :
+         {Vec3(0.5, 0, 0), Vec3(0, 0, -0.5), Vec3(-0.47, 0, 0.31), Vec3(0.3, 0, 0.5)}) {
         CAPTURE(velocity.transpose());
         const Coverage with = coverage_of(velocity, true), without = coverage_of(velocity, false);
         REQUIRE(with.crossing > 1000);
@@ -237,7 +259,8 @@ TEST_CASE("edges: an edge that slides over a floor always has its pairs; a trail
     }
 }
 
-TEST_CASE("edges: no pair stands twice in the list, and all are oriented out of the body that they name second")
+TEST_CASE(
+    "edges: no pair stands twice in the list, and all are oriented out of the body that they name second")
 {
     World world = sliding_box({0, -0.1, 0});
     Solver solver = weak_solver();
@@ -250,10 +273,13 @@ TEST_CASE("edges: no pair stands twice in the list, and all are oriented out of 
         for (const Contact& c : contacts) {
             if (c.resolved)
                 continue;
-            const int face_or_edge = c.kind == ContactKind::edge_edge ? c.feature_b : -1;  // one face a vertex and body
-            CHECK(keys.insert({static_cast<int>(c.kind), c.body_a, c.body_b, c.feature_a, face_or_edge}).second);
+            // one face a vertex and body
+            const int face_or_edge = c.kind == ContactKind::edge_edge ? c.feature_b : -1;
+            CHECK(keys.insert({static_cast<int>(c.kind), c.body_a, c.body_b, c.feature_a, face_or_edge})
+                      .second);
             if (c.kind == ContactKind::edge_edge && c.answered())
-                CHECK(contact_geometry(world, c, 0).normal.y() == doctest::Approx(-1));  // out of the box, body 1, down into the floor
+                // out of the box, body 1, down into the floor
+                CHECK(contact_geometry(world, c, 0).normal.y() == doctest::Approx(-1));
         }
     }
 }

@@ -20,6 +20,7 @@ TEST_CASE("mesh slope: on triangles the block slides with g (sin - mu_d cos) to 
     for (const double angle : {10.0, 30.0}) {
         CAPTURE(angle);
         const double a = angle * std::numbers::pi / 180, mu_d = 0.4 * std::tan(a);
-        CHECK(slide_acceleration(angle, 0.01, mu_d) == doctest::Approx(9.81 * (std::sin(a) - mu_d * std::cos(a))).epsilon(0.01));
+        CHECK(slide_acceleration(angle, 0.01, mu_d) ==
+              doctest::Approx(9.81 * (std::sin(a) - mu_d * std::cos(a))).epsilon(0.01));
     }
 }

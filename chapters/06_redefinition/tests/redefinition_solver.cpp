@@ -13,7 +13,8 @@ using namespace enduring;
 
 namespace {
 
-/// Chapter 6's passes without the edge pairs that redefinitions bring: the page's worked step knows vertices and faces alone.
+/// Chapter 6's passes without the edge pairs that redefinitions bring: the
+/// page's worked step knows vertices and faces alone.
 Solver without_edge_pairs(double stiffness)
 {
     Solver solver = chapter06_solver({PenaltyMethod::continuous, stiffness});
@@ -28,7 +29,8 @@ TEST_CASE("worked step: redefinition, detection and impulses of this chapter giv
     tests::check_worked_step(without_edge_pairs(worked_step().stiffness));
 }
 
-TEST_CASE("worked step: with vertex 2 come the two edges that lie over the diagonal, at depths worked out by hand")
+TEST_CASE(
+    "worked step: with vertex 2 come the two edges that lie over the diagonal, at depths worked out by hand")
 {
     WorkedStep step = worked_step();
     const Solver solver = chapter06_solver({});
@@ -39,8 +41,9 @@ TEST_CASE("worked step: with vertex 2 come the two edges that lie over the diago
         if (contact.kind == ContactKind::edge_edge)
             edges.push_back(contact);
     REQUIRE(edges.size() == 2);
-    // From (0.5, 0.1, 0.5) and from (0.5, -0.1, 1) to (1.5, -0.2, 1.5): over x + z = 2 at y = -1/20 and y = -2/15. Their
-    // cross products with the diagonal are (0.6, 4, 0.6) and (0.2, 3, 0.2), and the depth is n_y y / |n|.
+    // From (0.5, 0.1, 0.5) and from (0.5, -0.1, 1) to (1.5, -0.2, 1.5): over x + z = 2
+    // at y = -1/20 and y = -2/15. Their cross products with the diagonal are (0.6, 4,
+    // 0.6) and (0.2, 3, 0.2), and the depth is n_y y / |n|.
     const double expected[] = {-0.05 * 4 / std::sqrt(16.72), -2.0 / 15 * 3 / std::sqrt(9.08)};
     for (std::size_t i = 0; i < 2; ++i) {
         const ContactGeometry geometry = contact_geometry(step.world, edges[i], 0);
@@ -67,8 +70,11 @@ TEST_CASE("momentum: sliding, redefined pairs of every two kinds of bodies keep 
     using tests::BodyKind;
     using enum BodyKind;
     const tests::BlockCells finer{{3, 3, 3}, {2, 1, 2}};
-    for (const std::pair<BodyKind, BodyKind>& kinds :
-         {std::pair{rigid, rigid}, {rigid, linear}, {linear, rigid}, {linear, quadratic}, {quadratic, rigid}}) {
+    for (const std::pair<BodyKind, BodyKind>& kinds : {std::pair{rigid, rigid},
+                                                       {rigid, linear},
+                                                       {linear, rigid},
+                                                       {linear, quadratic},
+                                                       {quadratic, rigid}}) {
         CAPTURE(static_cast<int>(kinds.first));
         CAPTURE(static_cast<int>(kinds.second));
         World world;
@@ -98,7 +104,8 @@ TEST_CASE("solver: the same scene gives the same bytes")
             for (const Vec3& x : body->positions_t0())
                 numbers.insert(numbers.end(), {x.x(), x.y(), x.z()});
         for (const Contact& c : result.contacts)
-            numbers.insert(numbers.end(), {static_cast<double>(c.feature_a), static_cast<double>(c.feature_b), c.weights[1], c.impulse.y()});
+            numbers.insert(numbers.end(), {static_cast<double>(c.feature_a), static_cast<double>(c.feature_b),
+                                           c.weights[1], c.impulse.y()});
     }
     CHECK(seen[0] == seen[1]);
 }

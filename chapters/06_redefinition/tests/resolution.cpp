@@ -1,6 +1,6 @@
+#include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/05_categorisation/category.hpp"
 #include "chapters/05_categorisation/solver.hpp"
-#include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/06_redefinition/tests/small_worlds.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
@@ -31,7 +31,8 @@ double middle_x(const World& world, const Contact& contact)
 
 }  // namespace
 
-TEST_CASE("resolution: a vertex that enters by the top of a box and leaves by its side is let go; chapter 5 still pushes it")
+TEST_CASE(
+    "resolution: a vertex that enters by the top of a box and leaves by its side is let go; chapter 5 still pushes it")
 {
     // In at (0.4, 0.5), out at x = 0.5 after 0.05 s, 5 mm below the top.
     for (const bool redefined : {true, false}) {
@@ -56,30 +57,42 @@ TEST_CASE("resolution: a vertex that enters by the top of a box and leaves by it
     }
 }
 
-TEST_CASE("resolution: an edge pair below its face ends when an edge has no end inside and pierces nothing, and not before (6.2.1)")
+TEST_CASE(
+    "resolution: an edge pair below its face ends when an edge has no end inside and pierces nothing, and not before (6.2.1)")
 {
     struct Lies {
-        double height;   ///< of the lower edge of a sheet through a box whose top is at 0.5 [m]
-        double reach;    ///< that edge goes from -reach to reach; the box from -0.5 to 0.5 [m]
-        bool end_pair;   ///< one of its ends has a pair with the box
+        double height;  ///< of the lower edge of a sheet through a box whose top is at 0.5 [m]
+        double reach;   ///< that edge goes from -reach to reach; the box from -0.5 to 0.5 [m]
+        bool end_pair;  ///< one of its ends has a pair with the box
         bool ends;
     };
-    for (const Lies& lies : {Lies{0.4, 1, false, false}, Lies{0.6, 1, false, true}, Lies{0.4, 0.3, true, false}, Lies{0.4, 0.3, false, true}})
+    for (const Lies& lies : {Lies{0.4, 1, false, false}, Lies{0.6, 1, false, true},
+                             Lies{0.4, 0.3, true, false}, Lies{0.4, 0.3, false, true}})
         for (const bool sheet_is_a : {true, false}) {
             CAPTURE(lies.height);
             CAPTURE(lies.reach);
             CAPTURE(sheet_is_a);
             World world;
             world.bodies.push_back(still("box", box({1, 1, 1})));
-            const std::vector<Vec3> sheet{{-lies.reach, lies.height, 0}, {lies.reach, lies.height, 0}, {0, 3, 0}};
-            world.bodies.push_back(std::make_unique<PointMasses>("sheet", sheet, std::vector<Face>{{0, 1, 2}}, 1.0));
+            const std::vector<Vec3> sheet{
+                {-lies.reach, lies.height, 0}, {lies.reach, lies.height, 0}, {0, 3, 0}};
+            world.bodies.push_back(
+                std::make_unique<PointMasses>("sheet", sheet, std::vector<Face>{{0, 1, 2}}, 1.0));
             const auto edges = world.bodies[1]->surface().edges();
-            const int lower = static_cast<int>(std::find(edges.begin(), edges.end(), Edge{0, 1}) - edges.begin());
+            const int lower =
+                static_cast<int>(std::find(edges.begin(), edges.end(), Edge{0, 1}) - edges.begin());
             const int of_box = 0, box_end = world.bodies[0]->surface().edges()[0][0];
             // The box' own edge has an end with a pair, so it is the sheet's edge that decides.
-            Contacts contacts{{ContactKind::vertex_face, 0, 1, box_end, 0, {box_end, 0, 1, 2}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}}};
+            Contacts contacts{{ContactKind::vertex_face,
+                               0,
+                               1,
+                               box_end,
+                               0,
+                               {box_end, 0, 1, 2},
+                               {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}}};
             if (lies.end_pair)
-                contacts.push_back({ContactKind::vertex_face, 1, 0, 0, 0, {0, 0, 1, 2}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}});
+                contacts.push_back(
+                    {ContactKind::vertex_face, 1, 0, 0, 0, {0, 0, 1, 2}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}});
             Contact pair;
             pair.kind = ContactKind::edge_edge;
             pair.body_a = sheet_is_a ? 1 : 0;
@@ -110,7 +123,8 @@ TEST_CASE("resolution: a vertex whose entry impulses have undone has no pair in 
     CHECK(of_tip(contacts).empty());
 }
 
-TEST_CASE("resolution: a vertex that leaves one ridge and enters the next in one step has a pair with the next")
+TEST_CASE(
+    "resolution: a vertex that leaves one ridge and enters the next in one step has a pair with the next")
 {
     World world = tip_and(two_ridges(), {-1.2, 0.4, 0.1}, {20, 0, 0});
     Contacts contacts;
@@ -155,7 +169,8 @@ TEST_CASE("resolution: a vertex that leaves through its own face is let go at on
     }
 }
 
-TEST_CASE("resolution: a vertex that grazes a ridge, in by one side and out by the other at once, counts as inside")
+TEST_CASE(
+    "resolution: a vertex that grazes a ridge, in by one side and out by the other at once, counts as inside")
 {
     // The ridge lies along z in y = 0; the vertex passes it at mid-step.
     const SurfaceMesh roof{{{0, 0, -1}, {0, 0, 1}, {-2, -2, 0}, {2, -2, 0}}, {{0, 2, 1}, {0, 1, 3}}};
@@ -173,8 +188,8 @@ TEST_CASE("resolution: a vertex that grazes a ridge, in by one side and out by t
 
 namespace {
 
-/// The pair of an upright edge of body 0, which pierces body 1 where that stays, and the edge of body 1 between its vertices 0 and
-/// 1, which pierces nothing.
+/// The pair of an upright edge of body 0, which pierces body 1 where that stays, and the edge of body 1
+/// between its vertices 0 and 1, which pierces nothing.
 struct PiercedSheet {
     World world;
     CandidateSearch search;
@@ -182,8 +197,9 @@ struct PiercedSheet {
 
     explicit PiercedSheet(double rise)
     {
-        world.bodies.push_back(std::make_unique<PointMasses>("upright", std::vector<Vec3>{{0, -1, 0}, {0, 1, 0}, {-1, 1, 0}},
-                                                             std::vector<Face>{{0, 1, 2}}, 1, Vec3(0, rise, 0)));
+        world.bodies.push_back(
+            std::make_unique<PointMasses>("upright", std::vector<Vec3>{{0, -1, 0}, {0, 1, 0}, {-1, 1, 0}},
+                                          std::vector<Face>{{0, 1, 2}}, 1, Vec3(0, rise, 0)));
         world.bodies.push_back(still("sheet", {{{-3, 0, -1}, {2, 0, -1}, {0, 0, 3}}, {{0, 2, 1}}}));
         world.bodies[0]->predict(Vec3::Zero(), 1);
         search.find_candidates(world);
@@ -198,7 +214,10 @@ struct PiercedSheet {
         resolve_edges_that_left(world, search, contacts);
         return contacts[0].resolved;
     }
-    void touch(int vertex_of_sheet) { contacts.push_back({ContactKind::vertex_face, 1, 0, vertex_of_sheet, 0}); }
+    void touch(int vertex_of_sheet)
+    {
+        contacts.push_back({ContactKind::vertex_face, 1, 0, vertex_of_sheet, 0});
+    }
 };
 
 }  // namespace

@@ -15,14 +15,16 @@ using namespace enduring::chapter06;
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int stride = 7;  // sanitizers look for other faults, at ten times the cost: two directions are enough for them
+// sanitizers look for other faults, at ten times the cost: two directions are enough for them
+constexpr int stride = 7;
 #else
 constexpr int stride = 1;
 #endif
 
 }  // namespace
 
-TEST_CASE("sliding: over 20 cells of every triangulation, in eight directions, no speed is lost or won" * doctest::test_suite("long simulation"))
+TEST_CASE("sliding: over 20 cells of every triangulation, in eight directions, no speed is lost or won" *
+          doctest::test_suite("long simulation"))
 {
     for (const GridDiagonals diagonals : all_diagonals)
         for (int direction = 0; direction < 8; direction += stride) {
@@ -58,18 +60,22 @@ TEST_CASE("sliding: past the stable step sqrt(2m / (n k)) the cube hops")
     CHECK(outcome.highest > 10 * outcome.sag);
 }
 
-TEST_CASE("sliding: on the soft bar the cube keeps its speed with redefinition, and stops without" * doctest::test_suite("long simulation"))
+TEST_CASE("sliding: on the soft bar the cube keeps its speed with redefinition, and stops without" *
+          doctest::test_suite("long simulation"))
 {
     for (const bool redefined : {true, false}) {
         Scene scene = load_scene(scene_file("sliding"));
-        run(scene, redefined ? chapter06_solver(scene.contact) : chapter05_solver(scene.contact), {}, {350, {}});
+        run(scene, redefined ? chapter06_solver(scene.contact) : chapter05_solver(scene.contact), {},
+            {350, {}});
         const Body& cube = body_named(scene.world, "cube");
         CHECK((cube.linear_momentum().x() / cube.mass() > 0.95 * 1.2) == redefined);
         CHECK((cube.linear_momentum().x() / cube.mass() < 0.5 * 1.2) == !redefined);
     }
 }
 
-TEST_CASE("sliding: on the soft bar the force between cube and bar is the cube's weight, smooth but for leaps where pairs come and go" * doctest::test_suite("long simulation"))
+TEST_CASE(
+    "sliding: on the soft bar the force between cube and bar is the cube's weight, smooth but for leaps where pairs come and go" *
+    doctest::test_suite("long simulation"))
 {
     constexpr double settled = 0.3;  // [s]
     Scene scene = load_scene(scene_file("sliding"));

@@ -13,14 +13,18 @@ namespace enduring::small_worlds {
 
 inline std::unique_ptr<Body> still(const std::string& name, const SurfaceMesh& mesh)
 {
-    return std::make_unique<StaticBody>(name, SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
+    return std::make_unique<StaticBody>(
+        name, SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
 }
 
-/// A wide, flat cone that points down: the surface around vertex 0, its tip, looks down on all sides, and all else is high up.
+/// A wide, flat cone that points down: the surface around vertex 0, its tip,
+/// looks down on all sides, and all else is high up.
 inline std::unique_ptr<Body> tip(const Vec3& place, const Vec3& velocity)
 {
-    const std::vector<Vec3> points{place, place + Vec3(4, 1, 0), place + Vec3(-2, 1, 3.5), place + Vec3(-2, 1, -3.5)};
-    return std::make_unique<PointMasses>("tip", points, std::vector<Face>{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}, 1, velocity);
+    const std::vector<Vec3> points{place, place + Vec3(4, 1, 0), place + Vec3(-2, 1, 3.5),
+                                   place + Vec3(-2, 1, -3.5)};
+    return std::make_unique<PointMasses>("tip", points, std::vector<Face>{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}, 1,
+                                         velocity);
 }
 
 /// Body 0 is a still surface, body 1 a tip; no gravity.
@@ -47,7 +51,8 @@ inline void turn_to(World& world, const Vec3& velocity)
 inline Contact on_face(const World& world, int face)
 {
     const Face& f = world.bodies[0]->surface().faces()[face];
-    return {ContactKind::vertex_face, 1, 0, 0, face, {0, f[0], f[1], f[2]}, {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}};
+    return {ContactKind::vertex_face,         1, 0, 0, face, {0, f[0], f[1], f[2]},
+            {1, -1 / 3.0, -1 / 3.0, -1 / 3.0}};
 }
 
 /// The tip's pairs with faces.
@@ -60,8 +65,9 @@ inline Contacts of_tip(const Contacts& contacts)
     return some;
 }
 
-inline Solver weak_solver(double stiffness = 1e-9) { return chapter06_solver({PenaltyMethod::continuous, stiffness}); }
-
-
+inline Solver weak_solver(double stiffness = 1e-9)
+{
+    return chapter06_solver({PenaltyMethod::continuous, stiffness});
+}
 
 }  // namespace enduring::small_worlds

@@ -6,7 +6,9 @@
 using namespace enduring;
 using namespace enduring::small_worlds;
 
-TEST_CASE("turntable: a load that is held on a table, a wheel or a soft slab that turns creeps less than 5 micrometres a turn" * doctest::test_suite("long simulation"))
+TEST_CASE(
+    "turntable: a load that is held on a table, a wheel or a soft slab that turns creeps less than 5 micrometres a turn" *
+    doctest::test_suite("long simulation"))
 {
     for (const rides::Ground ground : {rides::Ground::table, rides::Ground::wheel, rides::Ground::soft_slab})
         for (const rides::Load load : {rides::Load::block, rides::Load::grate}) {
@@ -19,7 +21,8 @@ TEST_CASE("turntable: a load that is held on a table, a wheel or a soft slab tha
         }
 }
 
-TEST_CASE("redefinition: over an edge the friction anchor's stretch turns with the face, and keeps its length")
+TEST_CASE(
+    "redefinition: over an edge the friction anchor's stretch turns with the face, and keeps its length")
 {
     // A roof: the tip was below its left slope, and is below its right one now.
     const SurfaceMesh roof{{{0, 0, -2}, {0, 0, 2}, {-2, -1, 0}, {2, -1, 0}}, {{0, 2, 1}, {0, 1, 3}}};

@@ -1,27 +1,28 @@
+#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "chapters/05_categorisation/category.hpp"
 #include "chapters/06_redefinition/face_choice.hpp"
 #include "chapters/06_redefinition/new_pairs.hpp"
 #include "chapters/06_redefinition/tests/small_worlds.hpp"
-#include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <cmath>
 #include <random>
 #include <set>
 
-
 using namespace enduring;
 using namespace enduring::small_worlds;
 
 namespace {
 
-/// Whether a face of a surface in y = 0 lies under a point, seen from above: signs of areas in the plane, and nothing of the
-/// layer's own projection.
+/// Whether a face of a surface in y = 0 lies under a point, seen from above: signs of areas in the plane, and
+/// nothing of the layer's own projection.
 bool lies_on(const World& world, int face, double x, double z, double slack)
 {
     const Face& f = world.bodies[0]->surface().faces()[face];
-    const auto corner = [&](int i) { return world.bodies[0]->positions_t0()[f[static_cast<std::size_t>(i)]]; };
+    const auto corner = [&](int i) {
+        return world.bodies[0]->positions_t0()[f[static_cast<std::size_t>(i)]];
+    };
     for (int i = 0; i < 3; ++i) {
         const Vec3 p = corner(i), q = corner((i + 1) % 3);
         if ((q.z() - p.z()) * (x - p.x()) - (q.x() - p.x()) * (z - p.z()) < -slack)
@@ -41,12 +42,15 @@ SurfaceMesh folded(double slope)
 
 }  // namespace
 
-TEST_CASE("redefinition: a vertex under a flat floor keeps its depth and has one pair, that of the face above it")
+TEST_CASE(
+    "redefinition: a vertex under a flat floor keeps its depth and has one pair, that of the face above it")
 {
-    for (const GridDiagonals diagonals : {GridDiagonals::same, GridDiagonals::alternating, GridDiagonals::crossed}) {
+    for (const GridDiagonals diagonals :
+         {GridDiagonals::same, GridDiagonals::alternating, GridDiagonals::crossed}) {
         CAPTURE(static_cast<int>(diagonals));
         const double depth = 1e-3, dt = 0.01;
-        World world = tip_and(plane_grid(4, 4, {12, 12}, diagonals), {-1.71, 1e-9, -1.3}, {3.1, -depth / dt, 2.3});
+        World world = tip_and(plane_grid(4, 4, {12, 12}, diagonals), {-1.71, 1e-9, -1.3},
+                              {3.1, -depth / dt, 2.3});
         Contacts contacts;
         const Solver solver = weak_solver();
         std::set<int> faces;
@@ -111,9 +115,9 @@ TEST_CASE("redefinition: below a valley no face has the foot; the tolerance (6.4
         redefine_enduring_vertices(moved, contacts, redefinitions);
         changes += static_cast<int>(redefinitions.size());
         CHECK_FALSE(contacts[0].resolved);
-        const double side = moved.bodies[0]->positions_t0()[contacts[0].vertices[1]].x()
-                            + moved.bodies[0]->positions_t0()[contacts[0].vertices[2]].x()
-                            + moved.bodies[0]->positions_t0()[contacts[0].vertices[3]].x();
+        const double side = moved.bodies[0]->positions_t0()[contacts[0].vertices[1]].x() +
+                            moved.bodies[0]->positions_t0()[contacts[0].vertices[2]].x() +
+                            moved.bodies[0]->positions_t0()[contacts[0].vertices[3]].x();
         if (std::abs(x) > 0.011)
             CHECK(side * x > 0);  // on the face of its own side
     }
@@ -160,7 +164,8 @@ TEST_CASE("new pairs: a vertex that dives through a diagonal has one pair here a
     CHECK(of_tip(six).size() == 1);
 }
 
-TEST_CASE("new pairs: of two entries of a vertex the earliest is kept, and of two at the same time the regular one")
+TEST_CASE(
+    "new pairs: of two entries of a vertex the earliest is kept, and of two at the same time the regular one")
 {
     World world = tip_and(plane_grid(2, 2, {1, 1}), {0, -0.1, 0});
     for (const int early : {0, 1}) {
@@ -188,9 +193,11 @@ TEST_CASE("new pairs: of two entries of a vertex the earliest is kept, and of tw
     CHECK(redefinitions.empty());
 }
 
-TEST_CASE("new pairs: a floor's vertex that enters by the front of a box belongs to its bottom before its first impulse")
+TEST_CASE(
+    "new pairs: a floor's vertex that enters by the front of a box belongs to its bottom before its first impulse")
 {
-    // The box's front face, at x = 0.5, moves over the floor's vertex at (0.55, 0, 0), which is 1 mm above the box's bottom.
+    // The box's front face, at x = 0.5, moves over the floor's vertex at (0.55,
+    // 0, 0), which is 1 mm above the box's bottom.
     World world;
     world.gravity.setZero();
     SurfaceMesh floor = plane_grid(2, 2, {2, 2});
@@ -203,7 +210,9 @@ TEST_CASE("new pairs: a floor's vertex that enters by the front of a box belongs
     world.bodies.push_back(std::make_unique<PointMasses>("box", mesh.vertices, mesh.faces, 1, Vec3(1, 0, 0)));
     Contacts contacts;
     advance(world, contacts, chapter06_solver({PenaltyMethod::continuous, 10}), 0.1);
-    const auto of_floor = [](const Contact& c) { return c.kind == ContactKind::vertex_face && c.body_a == 0; };
+    const auto of_floor = [](const Contact& c) {
+        return c.kind == ContactKind::vertex_face && c.body_a == 0;
+    };
     REQUIRE(std::count_if(contacts.begin(), contacts.end(), of_floor) == 1);
     const Contact& contact = *std::find_if(contacts.begin(), contacts.end(), of_floor);
     CHECK(contact_geometry(world, contact, 0).normal.y() == doctest::Approx(-1));

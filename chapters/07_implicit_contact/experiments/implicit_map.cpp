@@ -31,7 +31,8 @@ double measured_limit(double centre)
     return low;
 }
 
-/// For weights that look back, with the centre before the middle of the step: the formula's limit, and the simulation's.
+/// For weights that look back, with the centre before the middle of the
+/// step: the formula's limit, and the simulation's.
 Table limits()
 {
     Table table({"centre", "limit", "measured"});
@@ -43,7 +44,8 @@ Table limits()
 /// For the others: where they are fastest, and what is left there and far beyond.
 Table fastest()
 {
-    Table table({"centre", "fastest_h", "factor", "measured_factor", "factor_of_a_stiff_ground", "measured_at_1e6"});
+    Table table(
+        {"centre", "fastest_h", "factor", "measured_factor", "factor_of_a_stiff_ground", "measured_at_1e6"});
     for (const double centre : {0.5, 2.0 / 3, 0.8, 0.9}) {
         const double h = fastest_stiffness(centre);
         table.add({centre, h, std::abs(fastest_factor(centre)), measured_radius(particle_with(h, centre)),
@@ -54,8 +56,8 @@ Table fastest()
 
 }  // namespace
 
-/// The spectral radius of the implicit step over h, for several weights, from the matrix and from the simulation; and
-/// whether a dropped particle settles.
+/// The spectral radius of the implicit step over h, for several weights, from the matrix and from the
+/// simulation; and whether a dropped particle settles.
 void implicit_map(const RunOptions& options, Report& report)
 {
     Table map({"centre", "h", "spectral_radius", "measured", "settles"});
@@ -64,7 +66,8 @@ void implicit_map(const RunOptions& options, Report& report)
     for (const double centre : {0.25, 0.4, 0.5, 2.0 / 3, 0.8, 1.0})
         for (const double h : stiffnesses(options.quick ? 25 : 97)) {
             const ImplicitParticle problem = particle_with(h, centre);
-            const double radius = spectral_radius(amplification(problem)), measured = measured_radius(problem);
+            const double radius = spectral_radius(amplification(problem)),
+                         measured = measured_radius(problem);
             const bool at_rest = settles(problem, 0.1);
             worst = std::max(worst, std::abs(radius - measured));
             drops += centre >= 0.5;

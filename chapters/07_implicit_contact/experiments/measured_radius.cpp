@@ -25,7 +25,8 @@ double measured_radius(const ImplicitParticle& problem)
         offset = state.height - rest;
         state = step(state, problem);
     }
-    // Two eigenvalues make every height from the two before: y2 = trace y1 - determinant y0, and the same for y3.
+    // Two eigenvalues make every height from the two before: y2 = trace
+    // y1 - determinant y0, and the same for y3.
     const double determinant = (y[2] * y[2] - y[1] * y[3]) / (y[1] * y[1] - y[0] * y[2]);
     Eigen::Matrix2d companion;
     companion << (y[2] + determinant * y[0]) / y[1], -determinant, 1, 0;

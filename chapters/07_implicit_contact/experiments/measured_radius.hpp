@@ -10,7 +10,8 @@ ImplicitParticle particle_with(double h, double centre, PositionUpdate update = 
 /// The spectral radius of a step near rest, read off four heights of a simulation without the matrix.
 double measured_radius(const ImplicitParticle& problem);
 
-/// Does a particle dropped from `drop_height` [m] come to rest: do its heights stay within a millionth of m g / k?
+/// Does a particle dropped from `drop_height` [m] come to rest: do its
+/// heights stay within a millionth of m g / k?
 bool settles(const ImplicitParticle& problem, double drop_height, int steps = 40000);
 
 }  // namespace enduring::chapter07

@@ -50,7 +50,10 @@ std::vector<Box> stack_of(int n, double first_mass, double last_mass, double tur
 {
     std::vector<Box> boxes;
     for (int i = 0; i < n; ++i)
-        boxes.push_back({i == 0 ? first_mass : i == n - 1 ? last_mass : 10, Vec3(0, 0.5 + i, 0), turn_deg * i});
+        boxes.push_back({i == 0       ? first_mass
+                         : i == n - 1 ? last_mass
+                                      : 10,
+                         Vec3(0, 0.5 + i, 0), turn_deg * i});
     return boxes;
 }
 
@@ -85,7 +88,9 @@ PileOutcome watch(Scene& scene, double duration)
     }
     outcome.deepest_mm = 1000 * deepest(world, contacts);
     for (std::size_t body = 0; body < at_half_time.size(); ++body)
-        outcome.drift_um_per_s = std::max(outcome.drift_um_per_s, 1e6 * (world.bodies[body]->centre() - at_half_time[body]).norm() / (0.5 * duration));
+        outcome.drift_um_per_s = std::max(
+            outcome.drift_um_per_s,
+            1e6 * (world.bodies[body]->centre() - at_half_time[body]).norm() / (0.5 * duration));
     return outcome;
 }
 

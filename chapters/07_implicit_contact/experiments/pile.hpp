@@ -10,16 +10,19 @@ namespace enduring::chapter07 {
 
 /// What one box of a pile is, and where.
 struct Box {
-    double mass = 10;        ///< [kg]
+    double mass = 10;  ///< [kg]
     Vec3 centre = Vec3::Zero();
-    double turn_deg = 0;     ///< about y
+    double turn_deg = 0;  ///< about y
 };
 
-/// Rigid cubes of 1 m on the plane y = 0 or on a slope: gravity is turned, not the plane. Friction 0.5 and 0.4, and no stiffness.
+/// Rigid cubes of 1 m on the plane y = 0 or on a slope: gravity is turned, not
+/// the plane. Friction 0.5 and 0.4, and no stiffness.
 /// @param slope_deg  the plane falls towards -x
-Scene scene_of(const std::vector<Box>& boxes, double dt, double slope_deg = 0, double mu_s = 0.5, double mu_d = 0.4);
+Scene scene_of(const std::vector<Box>& boxes, double dt, double slope_deg = 0, double mu_s = 0.5,
+               double mu_d = 0.4);
 
-/// n cubes on one another, each turned by 7 degrees against the one below, the first and the last of other masses if asked.
+/// n cubes on one another, each turned by 7 degrees against the one below,
+/// the first and the last of other masses if asked.
 std::vector<Box> stack_of(int n, double first_mass = 10, double last_mass = 10, double turn_deg = 7);
 
 /// How well the steps of a run were solved.
@@ -33,9 +36,9 @@ struct SolveStatistics {
 
 /// What is left of a pile when it has come to rest.
 struct PileOutcome {
-    double deepest_mm = 0;      ///< deepest pair at the end
-    double drift_um_per_s = 0;  ///< fastest body, by where it is at half time and at the end
-    double energy_gain_j = 0;   ///< most that the energy rose above the first
+    double deepest_mm = 0;          ///< deepest pair at the end
+    double drift_um_per_s = 0;      ///< fastest body, by where it is at half time and at the end
+    double energy_gain_j = 0;       ///< most that the energy rose above the first
     long newton_steps_at_rest = 0;  ///< of the last step
     SolveStatistics solves;
 };

@@ -28,7 +28,8 @@ Slide slide(double slope_deg, double mu_s, double mu_d, double dt, double durati
 /// Whether it stays within a tenth of a millimetre.
 bool holds(double slope_deg, double mu, double dt) { return slide(slope_deg, mu, mu, dt, 1).way < 1e-4; }
 
-/// Smallest and largest mu, over tan, of a scan that is not as it should be; 1 and 1 where all that are below tan slide and all above hold.
+/// Smallest and largest mu, over tan, of a scan that is not as it should be; 1 and 1
+/// where all that are below tan slide and all above hold.
 struct Threshold {
     double first_that_holds = 2, last_that_slides = 0;
 };
@@ -57,13 +58,15 @@ void slope(const RunOptions& options, Report& report)
         for (const double dt : {0.01, 0.002}) {
             const Threshold found = scan(angle, dt, options.quick ? 11 : 41);
             thresholds.add({angle, dt, found.first_that_holds, found.last_that_slides});
-            worst = std::max({worst, std::abs(found.first_that_holds - 1), std::abs(found.last_that_slides - 1)});
+            worst =
+                std::max({worst, std::abs(found.first_that_holds - 1), std::abs(found.last_that_slides - 1)});
         }
     Table slides({"slope_deg", "dt_s", "acceleration", "exact", "error_percent"});
     double worst_slide = 0;
     for (const double angle : {10.0, 20.0, 30.0})
         for (const double dt : {0.01, 0.002}) {
-            const double a = angle * std::numbers::pi / 180, mu = 0.5 * std::tan(a), exact = 9.81 * (std::sin(a) - mu * std::cos(a));
+            const double a = angle * std::numbers::pi / 180, mu = 0.5 * std::tan(a),
+                         exact = 9.81 * (std::sin(a) - mu * std::cos(a));
             const double measured = slide(angle, mu, mu, dt, 2).speed - slide(angle, mu, mu, dt, 1).speed;
             slides.add({angle, dt, measured, exact, 100 * (measured / exact - 1)});
             worst_slide = std::max(worst_slide, std::abs(100 * (measured / exact - 1)));

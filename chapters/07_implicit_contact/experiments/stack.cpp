@@ -30,13 +30,15 @@ std::vector<Case> all_cases()
 /// Stacks of cubes, equal ones and 1000 : 1, for 20 s: no number is chosen for any of them.
 void stack(const RunOptions& options, Report& report)
 {
-    Table table({"stack", "dt_s", "deepest_mm", "drift_um_per_s", "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"});
+    Table table({"stack", "dt_s", "deepest_mm", "drift_um_per_s", "energy_gain_j", "most_newton_steps",
+                 "newton_steps_at_rest", "unconverged", "solves"});
     double deepest = 0, drift = 0;
     for (const Case& c : all_cases()) {
         Scene scene = scene_of(c.boxes, c.dt);
         const PileOutcome outcome = watch(scene, options.quick ? 2 : 20);
-        table.add({c.name, c.dt, outcome.deepest_mm, outcome.drift_um_per_s, outcome.energy_gain_j, static_cast<long>(outcome.solves.most_newton_steps),
-                   outcome.newton_steps_at_rest, outcome.solves.unconverged, outcome.solves.solves});
+        table.add({c.name, c.dt, outcome.deepest_mm, outcome.drift_um_per_s, outcome.energy_gain_j,
+                   static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,
+                   outcome.solves.unconverged, outcome.solves.solves});
         deepest = std::max(deepest, outcome.deepest_mm);
         drift = std::max(drift, outcome.drift_um_per_s);
     }

@@ -10,7 +10,8 @@ using namespace enduring;
 
 namespace {
 
-/// Bodies of three coordinates each, and pairs between random ones of them, one of three against nothing that moves.
+/// Bodies of three coordinates each, and pairs between random ones of
+/// them, one of three against nothing that moves.
 ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiffness)
 {
     std::mt19937 random(seed);
@@ -31,7 +32,8 @@ ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiff
         row.law.stiffness = stiffness * std::exp(normal(random));
         row.law.friction_limit = std::abs(normal(random));
         row.velocity = vector();
-        const int one = static_cast<int>(random() % static_cast<unsigned>(bodies)), other = (one + 1) % bodies;
+        const int one = static_cast<int>(random() % static_cast<unsigned>(bodies)),
+                  other = (one + 1) % bodies;
         row.parts[0] = {3 * one, Mat3::Identity()};
         row.parts[1] = {3 * other, -Mat3::Identity()};
         row.part_count = i % 3 == 0 ? 1 : 2;
@@ -46,7 +48,8 @@ TEST_CASE("contact problem: one particle on a plane moves as the implicit partic
 {
     for (const double h : {0.1, 16.0, 1000.0})
         for (const double height : {0.01, 0.0, -0.02}) {
-            ImplicitParticle particle{2, h * 2 / (0.01 * 0.01), 9.81, 2.0 / 3, PositionUpdate::end_velocity, 0.01};
+            ImplicitParticle particle{2,       h * 2 / (0.01 * 0.01),        9.81,
+                                      2.0 / 3, PositionUpdate::end_velocity, 0.01};
             const ParticleState expected = step({height, -1.5}, particle);
 
             ContactProblem problem;
@@ -64,7 +67,8 @@ TEST_CASE("contact problem: one particle on a plane moves as the implicit partic
             problem.rows.push_back(row);
             const ProblemSolution solution = solve(problem, 1e-12, 1e-9);
             CHECK(solution.converged);
-            CHECK(row.velocity_after(solution.change).y() == doctest::Approx(expected.velocity).epsilon(1e-9));
+            CHECK(row.velocity_after(solution.change).y() ==
+                  doctest::Approx(expected.velocity).epsilon(1e-9));
         }
 }
 
@@ -72,7 +76,8 @@ TEST_CASE("contact problem: every random one is solved, whatever the stiffness a
 {
     for (unsigned seed = 0; seed < 60; ++seed)
         for (const double stiffness : {1e2, 1e5, 1e8}) {
-            const ContactProblem problem = random_problem(seed, 3 + static_cast<int>(seed % 10), 20 + static_cast<int>(seed), stiffness);
+            const ContactProblem problem = random_problem(seed, 3 + static_cast<int>(seed % 10),
+                                                          20 + static_cast<int>(seed), stiffness);
             const ProblemSolution solution = solve(problem, 1e-8, 1e-9);
             CAPTURE(seed);
             CAPTURE(stiffness);

@@ -3,8 +3,8 @@
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/07_implicit_contact/experiments/measured_radius.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>
+#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
@@ -13,7 +13,10 @@ using chapter07::particle_with;
 
 namespace {
 
-double radius_of(double h, double centre) { return amplification(particle_with(h, centre)).eigenvalues().cwiseAbs().maxCoeff(); }
+double radius_of(double h, double centre)
+{
+    return amplification(particle_with(h, centre)).eigenvalues().cwiseAbs().maxCoeff();
+}
 
 }  // namespace
 
@@ -21,11 +24,13 @@ TEST_CASE("implicit amplification: the matrix is what a simulated step does to a
 {
     for (const double h : {0.1, 4.0, 16.0, 500.0})
         for (const double centre : {0.3, 0.5, 0.8, 1.0})
-            for (const PositionUpdate update : {PositionUpdate::end_velocity, PositionUpdate::mean_velocity}) {
+            for (const PositionUpdate update :
+                 {PositionUpdate::end_velocity, PositionUpdate::mean_velocity}) {
                 const ImplicitParticle problem = particle_with(h, centre, update);
                 const Eigen::Matrix2d a = amplification(problem);
                 const double rest = -problem.mass * problem.gravity / problem.stiffness;
-                for (const Eigen::Vector2d& off : {Eigen::Vector2d(0.1 * rest, 0), Eigen::Vector2d(-0.05 * rest, 0.1 * rest / problem.dt)}) {
+                for (const Eigen::Vector2d& off : {Eigen::Vector2d(0.1 * rest, 0),
+                                                   Eigen::Vector2d(-0.05 * rest, 0.1 * rest / problem.dt)}) {
                     const ParticleState after = step({rest + off.x(), off.y()}, problem);
                     const Eigen::Vector2d expected = a * off;
                     CHECK(after.height - rest == doctest::Approx(expected.x()).epsilon(1e-7));
@@ -34,7 +39,8 @@ TEST_CASE("implicit amplification: the matrix is what a simulated step does to a
             }
 }
 
-TEST_CASE("implicit amplification: with its centre in the middle or later a step is stable for every h, before it up to 4 / (1 - 2 centre)")
+TEST_CASE(
+    "implicit amplification: with its centre in the middle or later a step is stable for every h, before it up to 4 / (1 - 2 centre)")
 {
     for (const double centre : {0.5, 0.51, 2.0 / 3, 1.0})
         for (double h = 1e-3; h < 1e6; h *= 1.7)
@@ -72,10 +78,12 @@ TEST_CASE("implicit amplification: four heights of a simulation tell the spectra
 {
     for (const double h : {0.01, 1.0, 16.0, 200.0, 1e4})
         for (const double centre : {0.25, 0.5, 2.0 / 3, 1.0})
-            CHECK(chapter07::measured_radius(particle_with(h, centre)) == doctest::Approx(spectral_radius(amplification(particle_with(h, centre)))).epsilon(1e-5));
+            CHECK(chapter07::measured_radius(particle_with(h, centre)) ==
+                  doctest::Approx(spectral_radius(amplification(particle_with(h, centre)))).epsilon(1e-5));
 }
 
-TEST_CASE("implicit amplification: a dropped particle settles just where the eigenvalues say so, at any height of the drop")
+TEST_CASE(
+    "implicit amplification: a dropped particle settles just where the eigenvalues say so, at any height of the drop")
 {
     for (const double drop_height : {1e-3, 0.1, 2.0}) {
         for (const double h : {0.1, 16.0, 300.0})

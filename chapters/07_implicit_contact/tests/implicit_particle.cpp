@@ -26,8 +26,10 @@ TEST_CASE("implicit particle: the impulse of a step is that of the way that the 
             ParticleState state{0.02, -1};
             for (int i = 0; i < 50; ++i) {
                 const ParticleState next = step(state, problem);
-                const double impulse = problem.mass * (next.velocity - state.velocity + problem.gravity * problem.dt);
-                const double charged = continuous_plane_impulse(state.height, next.height, problem.stiffness, problem.dt);
+                const double impulse = problem.mass *
+                                       (next.velocity - state.velocity + problem.gravity * problem.dt);
+                const double charged = continuous_plane_impulse(state.height, next.height, problem.stiffness,
+                                                                problem.dt);
                 CAPTURE(h);
                 CHECK(std::abs(impulse - charged) <= 1e-11 * (1 + h));
                 state = next;
@@ -49,7 +51,8 @@ TEST_CASE("implicit particle: it rests at -m g / k, whatever the step and the we
         }
 }
 
-TEST_CASE("implicit particle: moved by the mean velocity it keeps its energy through every bounce, to 1e-10 in 100,000 steps")
+TEST_CASE(
+    "implicit particle: moved by the mean velocity it keeps its energy through every bounce, to 1e-10 in 100,000 steps")
 {
     for (const double h : {0.01, 0.1, 1.0, 10.0, 100.0}) {
         const ImplicitParticle problem = particle_with(h, 0.5, PositionUpdate::mean_velocity);

@@ -47,7 +47,9 @@ TEST_CASE("pair law: the stiffening is minus the derivative of the impulse, symm
         const double by = 1e-6;
         Mat3 measured;
         for (int axis = 0; axis < 3; ++axis)
-            measured.col(axis) = (impulse(answer(pair, velocity - by * Vec3::Unit(axis), step)) - impulse(answer(pair, velocity + by * Vec3::Unit(axis), step))) / (2 * by);
+            measured.col(axis) = (impulse(answer(pair, velocity - by * Vec3::Unit(axis), step)) -
+                                  impulse(answer(pair, velocity + by * Vec3::Unit(axis), step))) /
+                                 (2 * by);
         CHECK((measured - made.stiffening).norm() <= 1e-6);
         CHECK((made.stiffening - made.stiffening.transpose()).norm() <= 1e-12);
         CHECK(Eigen::SelfAdjointEigenSolver<Mat3>(made.stiffening).eigenvalues().minCoeff() >= -1e-12);
@@ -59,12 +61,14 @@ TEST_CASE("pair law: two velocities and their impulses never agree in direction,
     const std::vector<Sample> all = samples();
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
         const Vec3 &one = all[i].velocity, &other = all[i + 1].velocity;
-        const Vec3 change = impulse(answer(all[i].pair, one, step)) - impulse(answer(all[i].pair, other, step));
+        const Vec3 change = impulse(answer(all[i].pair, one, step)) -
+                            impulse(answer(all[i].pair, other, step));
         CHECK(change.dot(one - other) <= 1e-12);
     }
 }
 
-TEST_CASE("pair law: it pushes out of B and never pulls, and friction lies along the surface within its limit")
+TEST_CASE(
+    "pair law: it pushes out of B and never pulls, and friction lies along the surface within its limit")
 {
     int pushing = 0, slipping = 0;
     for (const auto& [pair, velocity] : samples()) {

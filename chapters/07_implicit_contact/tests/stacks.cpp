@@ -77,7 +77,8 @@ TEST_CASE("pair memory: a pair that is born inside pushes nobody, one from outsi
     CHECK(outside.slack == 0);
 }
 
-TEST_CASE("rigid coordinates: the same impulse at a vertex changes the body as its own impulse does, with the lever of the start")
+TEST_CASE(
+    "rigid coordinates: the same impulse at a vertex changes the body as its own impulse does, with the lever of the start")
 {
     const Scene one = scene_of(stack_of(1), 0.01), other = scene_of(stack_of(1), 0.01);
     auto& mine = dynamic_cast<RigidBody&>(*one.world.bodies[0]);
@@ -89,6 +90,7 @@ TEST_CASE("rigid coordinates: the same impulse at a vertex changes the body as i
     its.apply_impulse(3, impulse);
     CHECK((mine.velocity(3) - its.velocity(3)).norm() <= 1e-14);
     CHECK((mine.motion().angular_velocity() - its.motion().angular_velocity()).norm() <= 1e-14);
-    const Eigen::MatrixXd response = motion.rate * mine.contact_mass(touched).inverse() * motion.rate.transpose();
+    const Eigen::MatrixXd response = motion.rate * mine.contact_mass(touched).inverse() *
+                                     motion.rate.transpose();
     CHECK((response - mine.inverse_mass(3)).norm() <= 1e-12);
 }

@@ -14,7 +14,8 @@ namespace {
 struct Way {
     double depth_t0, depth_t1;
 };
-const Way ways[] = {{-0.03, -0.01}, {0.02, -0.05}, {-0.04, 0.013}, {-0.01, -0.07}, {0.5, -1e-6}, {0.02, 0.01}, {-0.02, -0.02}};
+const Way ways[] = {{-0.03, -0.01}, {0.02, -0.05}, {-0.04, 0.013}, {-0.01, -0.07},
+                    {0.5, -1e-6},   {0.02, 0.01},  {-0.02, -0.02}};
 constexpr double k = 700, dt = 0.02;
 
 /// Sum over many short pieces of the step, each with its weight.
@@ -39,15 +40,19 @@ TEST_CASE("weighted impulse: it is the force summed along the way, each moment w
             CAPTURE(way.depth_t0);
             CAPTURE(way.depth_t1);
             CAPTURE(centre);
-            CHECK(std::abs(weighted_impulse(way.depth_t0, way.depth_t1, centre, k, dt).impulse - summed(way, centre)) <= 1e-6);
+            CHECK(std::abs(weighted_impulse(way.depth_t0, way.depth_t1, centre, k, dt).impulse -
+                           summed(way, centre)) <= 1e-6);
         }
 }
 
-TEST_CASE("weighted impulse: with its centre in the middle it is chapter 1's continuous one, at the end the discrete one")
+TEST_CASE(
+    "weighted impulse: with its centre in the middle it is chapter 1's continuous one, at the end the discrete one")
 {
     for (const auto& [depth_t0, depth_t1] : ways) {
-        CHECK(weighted_impulse(depth_t0, depth_t1, 0.5, k, dt).impulse == doctest::Approx(continuous_plane_impulse(depth_t0, depth_t1, k, dt)).epsilon(1e-9));
-        CHECK(weighted_impulse(depth_t0, depth_t1, 1, k, dt).impulse == doctest::Approx(discrete_plane_impulse(depth_t1, k, dt)).epsilon(1e-9));
+        CHECK(weighted_impulse(depth_t0, depth_t1, 0.5, k, dt).impulse ==
+              doctest::Approx(continuous_plane_impulse(depth_t0, depth_t1, k, dt)).epsilon(1e-9));
+        CHECK(weighted_impulse(depth_t0, depth_t1, 1, k, dt).impulse ==
+              doctest::Approx(discrete_plane_impulse(depth_t1, k, dt)).epsilon(1e-9));
     }
 }
 

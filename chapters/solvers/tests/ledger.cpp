@@ -1,5 +1,5 @@
-#include "chapters/motivating_scenes/buried_vertex.hpp"
 #include "chapters/solvers/ledger.hpp"
+#include "chapters/motivating_scenes/buried_vertex.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/input/input_error.hpp"
 #include "common/simulation/static_body.hpp"
@@ -22,7 +22,8 @@ TEST_CASE("failure ledger: a cell that passes against expectation is told, and o
 {
     MotivatingScene scene = motivating_scene("fast_plate");  // chapter 1 sees nothing, chapter 2 does
     scene.expected = "pfpppp";
-    const std::vector<LedgerCell> cells{{&scene, 1, try_chapter(scene, 1)}, {&scene, 2, try_chapter(scene, 2)}};
+    const std::vector<LedgerCell> cells{{&scene, 1, try_chapter(scene, 1)},
+                                        {&scene, 2, try_chapter(scene, 2)}};
     const std::vector<std::string> lines = surprises(cells);
     REQUIRE(lines.size() == 2);
     CHECK(lines[0].find("fast_plate under chapter 1 fails") == 0);
@@ -45,7 +46,8 @@ TEST_CASE("failure ledger: nothing to measure is a failure, whichever side the b
 TEST_CASE("depth inside: that of a point in a box is the distance to the nearest side, outside it is 0")
 {
     const SurfaceMesh mesh = box({1, 2, 3}, {2, 1, 3});
-    const StaticBody body("box", SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
+    const StaticBody body("box", SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces),
+                          mesh.vertices);
     for (const Vec3& x : {Vec3(0.1, 0.2, 0.3), Vec3(-0.4, 0.95, 1.2), Vec3(0.2, -0.3, -1.45)}) {
         CAPTURE(x.transpose());
         const double expected = std::min({0.5 - std::abs(x.x()), 1 - std::abs(x.y()), 1.5 - std::abs(x.z())});

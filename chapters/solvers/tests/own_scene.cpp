@@ -1,5 +1,5 @@
-#include "chapters/solvers/chapter_solver.hpp"
 #include "chapters/solvers/own_scene.hpp"
+#include "chapters/solvers/chapter_solver.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"
 #include "common/scenes/scene.hpp"
@@ -27,7 +27,8 @@ struct Outcome {
 };
 
 /// Runs a scene given as text, quickly, and keeps what it says.
-Outcome run_own(const TemporaryFolder& folder, const std::string& text, const solvers::OwnSceneOptions& choice = {})
+Outcome run_own(const TemporaryFolder& folder, const std::string& text,
+                const solvers::OwnSceneOptions& choice = {})
 {
     write_file(folder.path / "scene.json", text);
     RunOptions options;
@@ -92,7 +93,8 @@ TEST_CASE("own scene: the contacts' kinds add up to the pairs, and their force i
 {
     const TemporaryFolder folder;
     run_own(folder, ball);
-    const auto contacts = rows(folder.path / "out/contacts.csv"), penetration = rows(folder.path / "out/penetration.csv"),
+    const auto contacts = rows(folder.path / "out/contacts.csv"),
+               penetration = rows(folder.path / "out/penetration.csv"),
                motion = rows(folder.path / "out/motion.csv");
     int touching = 0;
     for (std::size_t i = 1; i < contacts.size(); ++i) {
@@ -111,7 +113,8 @@ TEST_CASE("own scene: the contacts' kinds add up to the pairs, and their force i
 TEST_CASE("own scene: a run that breaks leaves what it saw until then, and a series of it")
 {
     const TemporaryFolder folder;
-    const std::string between_floor_and_ceiling = R"({"name": "trap", "dt": 0.1, "duration": 60, "contact": {"stiffness": 1e12},
+    const std::string between_floor_and_ceiling =
+        R"({"name": "trap", "dt": 0.1, "duration": 60, "contact": {"stiffness": 1e12},
         "planes": [{"name": "floor"}, {"name": "ceiling", "point": [0, 2, 0], "normal": [0, -1, 0]}],
         "bodies": [{"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25}}, "mass": 5, "position": [0, 1, 0]}]})";
     solvers::OwnSceneOptions choice;
@@ -123,20 +126,26 @@ TEST_CASE("own scene: a run that breaks leaves what it saw until then, and a ser
     CHECK(std::filesystem::exists(folder.path / "series/surfaces.pvd"));
 }
 
-TEST_CASE("own scene: ten cubes on springs too stiff for the step are warned of, end with a sentence, and leave their tables and a note")
+TEST_CASE(
+    "own scene: ten cubes on springs too stiff for the step are warned of, end with a sentence, and leave their tables and a note")
 {
     const TemporaryFolder folder;
     std::string cubes;
     for (int i = 0; i < 10; ++i)
-        cubes += (i ? ", " : "") + (R"({"name": "cube )" + std::to_string(i)) + R"(", "type": "rigid", "shape": {"box": {"size": [1, 1, 1]}}, "mass": 10, "position": [)" +
-                 std::to_string(0.07 * (i % 2)) + ", " + std::to_string(0.5 + 1.001 * i) + ", " + std::to_string(0.05 * (i % 3)) + "]}";
+        cubes += (i ? ", " : "") + (R"({"name": "cube )" + std::to_string(i)) +
+                 R"(", "type": "rigid", "shape": {"box": {"size": [1, 1, 1]}}, "mass": 10, "position": [)" +
+                 std::to_string(0.07 * (i % 2)) + ", " + std::to_string(0.5 + 1.001 * i) + ", " +
+                 std::to_string(0.05 * (i % 3)) + "]}";
     const auto stack = [&](const std::string& stiffness, const std::string& dt) {
-        return R"({"name": "stack", "dt": )" + dt + R"(, "duration": 0.5, "contact": {"stiffness": )" + stiffness + R"(}, "planes": [{"name": "ground"}], "bodies": [)" + cubes + "]}";
+        return R"({"name": "stack", "dt": )" + dt + R"(, "duration": 0.5, "contact": {"stiffness": )" +
+               stiffness + R"(}, "planes": [{"name": "ground"}], "bodies": [)" + cubes + "]}";
     };
     const Outcome stiff = run_own(folder, stack("30000", "0.01"));
     CAPTURE(stiff.broke);
-    CHECK(stiff.warned.find("/contact/stiffness: too stiff for the step where 'cube 0' meets 'cube 1'") != std::string::npos);
-    for (const char* part : {"stack, chapter 6: step ", "energy out of nothing", " pairs, n k = ", "stable up to dt = ", "Make dt shorter"})
+    CHECK(stiff.warned.find("/contact/stiffness: too stiff for the step where 'cube 0' meets 'cube 1'") !=
+          std::string::npos);
+    for (const char* part : {"stack, chapter 6: step ", "energy out of nothing",
+                             " pairs, n k = ", "stable up to dt = ", "Make dt shorter"})
         CHECK(stiff.broke.find(part) != std::string::npos);
     std::ifstream note(folder.path / "out/failed.txt");
     std::string why;
@@ -145,23 +154,32 @@ TEST_CASE("own scene: ten cubes on springs too stiff for the step are warned of,
     const auto energy = rows(folder.path / "out/energy.csv");
     CHECK(energy.size() > 2);
     CHECK(energy.size() < 51);
-    CHECK(stiff.broke.find("step " + std::to_string(energy.size() - 1) + ",") != std::string::npos);  // the step that broke it is in them
+    // the step that broke it is in them
+    CHECK(stiff.broke.find("step " + std::to_string(energy.size() - 1) + ",") != std::string::npos);
     CHECK(std::abs(std::stod(energy.back()[4])) < 1e6);  // ended long before 10^12 J
 
     const Outcome calm = run_own(folder, stack("30000", "0.002"));
     CAPTURE(calm.broke);
     CHECK(calm.broke.empty());
     CHECK(calm.warned.find("warning") == std::string::npos);
-    CHECK_FALSE(std::filesystem::exists(folder.path / "out/failed.txt"));  // the note of the run before is gone
+    // the note of the run before is gone
+    CHECK_FALSE(std::filesystem::exists(folder.path / "out/failed.txt"));
 }
 
 TEST_CASE("own scene: a cube that begins inside a meshed floor is warned of, with both names and the depth")
 {
     const TemporaryFolder folder;
-    for (const auto& [name, floor] : {std::pair<std::string, std::string>{"floor", R"("box": {"size": [10, 1, 10], "cells": [5, 1, 5]}}, "position": [0, -0.5, 0])"},
-                                      std::pair<std::string, std::string>{"sheet", R"("plane_grid": {"size": [10, 10], "cells": [5, 5]}})"}}) {
-        const Outcome outcome = run_own(folder, R"({"name": "sunk", "dt": 0.01, "duration": 0.1, "contact": {"stiffness": 100000}, "bodies": [
-            {"name": ")" + name + R"(", "type": "static", "shape": {)" + floor + R"(}, {"name": "cube", "type": "rigid", "shape": {"box": {"size": [1, 1, 1]}},
+    for (const auto& [name, floor] :
+         {std::pair<std::string, std::string>{
+              "floor", R"("box": {"size": [10, 1, 10], "cells": [5, 1, 5]}}, "position": [0, -0.5, 0])"},
+          std::pair<std::string, std::string>{"sheet",
+                                              R"("plane_grid": {"size": [10, 10], "cells": [5, 5]}})"}}) {
+        const Outcome outcome = run_own(
+            folder,
+            R"({"name": "sunk", "dt": 0.01, "duration": 0.1, "contact": {"stiffness": 100000}, "bodies": [
+            {"name": ")" +
+                name + R"(", "type": "static", "shape": {)" + floor +
+                R"(}, {"name": "cube", "type": "rigid", "shape": {"box": {"size": [1, 1, 1]}},
              "mass": 1000, "position": [0, 0.49, 0]}]})");
         CHECK(outcome.warned.find("'cube' begins inside '" + name + "', 0.01 m deep") != std::string::npos);
     }

@@ -18,7 +18,8 @@ std::string moment_file(const std::string& kind, int step, const std::string& su
 
 }  // namespace
 
-ParaviewSeries::ParaviewSeries(std::filesystem::path folder, int every) : folder_(std::move(folder)), every_(every)
+ParaviewSeries::ParaviewSeries(std::filesystem::path folder, int every)
+    : folder_(std::move(folder)), every_(every)
 {
     if (every < 1)
         throw InputError("a series saves every 1st, 2nd, ... step, not every " + std::to_string(every));
@@ -28,13 +29,15 @@ void ParaviewSeries::observe(const World& world, const Contacts& contacts, doubl
 {
     if (world.step % every_ != 0)
         return;
-    save(surfaces_, moment_file("surfaces", world.step, ".vtp"), world.time, surfaces_vtp(world, contacts, dt));
+    save(surfaces_, moment_file("surfaces", world.step, ".vtp"), world.time,
+         surfaces_vtp(world, contacts, dt));
     save(pairs_, moment_file("pairs", world.step, ".vtp"), world.time, pairs_vtp(world, contacts, dt));
     if (has_elements(world))
         save(elements_, moment_file("elements", world.step, ".vtu"), world.time, elements_vtu(world));
 }
 
-void ParaviewSeries::save(std::vector<VtkMoment>& series, const std::string& file, double time, const std::string& text)
+void ParaviewSeries::save(std::vector<VtkMoment>& series, const std::string& file, double time,
+                          const std::string& text)
 {
     write_file(folder_ / file, text);
     series.push_back({time, file});
@@ -42,7 +45,8 @@ void ParaviewSeries::save(std::vector<VtkMoment>& series, const std::string& fil
 
 void ParaviewSeries::finish() const
 {
-    for (const auto& [name, series] : {std::pair{"surfaces.pvd", &surfaces_}, {"elements.pvd", &elements_}, {"pairs.pvd", &pairs_}})
+    for (const auto& [name, series] :
+         {std::pair{"surfaces.pvd", &surfaces_}, {"elements.pvd", &elements_}, {"pairs.pvd", &pairs_}})
         if (!series->empty())
             write_file(folder_ / name, series_pvd(*series));
 }

@@ -9,8 +9,8 @@
 
 namespace enduring {
 
-/// Watches a run and leaves it as time series for ParaView: open surfaces.pvd, elements.pvd and pairs.pvd of the folder.
-/// What is in them is said at surfaces_vtp(), elements_vtu() and pairs_vtp().
+/// Watches a run and leaves it as time series for ParaView: open surfaces.pvd, elements.pvd and pairs.pvd of
+/// the folder. What is in them is said at surfaces_vtp(), elements_vtu() and pairs_vtp().
 class ParaviewSeries final : public Probe {
 public:
     /// @param folder  created if missing

@@ -6,7 +6,8 @@
 
 namespace enduring {
 
-VtkSection& VtkSection::add(const std::string& name, const char* type, int components, const std::string& values)
+VtkSection& VtkSection::add(const std::string& name, const char* type, int components,
+                            const std::string& values)
 {
     pugi::xml_node array = node_.append_child("DataArray");
     array.append_attribute("type") = type;

@@ -24,8 +24,8 @@ private:
     pugi::xml_node node_;
 };
 
-/// A VTK file of one piece in the XML format, its arrays as text: numbers in the shortest form that reads back the same.
-/// https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html
+/// A VTK file of one piece in the XML format, its arrays as text: numbers in the shortest form that reads
+/// back the same. https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html
 class VtkDocument {
 public:
     /// @param type    "PolyData" or "UnstructuredGrid"

@@ -22,8 +22,8 @@ std::vector<std::vector<Vec3>> contact_forces(const World& world, const Contacts
         for (int i = 0; i < contact.vertex_count(); ++i) {
             const int body = i < contact.vertices_of_a() ? contact.body_a : contact.body_b;
             const auto at = static_cast<std::size_t>(i);
-            forces[body][contact.vertices[at]]
-                += contact.weights[at] * (contact.impulse + contact.friction) / dt;
+            forces[body][contact.vertices[at]] += contact.weights[at] * (contact.impulse + contact.friction) /
+                                                  dt;
         }
     return forces;
 }
@@ -34,7 +34,8 @@ struct ElementArrays {
     std::vector<long> point_bodies, corners, ends, types, inverted, cell_bodies;
 };
 
-/// A nodal field at the points that VTK means: of a quadratic element the middles of its edges, c_a/4 + c_ab/2 + c_b/4.
+/// A nodal field at the points that VTK means: of a quadratic element the
+/// middles of its edges, c_a/4 + c_ab/2 + c_b/4.
 std::vector<Vec3> at_vtk_points(const ElasticMesh& mesh, const NodalVectors& field)
 {
     std::vector<Vec3> values;
@@ -45,8 +46,8 @@ std::vector<Vec3> at_vtk_points(const ElasticMesh& mesh, const NodalVectors& fie
             for (std::size_t edge = 0; edge < tetrahedron_edges.size(); ++edge) {
                 const auto [a, b] = tetrahedron_edges[edge];
                 const int middle = element.nodes[4 + edge];
-                values[middle] = field.col(middle) / 2
-                    + (field.col(element.nodes[a]) + field.col(element.nodes[b])) / 4;
+                values[middle] = field.col(middle) / 2 +
+                                 (field.col(element.nodes[a]) + field.col(element.nodes[b])) / 4;
             }
     return values;
 }
@@ -55,7 +56,8 @@ void append(ElementArrays& arrays, const ElasticBody& elastic, long body)
 {
     const ElasticMesh& mesh = elastic.mesh();
     const long first = static_cast<long>(arrays.points.size());
-    const std::vector<Vec3> points = at_vtk_points(mesh, elastic.positions()), velocities = at_vtk_points(mesh, elastic.velocities());
+    const std::vector<Vec3> points = at_vtk_points(mesh, elastic.positions()),
+                            velocities = at_vtk_points(mesh, elastic.velocities());
     arrays.points.insert(arrays.points.end(), points.begin(), points.end());
     arrays.velocities.insert(arrays.velocities.end(), velocities.begin(), velocities.end());
     arrays.point_bodies.resize(arrays.points.size(), body);
@@ -65,7 +67,8 @@ void append(ElementArrays& arrays, const ElasticBody& elastic, long body)
         for (int i = 0; i < nodes; ++i)
             arrays.corners.push_back(first + element.nodes[i]);
         arrays.ends.push_back(static_cast<long>(arrays.corners.size()));
-        arrays.types.push_back(mesh.basis() == Basis::quadratic ? vtk_quadratic_tetrahedron : vtk_tetrahedron);
+        arrays.types.push_back(mesh.basis() == Basis::quadratic ? vtk_quadratic_tetrahedron
+                                                                : vtk_tetrahedron);
         arrays.inverted.push_back(is_inverted(mesh.basis(), element, elastic.positions()) ? 1 : 0);
         arrays.cell_bodies.push_back(body);
     }
@@ -96,15 +99,19 @@ std::string surfaces_vtp(const World& world, const Contacts& contacts, double dt
     VtkDocument document("PolyData", {{"NumberOfPoints", points.size()}, {"NumberOfPolys", ends.size()}});
     document.section("Points").add("points", points);
     document.section("Polys").add("connectivity", corners).add("offsets", ends);
-    document.section("PointData").add("velocity", velocities).add("contact_force", forces).add("body", point_bodies);
+    document.section("PointData")
+        .add("velocity", velocities)
+        .add("contact_force", forces)
+        .add("body", point_bodies);
     document.section("CellData").add("body", face_bodies);
     return document.text();
 }
 
 bool has_elements(const World& world)
 {
-    return std::any_of(world.bodies.begin(), world.bodies.end(),
-                       [](const auto& body) { return dynamic_cast<const DeformableBody*>(body.get()) != nullptr; });
+    return std::any_of(world.bodies.begin(), world.bodies.end(), [](const auto& body) {
+        return dynamic_cast<const DeformableBody*>(body.get()) != nullptr;
+    });
 }
 
 std::string elements_vtu(const World& world)
@@ -113,9 +120,13 @@ std::string elements_vtu(const World& world)
     for (std::size_t b = 0; b < world.bodies.size(); ++b)
         if (const auto* const body = dynamic_cast<const DeformableBody*>(world.bodies[b].get()))
             append(arrays, body->elastic(), static_cast<long>(b));
-    VtkDocument document("UnstructuredGrid", {{"NumberOfPoints", arrays.points.size()}, {"NumberOfCells", arrays.ends.size()}});
+    VtkDocument document("UnstructuredGrid",
+                         {{"NumberOfPoints", arrays.points.size()}, {"NumberOfCells", arrays.ends.size()}});
     document.section("Points").add("points", arrays.points);
-    document.section("Cells").add("connectivity", arrays.corners).add("offsets", arrays.ends).add("types", arrays.types);
+    document.section("Cells")
+        .add("connectivity", arrays.corners)
+        .add("offsets", arrays.ends)
+        .add("types", arrays.types);
     document.section("PointData").add("velocity", arrays.velocities).add("body", arrays.point_bodies);
     document.section("CellData").add("inverted", arrays.inverted).add("body", arrays.cell_bodies);
     return document.text();
@@ -146,8 +157,16 @@ std::string pairs_vtp(const World& world, const Contacts& contacts, double dt)
     VtkDocument document("PolyData", {{"NumberOfPoints", points.size()}, {"NumberOfLines", ends.size()}});
     document.section("Points").add("points", points);
     document.section("Lines").add("connectivity", corners).add("offsets", ends);
-    document.section("CellData").add("normal_force", normal_forces).add("friction_force", friction_forces).add("impulse", impulses)
-        .add("depth", depths).add("kind", kinds).add("category", categories).add("held", held).add("body_a", a).add("body_b", b);
+    document.section("CellData")
+        .add("normal_force", normal_forces)
+        .add("friction_force", friction_forces)
+        .add("impulse", impulses)
+        .add("depth", depths)
+        .add("kind", kinds)
+        .add("category", categories)
+        .add("held", held)
+        .add("body_a", a)
+        .add("body_b", b);
     return document.text();
 }
 

@@ -17,15 +17,21 @@ struct Frame {
         x = along.unitOrthogonal();
         y = along.cross(x);
     }
-    Vec3 around(int i) const { return std::cos(2 * std::numbers::pi * i / sides) * x + std::sin(2 * std::numbers::pi * i / sides) * y; }
+    Vec3 around(int i) const
+    {
+        return std::cos(2 * std::numbers::pi * i / sides) * x +
+               std::sin(2 * std::numbers::pi * i / sides) * y;
+    }
 };
 
-/// A point on a surface of revolution: how far along the axis, how far from it, and the normal's slope along the axis.
+/// A point on a surface of revolution: how far along the axis, how far
+/// from it, and the normal's slope along the axis.
 struct Ring {
     double along, radius, normal_along, normal_out;
 };
 
-void revolve(TriangleSoup& soup, const Frame& frame, const std::vector<Ring>& profile, const Vec3& color, const Vec3& centre)
+void revolve(TriangleSoup& soup, const Frame& frame, const std::vector<Ring>& profile, const Vec3& color,
+             const Vec3& centre)
 {
     const auto corner = [&](const Ring& ring, int i) {
         const Vec3 position = frame.origin + ring.along * frame.axis + ring.radius * frame.around(i) - centre;
@@ -41,20 +47,28 @@ void revolve(TriangleSoup& soup, const Frame& frame, const std::vector<Ring>& pr
         }
 }
 
-void add_rod(TriangleSoup& soup, const Vec3& from, const Vec3& to, double radius, const Vec3& color, const Vec3& centre)
+void add_rod(TriangleSoup& soup, const Vec3& from, const Vec3& to, double radius, const Vec3& color,
+             const Vec3& centre)
 {
     const double length = (to - from).norm();
     if (length > 0)
         revolve(soup, Frame(from, (to - from) / length),
-                {{0, 0, -1, 0}, {0, radius, -1, 0}, {0, radius, 0, 1}, {length, radius, 0, 1}, {length, radius, 1, 0}, {length, 0, 1, 0}},
+                {{0, 0, -1, 0},
+                 {0, radius, -1, 0},
+                 {0, radius, 0, 1},
+                 {length, radius, 0, 1},
+                 {length, radius, 1, 0},
+                 {length, 0, 1, 0}},
                 color, centre);
 }
 
-void add_head(TriangleSoup& soup, const Vec3& base, const Vec3& tip, double radius, const Vec3& color, const Vec3& centre)
+void add_head(TriangleSoup& soup, const Vec3& base, const Vec3& tip, double radius, const Vec3& color,
+              const Vec3& centre)
 {
     const double length = (tip - base).norm();
     revolve(soup, Frame(base, (tip - base) / length),
-            {{0, 0, -1, 0}, {0, radius, -1, 0}, {0, radius, radius, length}, {length, 0, radius, length}}, color, centre);
+            {{0, 0, -1, 0}, {0, radius, -1, 0}, {0, radius, radius, length}, {length, 0, radius, length}},
+            color, centre);
 }
 
 }  // namespace
@@ -65,12 +79,14 @@ void add_dot(TriangleSoup& soup, const Dot& dot, const Camera& camera, int heigh
     std::vector<Ring> profile;
     for (int i = 0; i <= sides / 2; ++i) {
         const double angle = std::numbers::pi * i / (sides / 2) - std::numbers::pi / 2;
-        profile.push_back({radius * std::sin(angle), radius * std::cos(angle), std::sin(angle), std::cos(angle)});
+        profile.push_back(
+            {radius * std::sin(angle), radius * std::cos(angle), std::sin(angle), std::cos(angle)});
     }
     revolve(soup, Frame(dot.point, Vec3::UnitY()), profile, dot.color, centre);
 }
 
-void add_segment(TriangleSoup& soup, const Segment& segment, const Camera& camera, int height, const Vec3& centre)
+void add_segment(TriangleSoup& soup, const Segment& segment, const Camera& camera, int height,
+                 const Vec3& centre)
 {
     const double length = (segment.to - segment.from).norm();
     if (length == 0)
@@ -83,8 +99,9 @@ void add_segment(TriangleSoup& soup, const Segment& segment, const Camera& camer
     if (segment.dashed) {
         const double dash = 8 * radius;
         for (double from = 0; from < length - head; from += 1.8 * dash)
-            add_rod(soup, segment.from + from * along, segment.from + std::min(from + dash, length - head) * along, radius,
-                    segment.color, centre);
+            add_rod(soup, segment.from + from * along,
+                    segment.from + std::min(from + dash, length - head) * along, radius, segment.color,
+                    centre);
     } else {
         add_rod(soup, segment.from, end, radius, segment.color, centre);
     }
@@ -97,7 +114,8 @@ void add_triangle(TriangleSoup& soup, const TintedTriangle& triangle, const Vec3
     const auto& [a, b, c] = triangle.corners;
     const Eigen::Vector3f normal = (b - a).cross(c - a).normalized().cast<float>();
     for (const Vec3& corner : triangle.corners)
-        soup.push_back({(corner - centre).cast<float>(), normal, triangle.color.cast<float>(), Eigen::Vector3f::Ones()});
+        soup.push_back(
+            {(corner - centre).cast<float>(), normal, triangle.color.cast<float>(), Eigen::Vector3f::Ones()});
 }
 
 }  // namespace enduring

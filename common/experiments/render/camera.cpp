@@ -17,7 +17,8 @@ double half_height_at_unit_depth(const Camera& camera)
 Eigen::Vector2d Camera::project(const Vec3& point, int width, int height) const
 {
     const double pixels = 0.5 * height / (half_height_at_unit_depth(*this) * depth(point));
-    return {0.5 * width + pixels * (point - eye).dot(right()), 0.5 * height - pixels * (point - eye).dot(true_up())};
+    return {0.5 * width + pixels * (point - eye).dot(right()),
+            0.5 * height - pixels * (point - eye).dot(true_up())};
 }
 
 double Camera::pixel_size(const Vec3& point, int height) const
@@ -25,7 +26,8 @@ double Camera::pixel_size(const Vec3& point, int height) const
     return 2 * half_height_at_unit_depth(*this) * depth(point) / height;
 }
 
-Camera frame(const std::vector<Vec3>& points, const Vec3& towards, double aspect, double margin, double field_of_view_deg)
+Camera frame(const std::vector<Vec3>& points, const Vec3& towards, double aspect, double margin,
+             double field_of_view_deg)
 {
     Eigen::AlignedBox3d box;
     for (const Vec3& point : points)
@@ -37,7 +39,8 @@ Camera frame(const std::vector<Vec3>& points, const Vec3& towards, double aspect
     const double tall = half_height_at_unit_depth(camera) * (1 - 2 * margin), wide = tall * aspect;
     const Vec3 forward = camera.forward(), right = camera.right(), up = camera.true_up();
 
-    // The pyramid of view touches the points from four sides: each point asks for planes no nearer than itself.
+    // The pyramid of view touches the points from four sides: each
+    // point asks for planes no nearer than itself.
     double left_plane = -1e300, right_plane = -1e300, top_plane = -1e300, bottom_plane = -1e300;
     for (const Vec3& point : points) {
         const Vec3 p = point - camera.target;
@@ -49,7 +52,8 @@ Camera frame(const std::vector<Vec3>& points, const Vec3& towards, double aspect
     }
     if (points.empty())
         return camera;
-    const double distance = std::max({(left_plane + right_plane) / (2 * wide), (bottom_plane + top_plane) / (2 * tall),
+    const double distance = std::max({(left_plane + right_plane) / (2 * wide),
+                                      (bottom_plane + top_plane) / (2 * tall),
                                       1e-9 + 1e-3 * box.diagonal().norm()});
     const Vec3 shift = 0.5 * (right_plane - left_plane) * right + 0.5 * (top_plane - bottom_plane) * up;
     camera.target += shift;

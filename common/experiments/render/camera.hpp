@@ -27,7 +27,7 @@ struct Camera {
 /// @param towards  from the points to the eye, any length
 /// @param aspect   width / height of the picture
 /// @param margin   free share of the picture on each side, 0 to 0.4
-Camera frame(const std::vector<Vec3>& points, const Vec3& towards, double aspect = 16.0 / 9, double margin = 0.08,
-             double field_of_view_deg = 30);
+Camera frame(const std::vector<Vec3>& points, const Vec3& towards, double aspect = 16.0 / 9,
+             double margin = 0.08, double field_of_view_deg = 30);
 
 }  // namespace enduring

@@ -14,9 +14,11 @@ namespace {
 std::vector<std::string> encoding(const std::string& suffix)
 {
     if (suffix == ".webp")
-        return {"-c:v", "libwebp_anim", "-quality", "82", "-compression_level", "2", "-loop", "0", "-f", "webp"};
+        return {"-c:v", "libwebp_anim", "-quality", "82", "-compression_level",
+                "2",    "-loop",        "0",        "-f", "webp"};
     if (suffix == ".mp4")
-        return {"-c:v", "libx264", "-crf", "20", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4"};
+        return {"-c:v",    "libx264",   "-crf",       "20", "-pix_fmt",
+                "yuv420p", "-movflags", "+faststart", "-f", "mp4"};
     return {};
 }
 
@@ -25,16 +27,23 @@ std::vector<std::string> encoding(const std::string& suffix)
 /// ffmpeg at work, and where it writes.
 struct Clip::Encoder {
     Encoder(const std::filesystem::path& path, int width, int height, int pace)
-        : file(path), frame_width(width), frame_height(height), ffmpeg(command(path, width, height, pace, file.neighbour()), "ffmpeg")
-    {
-    }
+        : file(path), frame_width(width), frame_height(height),
+          ffmpeg(command(path, width, height, pace, file.neighbour()), "ffmpeg")
+    {}
 
-    static std::vector<std::string> command(const std::filesystem::path& path, int width, int height, int pace,
-                                            const std::filesystem::path& place)
+    static std::vector<std::string> command(const std::filesystem::path& path, int width, int height,
+                                            int pace, const std::filesystem::path& place)
     {
-        std::vector<std::string> words{"ffmpeg", "-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24",
-                                       "-s", std::to_string(width) + 'x' + std::to_string(height), "-r", std::to_string(pace),
-                                       "-i", "-", "-an", "-fflags", "+bitexact", "-flags:v", "+bitexact"};
+        std::vector<std::string> words{"ffmpeg",    "-loglevel",
+                                       "error",     "-y",
+                                       "-f",        "rawvideo",
+                                       "-pix_fmt",  "rgb24",
+                                       "-s",        std::to_string(width) + 'x' + std::to_string(height),
+                                       "-r",        std::to_string(pace),
+                                       "-i",        "-",
+                                       "-an",       "-fflags",
+                                       "+bitexact", "-flags:v",
+                                       "+bitexact"};
         for (const std::string& word : encoding(path.extension().string()))
             words.push_back(word);
         words.push_back(place.string());
@@ -46,12 +55,14 @@ struct Clip::Encoder {
     Subprocess ffmpeg;
 };
 
-Clip::Clip(std::filesystem::path path, int frames_per_second) : path_(std::move(path)), frames_per_second_(frames_per_second)
+Clip::Clip(std::filesystem::path path, int frames_per_second)
+    : path_(std::move(path)), frames_per_second_(frames_per_second)
 {
     if (encoding(path_.extension().string()).empty())
         throw InputError(path_.string() + ": a clip ends in .webp or .mp4");
     if (frames_per_second < 1 || frames_per_second > 60)
-        throw InputError(path_.string() + ": " + std::to_string(frames_per_second) + " frames a second; allowed are 1 to 60");
+        throw InputError(path_.string() + ": " + std::to_string(frames_per_second) +
+                         " frames a second; allowed are 1 to 60");
 }
 
 Clip::~Clip() = default;

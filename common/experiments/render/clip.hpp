@@ -10,7 +10,8 @@ namespace enduring {
 /// A short looping film of a run, written by ffmpeg beside its place and renamed at the end.
 class Clip {
 public:
-    /// @param path               .webp loops by itself wherever a picture may stand; .mp4 is smaller for long clips
+    /// @param path               .webp loops by itself wherever a picture
+    ///     may stand; .mp4 is smaller for long clips
     /// @param frames_per_second  pace of playing, 1 to 60
     /// @throws InputError  another suffix, pace out of range, or the place cannot be written
     Clip(std::filesystem::path path, int frames_per_second = 25);

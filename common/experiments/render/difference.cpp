@@ -8,7 +8,7 @@
 namespace enduring {
 namespace {
 
-constexpr int tile = 4;           ///< pixels along a tile
+constexpr int tile = 4;             ///< pixels along a tile
 constexpr int visible_levels = 12;  ///< two tiles look different from here on
 
 using Color = std::array<double, 3>;
@@ -40,10 +40,7 @@ void for_each_tile(const Picture& a, const Picture& b, Visit&& visit)
             visit(left, top, distance(mean(a, left, top), mean(b, left, top)));
 }
 
-bool have_one_size(const Picture& a, const Picture& b)
-{
-    return a.width == b.width && a.height == b.height;
-}
+bool have_one_size(const Picture& a, const Picture& b) { return a.width == b.width && a.height == b.height; }
 
 std::string size_text(const Picture& picture)
 {
@@ -56,7 +53,8 @@ PictureDifference compare_pictures(const Picture& got, const Picture& expected)
 {
     PictureDifference difference;
     if (!have_one_size(got, expected)) {
-        difference.message = "the picture is " + size_text(got) + " pixels, expected were " + size_text(expected);
+        difference.message = "the picture is " + size_text(got) + " pixels, expected were " +
+                             size_text(expected);
         return difference;
     }
     int tiles = 0;
@@ -67,8 +65,9 @@ PictureDifference compare_pictures(const Picture& got, const Picture& expected)
     });
     difference.tiles_allowed = std::max(2, tiles / 5000);
     difference.same = difference.tiles_off <= difference.tiles_allowed;
-    difference.message = std::to_string(difference.tiles_off) + " of " + std::to_string(tiles) + " tiles look different (allowed are "
-                         + std::to_string(difference.tiles_allowed) + "), by up to " + std::to_string(difference.largest) + " levels";
+    difference.message = std::to_string(difference.tiles_off) + " of " + std::to_string(tiles) +
+                         " tiles look different (allowed are " + std::to_string(difference.tiles_allowed) +
+                         "), by up to " + std::to_string(difference.largest) + " levels";
     return difference;
 }
 

@@ -15,8 +15,9 @@ struct PictureDifference {
     std::string message;    ///< one line, in words
 };
 
-/// Compares tile by tile. Rounding on another CPU changes pixels by a level or two and single pixels on outlines by more;
-/// neither moves the mean of a tile by 12 levels. A body that is missing or has moved changes many tiles by more.
+/// Compares tile by tile. Rounding on another CPU changes pixels by a level or two and
+/// single pixels on outlines by more; neither moves the mean of a tile by 12 levels. A body
+/// that is missing or has moved changes many tiles by more.
 PictureDifference compare_pictures(const Picture& got, const Picture& expected);
 
 /// Grey where the two agree, red where they differ.

@@ -5,10 +5,10 @@
 
 namespace enduring {
 
-StripProbe::StripProbe(const Scene& scene, std::vector<double> times, MarkContacts mark, int width, int height)
+StripProbe::StripProbe(const Scene& scene, std::vector<double> times, MarkContacts mark, int width,
+                       int height)
     : scene_(scene), times_(std::move(times)), mark_(std::move(mark)), renderer_(width, height)
-{
-}
+{}
 
 void StripProbe::observe(const World& world, const Contacts& contacts, double dt)
 {
@@ -21,10 +21,11 @@ void StripProbe::observe(const World& world, const Contacts& contacts, double dt
     pictures_.push_back({renderer_.draw(stage), caption});
 }
 
-ClipProbe::ClipProbe(const Scene& scene, const std::filesystem::path& file, int frames_per_second, int width, int height)
-    : scene_(scene), renderer_(width, height), frames_per_second_(frames_per_second), clip_(file, frames_per_second)
-{
-}
+ClipProbe::ClipProbe(const Scene& scene, const std::filesystem::path& file, int frames_per_second, int width,
+                     int height)
+    : scene_(scene), renderer_(width, height), frames_per_second_(frames_per_second),
+      clip_(file, frames_per_second)
+{}
 
 void ClipProbe::observe(const World& world, const Contacts&, double dt)
 {

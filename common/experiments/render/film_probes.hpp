@@ -20,7 +20,8 @@ class StripProbe final : public Probe {
 public:
     /// @param scene  looks and camera; outlives the probe
     /// @param times  of the pictures [s], ascending; each is taken at the step next to it
-    StripProbe(const Scene& scene, std::vector<double> times, MarkContacts mark = mark_contacts, int width = 640, int height = 420);
+    StripProbe(const Scene& scene, std::vector<double> times, MarkContacts mark = mark_contacts,
+               int width = 640, int height = 420);
     void observe(const World& world, const Contacts& contacts, double dt) override;
     /// The pictures so far, `columns` in a row, each with its time.
     Picture all(int columns) const { return strip(pictures_, columns); }
@@ -39,7 +40,8 @@ public:
     /// @param scene              looks and camera; outlives the probe
     /// @param file               as for Clip
     /// @param frames_per_second  1 to 60
-    ClipProbe(const Scene& scene, const std::filesystem::path& file, int frames_per_second = 20, int width = 480, int height = 344);
+    ClipProbe(const Scene& scene, const std::filesystem::path& file, int frames_per_second = 20,
+              int width = 480, int height = 344);
     void observe(const World& world, const Contacts& contacts, double dt) override;
     int frames() const { return frames_; }
     /// Without it no clip is written.

@@ -5,7 +5,8 @@
 
 namespace enduring {
 
-/// A label on a pale plate that keeps it readable on anything, where its stage has it; behind the camera it is not drawn.
+/// A label on a pale plate that keeps it readable on anything, where its
+/// stage has it; behind the camera it is not drawn.
 void draw_label(Picture& picture, const Label& label, const Camera& camera);
 
 }  // namespace enduring

@@ -15,9 +15,9 @@ double screen_level(double linear)
 }  // namespace
 
 Picture::Picture(int width_px, int height_px, std::uint8_t grey)
-    : width(width_px), height(height_px), rgb(3 * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px), grey)
-{
-}
+    : width(width_px), height(height_px),
+      rgb(3 * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px), grey)
+{}
 
 void blend(Picture& picture, int x, int y, const Vec3& color, double share)
 {
@@ -25,7 +25,8 @@ void blend(Picture& picture, int x, int y, const Vec3& color, double share)
         return;
     std::uint8_t* pixel = picture.at(x, y);
     for (int c = 0; c < 3; ++c)
-        pixel[c] = static_cast<std::uint8_t>(std::lround((1 - share) * pixel[c] + share * screen_level(color[c])));
+        pixel[c] =
+            static_cast<std::uint8_t>(std::lround((1 - share) * pixel[c] + share * screen_level(color[c])));
 }
 
 }  // namespace enduring

@@ -8,8 +8,8 @@
 
 namespace enduring {
 
-/// False when configured with -DENDURING_RENDER=OFF. Everything below still compiles and runs then: what is drawn has no
-/// pixels, writing it writes nothing, and comparing it passes.
+/// False when configured with -DENDURING_RENDER=OFF. Everything below still compiles and runs then: what is
+/// drawn has no pixels, writing it writes nothing, and comparing it passes.
 #ifdef ENDURING_RENDER
 inline constexpr bool pictures_are_on = true;
 #else
@@ -32,7 +32,8 @@ struct Picture {
 private:
     std::size_t offset(int x, int y) const
     {
-        return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+        return 3 *
+               (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
     }
 };
 

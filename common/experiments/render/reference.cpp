@@ -17,7 +17,8 @@ bool renewing()
 
 }  // namespace
 
-ReferenceCheck check_reference_picture(const Picture& picture, const std::string& name, const ReferencePlaces& places)
+ReferenceCheck check_reference_picture(const Picture& picture, const std::string& name,
+                                       const ReferencePlaces& places)
 {
     if (!pictures_are_on)
         return {true, "pictures are off"};

@@ -25,9 +25,11 @@ struct ReferenceCheck {
 ///     const ReferenceCheck check = check_reference_picture(picture, "01_particle_plane/ground.png");
 ///     CHECK_MESSAGE(check.passed, check.message);
 ///
-/// On failure the picture and its difference go to build/results/differences. With the environment variable
-/// ENDURING_RENEW_RENDERS=1 (`./course renders`) the reference is written instead. Passes where pictures are off.
+/// On failure the picture and its difference go to build/results/differences. With
+/// the environment variable ENDURING_RENEW_RENDERS=1 (`./course renders`) the
+/// reference is written instead. Passes where pictures are off.
 /// @throws InputError  a file cannot be written
-ReferenceCheck check_reference_picture(const Picture& picture, const std::string& name, const ReferencePlaces& places = {});
+ReferenceCheck check_reference_picture(const Picture& picture, const std::string& name,
+                                       const ReferencePlaces& places = {});
 
 }  // namespace enduring

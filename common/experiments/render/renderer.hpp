@@ -7,8 +7,8 @@
 
 namespace enduring {
 
-/// Draws stages off-screen, by the CPU. Light comes from many directions, each with its own shadow map: some of them make
-/// a soft sun, the others the sky, whose shadows darken the places where bodies touch.
+/// Draws stages off-screen, by the CPU. Light comes from many directions, each with its own shadow map: some
+/// of them make a soft sun, the others the sky, whose shadows darken the places where bodies touch.
 ///
 /// The same stage gives the same bytes on one machine; another CPU may differ by a grey level.
 class Renderer {

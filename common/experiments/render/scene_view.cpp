@@ -47,7 +47,8 @@ Stage stage_of(const World& world, const Scene& scene)
     Stage stage;
     std::size_t moving = 0;
     for (const auto& body : world.bodies) {
-        const Vec3& color = body->is_static() ? palette::sand : palette::bodies[moving++ % palette::bodies.size()];
+        const Vec3& color = body->is_static() ? palette::sand
+                                              : palette::bodies[moving++ % palette::bodies.size()];
         stage.bodies.push_back(drawable_of(*body, color, scene));
     }
     for (const Plane& plane : world.planes)
@@ -61,7 +62,8 @@ Stage stage_of(const World& world, const Scene& scene)
 void mark_contacts(Stage& stage, const World& world, const Contacts& contacts)
 {
     for (const Contact& contact : contacts)
-        mark(stage, world, contact, {palette::colliding_vertex, palette::colliding_face, palette::colliding_edge});
+        mark(stage, world, contact,
+             {palette::colliding_vertex, palette::colliding_face, palette::colliding_edge});
 }
 
 void mark_artefacts(Stage& stage, const World& world, const Contacts& contacts)

@@ -16,17 +16,19 @@ struct Drawable {
     std::vector<Vec3> positions;
     std::vector<Face> faces;
     Vec3 color = palette::blue;
-    bool smooth = false;       ///< normals blend over edges flatter than 40 degrees
-    bool wireframe = false;    ///< thin dark lines along the edges
-    double opacity = 1;        ///< below 1 what lies behind shows through
-    bool casts_shadow = true;  ///< off for surfaces much larger than the rest, such as a plane given as a mesh
+    bool smooth = false;     ///< normals blend over edges flatter than 40 degrees
+    bool wireframe = false;  ///< thin dark lines along the edges
+    double opacity = 1;      ///< below 1 what lies behind shows through
+    /// off for surfaces much larger than the rest, such as a plane given as a mesh
+    bool casts_shadow = true;
 };
 
 /// A plane that receives shadows and fades into the background.
 struct Ground {
     Vec3 point = Vec3::Zero();
     Vec3 normal = Vec3::UnitY();
-    double grid = 0;  ///< spacing of its faint lines [m]; 0 leaves it to the camera's distance, negative means none
+    /// spacing of its faint lines [m]; 0 leaves it to the camera's distance, negative means none
+    double grid = 0;
 };
 
 /// Annotations keep their size in pixels, take no part in shadows, and shine faintly through what hides them.
@@ -50,10 +52,11 @@ struct TintedTriangle {
 /// A line of text, on top of everything.
 struct Label {
     std::string text;
-    std::optional<Vec3> anchor;             ///< a point of the stage; without it `offset_px` counts from the top left
-    Eigen::Vector2d offset_px{10, -10};     ///< right and down, to the left end of the base line
+    /// a point of the stage; without it `offset_px` counts from the top left
+    std::optional<Vec3> anchor;
+    Eigen::Vector2d offset_px{10, -10};  ///< right and down, to the left end of the base line
     Vec3 color = palette::ink;
-    double size_px = 17;                    ///< height of the font
+    double size_px = 17;  ///< height of the font
 };
 
 /// All that one picture shows.

@@ -9,7 +9,7 @@
 namespace enduring {
 namespace {
 
-constexpr int gap = 6;              ///< between pictures [px]
+constexpr int gap = 6;               ///< between pictures [px]
 constexpr std::uint8_t paper = 250;  ///< grey of what is not picture
 
 void paste(Picture& page, const Picture& picture, int left, int top)
@@ -27,7 +27,8 @@ Picture strip(const std::vector<StripPicture>& pictures, int columns)
     const int width = pictures.front().picture.width, height = pictures.front().picture.height;
     const int count = static_cast<int>(pictures.size());
     const int across = columns > 0 ? std::min(columns, count) : count, rows = (count + across - 1) / across;
-    const bool captions = std::any_of(pictures.begin(), pictures.end(), [](const auto& one) { return !one.caption.empty(); });
+    const bool captions = std::any_of(pictures.begin(), pictures.end(),
+                                      [](const auto& one) { return !one.caption.empty(); });
     const double size = std::clamp(height / 20.0, 14.0, 26.0);
     const int line = captions ? static_cast<int>(1.7 * size) : 0;
 
@@ -38,7 +39,8 @@ Picture strip(const std::vector<StripPicture>& pictures, int columns)
             throw InputError("the pictures of a strip must have one size");
         const int left = i % across * (width + gap), top = i / across * (height + line + gap);
         paste(page, picture, left, top);
-        draw_text(page, caption, left + 0.5 * (width - text_width(caption, size)), top + height + 1.15 * size, size, palette::ink);
+        draw_text(page, caption, left + 0.5 * (width - text_width(caption, size)), top + height + 1.15 * size,
+                  size, palette::ink);
     }
     return page;
 }

@@ -28,7 +28,8 @@ void add_surface(TriangleSoup& soup, const Drawable& body, const Vec3& centre)
     const auto smooth_normal = [&](std::size_t face, std::size_t vertex) {
         Vec3 sum = Vec3::Zero();
         for (const std::size_t other : around[vertex])
-            if (areas[face].dot(areas[other]) >= same_side_of_a_crease * areas[face].norm() * areas[other].norm())
+            if (areas[face].dot(areas[other]) >=
+                same_side_of_a_crease * areas[face].norm() * areas[other].norm())
                 sum += areas[other];
         return sum;
     };
@@ -36,8 +37,9 @@ void add_surface(TriangleSoup& soup, const Drawable& body, const Vec3& centre)
         for (std::size_t i = 0; i < 3; ++i) {
             const auto vertex = static_cast<std::size_t>(body.faces[f][i]);
             const Vec3 normal = body.smooth ? smooth_normal(f, vertex) : areas[f];
-            soup.push_back({(body.positions[vertex] - centre).cast<float>(), normal.normalized().cast<float>(),
-                            body.color.cast<float>(), Vec3::Unit(static_cast<Eigen::Index>(i)).cast<float>()});
+            soup.push_back({(body.positions[vertex] - centre).cast<float>(),
+                            normal.normalized().cast<float>(), body.color.cast<float>(),
+                            Vec3::Unit(static_cast<Eigen::Index>(i)).cast<float>()});
         }
 }
 

@@ -5,7 +5,8 @@
 
 namespace enduring {
 
-/// Flat normals, or with `smooth` their blend over the faces around each vertex that are less than 40 degrees apart.
+/// Flat normals, or with `smooth` their blend over the faces around each
+/// vertex that are less than 40 degrees apart.
 void add_surface(TriangleSoup& soup, const Drawable& body, const Vec3& centre);
 
 }  // namespace enduring

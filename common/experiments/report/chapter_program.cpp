@@ -22,10 +22,13 @@ void describe(CLI::App& app, const ChapterProgram& program, CommandLine& line)
 {
     app.add_option("experiments", line.words, "experiments to run, all when none is named (see --list)");
     app.add_option("--scene", line.scene,
-                   program.own_scene ? "a scene of your own; with an experiment named, instead of that experiment's scene"
-                                     : "a scene file instead of the experiment's own")
+                   program.own_scene
+                       ? "a scene of your own; with an experiment named, instead of that experiment's scene"
+                       : "a scene file instead of the experiment's own")
         ->type_name("FILE");
-    app.add_option("--out", line.out, "folder for tables and pictures (default build/results/" + program.folder + ", with --quick build/results-quick/...)")
+    app.add_option("--out", line.out,
+                   "folder for tables and pictures (default build/results/" + program.folder +
+                       ", with --quick build/results-quick/...)")
         ->type_name("DIR");
     app.add_flag("--list", line.list, "name the experiments, one a line");
     app.add_flag("--quick", line.quick, "a small version: seconds instead of minutes");
@@ -44,8 +47,8 @@ std::size_t widest_name(const ChapterProgram& program)
 void list_experiments(const ChapterProgram& program, std::ostream& out)
 {
     for (const Experiment& experiment : program.experiments)
-        out << "  " << std::left << std::setw(static_cast<int>(widest_name(program))) << experiment.name << "  "
-            << experiment.summary << '\n';
+        out << "  " << std::left << std::setw(static_cast<int>(widest_name(program))) << experiment.name
+            << "  " << experiment.summary << '\n';
 }
 
 /// @throws InputError  a word that names no experiment
@@ -73,7 +76,8 @@ RunOptions settle(const ChapterProgram& program, const CommandLine& line)
     RunOptions options;
     options.out = line.out;
     if (line.out.empty()) {
-        options.out = source_directory() / "build" / (line.quick ? "results-quick" : "results") / program.folder;
+        options.out = source_directory() / "build" / (line.quick ? "results-quick" : "results") /
+                      program.folder;
         if (is_own_scene(program, line))
             options.out /= std::filesystem::path(line.scene).stem();
     }
@@ -88,8 +92,8 @@ void run_experiments(const ChapterProgram& program, const std::vector<const Expe
 {
     std::cout << program.title << ": " << options.out.lexically_normal().string() << std::endl;
     for (const Experiment* experiment : experiments) {
-        std::cout << "  " << std::left << std::setw(static_cast<int>(widest_name(program))) << experiment->name << "  "
-                  << std::flush;
+        std::cout << "  " << std::left << std::setw(static_cast<int>(widest_name(program)))
+                  << experiment->name << "  " << std::flush;
         Report report(options.out);
         experiment->run(options, report);
         for (const std::filesystem::path& file : report.written())

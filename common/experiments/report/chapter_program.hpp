@@ -14,7 +14,8 @@ namespace enduring {
 
 /// What the command line of a chapter's program settled.
 struct RunOptions {
-    std::filesystem::path out;                   ///< --out, default build/results/NN_name; quick results never mix with full ones
+    /// --out, default build/results/NN_name; quick results never mix with full ones
+    std::filesystem::path out;
     std::optional<std::filesystem::path> scene;  ///< --scene
     bool quick = false;                          ///< --quick: seconds instead of minutes, for a first look
 };
@@ -30,16 +31,18 @@ struct ChapterProgram {
     std::string folder;  ///< "01_particle_plane"
     std::string title;
     std::vector<Experiment> experiments;
-    /// Adds options of this chapter alone; a callback that returns true has done the work (as --queries in chapter 2).
+    /// Adds options of this chapter alone; a callback that returns true has
+    /// done the work (as --queries in chapter 2).
     std::function<void(CLI::App&)> add_options = {};
     std::function<bool(const RunOptions&)> instead_of_experiments = {};
-    /// What --scene FILE without a word means: to run that scene, into its own folder. Without this, as with a word, the
-    /// file stands for the scenes of the experiments.
+    /// What --scene FILE without a word means: to run that scene, into its own folder. Without this, as with
+    /// a word, the file stands for the scenes of the experiments.
     std::function<void(const RunOptions&, Report&)> own_scene = {};
 };
 
 /// The conventional command line: experiment names, --scene FILE, --out DIR, --list, --quick, --help.
-/// @return 0; 2 after a message on stderr for anything the user gave wrong (unknown word, InputError); 1 for a failed run
+/// @return 0; 2 after a message on stderr for anything the user gave wrong
+///     (unknown word, InputError); 1 for a failed run
 int run_chapter(int argc, char** argv, const ChapterProgram& program);
 
 }  // namespace enduring

@@ -11,16 +11,40 @@ namespace {
 using Pair = std::pair<std::string_view, std::string_view>;
 
 /// The units that tables use; a unit of several parts stands before the one that it ends with.
-constexpr std::array<Pair, 18> units{{{"_n_per_m", "N/m"}, {"_um_per_s", "µm/s"}, {"_m_per_s", "m/s"}, {"_percent", "%"}, {"_deg", "°"},
-    {"_kg", "kg"}, {"_hz", "Hz"}, {"_pa", "Pa"}, {"_kn", "kN"}, {"_n", "N"}, {"_j", "J"}, {"_mm", "mm"}, {"_m", "m"},
-    {"_um", "µm"}, {"_ms", "ms"}, {"_us", "µs"}, {"_ns", "ns"}, {"_s", "s"}}};
+constexpr std::array<Pair, 18> units{{{"_n_per_m", "N/m"},
+                                      {"_um_per_s", "µm/s"},
+                                      {"_m_per_s", "m/s"},
+                                      {"_percent", "%"},
+                                      {"_deg", "°"},
+                                      {"_kg", "kg"},
+                                      {"_hz", "Hz"},
+                                      {"_pa", "Pa"},
+                                      {"_kn", "kN"},
+                                      {"_n", "N"},
+                                      {"_j", "J"},
+                                      {"_mm", "mm"},
+                                      {"_m", "m"},
+                                      {"_um", "µm"},
+                                      {"_ms", "ms"},
+                                      {"_us", "µs"},
+                                      {"_ns", "ns"},
+                                      {"_s", "s"}}};
 
-constexpr std::array<Pair, 10> spelled{{{"dpf", "DPF"}, {"cpf", "CPF"}, {"dcd", "DCD"}, {"ccd", "CCD"}, {"l2", "L2"},
-    {"rho", "ρ"}, {"tau", "τ"}, {"omega", "ω"}, {"dt", "Δt"}, {"young", "Young's modulus"}}};
+constexpr std::array<Pair, 10> spelled{{{"dpf", "DPF"},
+                                        {"cpf", "CPF"},
+                                        {"dcd", "DCD"},
+                                        {"ccd", "CCD"},
+                                        {"l2", "L2"},
+                                        {"rho", "ρ"},
+                                        {"tau", "τ"},
+                                        {"omega", "ω"},
+                                        {"dt", "Δt"},
+                                        {"young", "Young's modulus"}}};
 
 std::string_view spelled_out(std::string_view word)
 {
-    const auto* found = std::find_if(spelled.begin(), spelled.end(), [&](const Pair& p) { return p.first == word; });
+    const auto* found = std::find_if(spelled.begin(), spelled.end(),
+                                     [&](const Pair& p) { return p.first == word; });
     return found == spelled.end() ? word : found->second;
 }
 

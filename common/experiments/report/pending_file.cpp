@@ -2,11 +2,11 @@
 
 #include "common/input/input_error.hpp"
 
+#include <unistd.h>
 #include <array>
 #include <atomic>
 #include <csignal>
 #include <fstream>
-#include <unistd.h>
 
 namespace enduring {
 namespace {
@@ -49,7 +49,8 @@ PendingFile::PendingFile(std::filesystem::path place) : place_(std::move(place))
     if (place_.has_parent_path())
         std::filesystem::create_directories(place_.parent_path(), failure);
     if (failure || !std::ofstream(neighbour_))
-        throw InputError(place_.string() + ": cannot be written" + (failure ? " (" + failure.message() + ")" : ""));
+        throw InputError(place_.string() + ": cannot be written" +
+                         (failure ? " (" + failure.message() + ")" : ""));
     remember(neighbour_.c_str());
 }
 

@@ -5,8 +5,9 @@
 
 namespace enduring {
 
-/// A file on its way to its place: write to neighbour(), then publish(). Until then a reader of the place meets the old
-/// file or none; without publish(), and on Ctrl-C once cleaned_on_interrupt() was called, the neighbour is removed.
+/// A file on its way to its place: write to neighbour(), then publish(). Until then a reader of
+/// the place meets the old file or none; without publish(), and on Ctrl-C once
+/// cleaned_on_interrupt() was called, the neighbour is removed.
 ///
 ///     PendingFile file("results/drop.png");
 ///     draw_to(file.neighbour());
@@ -25,7 +26,8 @@ public:
     /// @throws InputError  the rename failed
     void publish();
 
-    /// From now on SIGINT and SIGTERM first remove every pending neighbour, then end the program as they always do.
+    /// From now on SIGINT and SIGTERM first remove every pending
+    /// neighbour, then end the program as they always do.
     static void cleaned_on_interrupt();
 
 private:

@@ -64,7 +64,8 @@ void Report::fact(const std::string& experiment, const std::string& name, const 
 void Report::write_facts(const std::string& experiment, std::vector<Cell> fact)
 {
     auto& facts = facts_[experiment];
-    const auto same = std::find_if(facts.begin(), facts.end(), [&](const auto& told) { return told[0] == fact[0]; });
+    const auto same = std::find_if(facts.begin(), facts.end(),
+                                   [&](const auto& told) { return told[0] == fact[0]; });
     if (same == facts.end())
         facts.push_back(std::move(fact));
     else
@@ -82,8 +83,9 @@ void Report::plot(const std::filesystem::path& script_in_sources, const std::str
     if (!std::filesystem::is_regular_file(script))
         throw InputError(script.string() + ": no such gnuplot script");
     PendingFile picture(file((name.empty() ? script.stem().string() : name) + ".svg"));
-    const std::string variables = "folder=" + gnuplot_quoted(folder_) + "; style=" + gnuplot_quoted(sources / "common/experiments/report/plot_style.gp")
-                                  + "; output=" + gnuplot_quoted(picture.neighbour());
+    const std::string variables = "folder=" + gnuplot_quoted(folder_) + "; style=" +
+                                  gnuplot_quoted(sources / "common/experiments/report/plot_style.gp") +
+                                  "; output=" + gnuplot_quoted(picture.neighbour());
     Subprocess gnuplot({"gnuplot", "-e", variables, script.string()}, "gnuplot-nox");
     gnuplot.finish();
     if (std::filesystem::file_size(picture.neighbour()) == 0)

@@ -23,21 +23,24 @@ public:
 
     /// NAME.csv with all digits (shortest form that reads back the same double).
     void table(const std::string& name, const Table& table);
-    /// NAME.md for the book's page: names of columns in words (dt_s: "Δt [s]"), numbers with `digits` significant digits.
+    /// NAME.md for the book's page: names of columns in words (dt_s: "Δt
+    /// [s]"), numbers with `digits` significant digits.
     void page_table(const std::string& name, const Table& table, int digits = 3);
-    /// One named number of the text, as `@fact{experiment.name}`: facts_EXPERIMENT.csv, one row a fact with the columns
-    /// name,value,text. The text is the number with `digits` significant digits; telling a fact again replaces it.
+    /// One named number of the text, as `@fact{experiment.name}`: facts_EXPERIMENT.csv, one row
+    /// a fact with the columns name,value,text. The text is the number with `digits`
+    /// significant digits; telling a fact again replaces it.
     void fact(const std::string& experiment, const std::string& name, double value, int digits = 3);
     /// A fact without a number: its value is empty.
     void fact(const std::string& experiment, const std::string& name, const std::string& text);
-    /// Runs a gnuplot script that writes NAME.svg. The script reads the tables in `folder` and begins with `load style`
-    /// (plot_style.gp: the common look, and the picture's place from `output`).
+    /// Runs a gnuplot script that writes NAME.svg. The script reads the tables in `folder` and begins with
+    /// `load style` (plot_style.gp: the common look, and the picture's place from `output`).
     /// @param script  seen from the root of the sources, e.g. "chapters/04_friction/plots/slope.gp"
     /// @param name    of the picture; as the script when empty
     /// @throws InputError          there is no such script
     /// @throws std::runtime_error  gnuplot is missing, failed, or drew nothing
     void plot(const std::filesystem::path& script, const std::string& name = "");
-    /// Where a file that somebody else writes belongs: file("ground.png"). It counts as written by this report.
+    /// Where a file that somebody else writes belongs:
+    /// file("ground.png"). It counts as written by this report.
     std::filesystem::path file(const std::string& name);
     const std::filesystem::path& folder() const { return folder_; }
     /// Files written through this report, in order and each once.
@@ -48,7 +51,8 @@ private:
 
     std::filesystem::path folder_;
     bool made_folder_ = false;
-    std::map<std::string, std::vector<std::vector<Cell>>> facts_;  ///< by experiment, in the order they were told
+    /// by experiment, in the order they were told
+    std::map<std::string, std::vector<std::vector<Cell>>> facts_;
     std::vector<std::filesystem::path> written_;
 };
 

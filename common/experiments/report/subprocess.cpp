@@ -1,19 +1,20 @@
 #include "common/experiments/report/subprocess.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <spawn.h>
-#include <stdexcept>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
 
 extern char** environ;
 
 namespace enduring {
 namespace {
 
-/// Our own environment, but one locale on every machine: where there is none, gnuplot cannot convert its degree sign.
+/// Our own environment, but one locale on every machine: where there is
+/// none, gnuplot cannot convert its degree sign.
 std::vector<char*> environment()
 {
     static std::string locale = "LC_ALL=C.UTF-8";
@@ -43,20 +44,18 @@ Subprocess::Subprocess(const std::vector<std::string>& words, const std::string&
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-    const int failure = ::posix_spawnp(&process_, name_.c_str(), &actions, nullptr, arguments.data(), environment().data());
+    const int failure = ::posix_spawnp(&process_, name_.c_str(), &actions, nullptr, arguments.data(),
+                                       environment().data());
     ::posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
     if (failure != 0) {
         ::close(input_);
-        throw std::runtime_error(name_ + " cannot be run (" + std::strerror(failure) + "). On Debian: apt-get install "
-                                 + package);
+        throw std::runtime_error(name_ + " cannot be run (" + std::strerror(failure) +
+                                 "). On Debian: apt-get install " + package);
     }
 }
 
-Subprocess::~Subprocess()
-{
-    wait();
-}
+Subprocess::~Subprocess() { wait(); }
 
 void Subprocess::write(std::string_view bytes)
 {

@@ -47,9 +47,9 @@ std::string markdown_cell(const Cell& cell, int digits)
 
 bool holds_numbers(const Table& table, std::size_t column)
 {
-    return !table.rows().empty() && std::none_of(table.rows().begin(), table.rows().end(), [&](const auto& row) {
-        return std::holds_alternative<std::string>(row[column]);
-    });
+    return !table.rows().empty() &&
+           std::none_of(table.rows().begin(), table.rows().end(),
+                        [&](const auto& row) { return std::holds_alternative<std::string>(row[column]); });
 }
 
 }  // namespace
@@ -59,8 +59,8 @@ Table::Table(std::vector<std::string> columns) : columns_(std::move(columns)) {}
 void Table::add(std::vector<Cell> row)
 {
     if (row.size() != columns_.size())
-        throw std::logic_error("a row of " + std::to_string(row.size()) + " cells for a table of "
-                               + std::to_string(columns_.size()) + " columns");
+        throw std::logic_error("a row of " + std::to_string(row.size()) + " cells for a table of " +
+                               std::to_string(columns_.size()) + " columns");
     rows_.push_back(std::move(row));
 }
 
@@ -74,7 +74,9 @@ void Table::append(const Table& other)
 std::string csv(const Table& table)
 {
     std::string text;
-    const auto end_cell = [&](std::size_t column) { text += column + 1 < table.columns().size() ? ',' : '\n'; };
+    const auto end_cell = [&](std::size_t column) {
+        text += column + 1 < table.columns().size() ? ',' : '\n';
+    };
     for (std::size_t c = 0; c < table.columns().size(); ++c) {
         text += csv_text(table.columns()[c]);
         end_cell(c);

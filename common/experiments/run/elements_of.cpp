@@ -11,7 +11,8 @@ std::string elements_of(const World& world, const std::string& body)
     if (deformable == nullptr)
         return "no elements";
     const ElasticMesh& mesh = deformable->elastic().mesh();
-    return std::to_string(mesh.elements().size()) + (mesh.basis() == Basis::quadratic ? " quadratic elements" : " linear elements");
+    return std::to_string(mesh.elements().size()) +
+           (mesh.basis() == Basis::quadratic ? " quadratic elements" : " linear elements");
 }
 
 }  // namespace enduring

@@ -6,7 +6,8 @@
 
 namespace enduring {
 
-/// How many elements of which kind a body has, for pages and tables: "48 quadratic elements", or "no elements".
+/// How many elements of which kind a body has, for pages and tables:
+/// "48 quadratic elements", or "no elements".
 /// @throws InputError  there is no such body
 std::string elements_of(const World& world, const std::string& body);
 

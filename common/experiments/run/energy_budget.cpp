@@ -10,10 +10,12 @@
 namespace enduring {
 namespace {
 
-constexpr double tolerated_gain = 0.1;  // of what was put in: pairs are born and die at a depth, each with its spring's energy
+// of what was put in: pairs are born and die at a depth, each with its spring's energy
+constexpr double tolerated_gain = 0.1;
 
-/// A scene at rest has put in next to nothing, and its bodies still tremble. A stable contact lets no body rest less than about
-/// g dt^2 deep, so m (g dt)^2 is what gravity itself puts in there; and no one counts a micrometre per second, not without weight either.
+/// A scene at rest has put in next to nothing, and its bodies still tremble. A stable contact lets no body
+/// rest less than about g dt^2 deep, so m (g dt)^2 is what gravity itself puts in there; and no one counts a
+/// micrometre per second, not without weight either.
 double slack_of(const Scene& scene)
 {
     const double fall = scene.dt * scene.world.gravity.norm(), rounding = 1e-6;
@@ -35,19 +37,23 @@ double energy_of(const std::vector<PressedBodies>& pressed)
 Contacts there_from_the_start(const Contacts& contacts)
 {
     Contacts there;
-    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(there), [](const Contact& contact) { return contact.endures(); });
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(there),
+                 [](const Contact& contact) { return contact.endures(); });
     return there;
 }
 
 const Body& fastest_body(const World& world)
 {
     const auto kinetic = [&](const auto& body) { return body->energy(world.gravity).kinetic; };
-    return **std::max_element(world.bodies.begin(), world.bodies.end(), [&](const auto& one, const auto& other) { return kinetic(one) < kinetic(other); });
+    return **std::max_element(
+        world.bodies.begin(), world.bodies.end(),
+        [&](const auto& one, const auto& other) { return kinetic(one) < kinetic(other); });
 }
 
 }  // namespace
 
-EnergyBudget::EnergyBudget(const Scene& scene) : dt_(scene.dt), slack_(slack_of(scene)), parameters_(scene.contact)
+EnergyBudget::EnergyBudget(const Scene& scene)
+    : dt_(scene.dt), slack_(slack_of(scene)), parameters_(scene.contact)
 {
     const Energy energy = total_energy(scene.world);
     start_ = energy.total();
@@ -55,11 +61,12 @@ EnergyBudget::EnergyBudget(const Scene& scene) : dt_(scene.dt), slack_(slack_of(
     last_held_.fill(start_ - lowest_);
 }
 
-// The positions of symplectic Euler are half a step ahead of its velocities, so what a swing holds seems to swing itself, by
-// half the root of h: a single step proves nothing.
+// The positions of symplectic Euler are half a step ahead of its velocities, so what a swing holds seems to
+// swing itself, by half the root of h: a single step proves nothing.
 double EnergyBudget::held() const
 {
-    return std::accumulate(last_held_.begin(), last_held_.end(), 0.0) / static_cast<double>(last_held_.size());
+    return std::accumulate(last_held_.begin(), last_held_.end(), 0.0) /
+           static_cast<double>(last_held_.size());
 }
 
 //! [exceeded]
@@ -71,7 +78,8 @@ std::optional<std::string> EnergyBudget::exceeded(const World& world, const Cont
     const Energy energy = total_energy(world);
     lowest_ = std::min(lowest_, energy.gravitational);
     last_held_[static_cast<std::size_t>(world.step) % last_held_.size()] =
-        energy.total() - lowest_ + energy_of(pressed) + friction_spring_energy(contacts, parameters_.friction);
+        energy.total() - lowest_ + energy_of(pressed) +
+        friction_spring_energy(contacts, parameters_.friction);
     watch_springs(world, contacts);
     if (held() <= (1 + tolerated_gain) * put_in() + slack_)
         return std::nullopt;
@@ -91,19 +99,24 @@ void EnergyBudget::watch_springs(const World& world, const Contacts& contacts)
 std::string EnergyBudget::explanation(const World& world) const
 {
     const Body& fastest = fastest_body(world);
-    std::string text = "step " + std::to_string(world.step) + ", time " + readable(world.time, 4) + " s: energy out of nothing: bodies and springs hold " +
-                       readable(held(), 3) + " J, where " + readable(put_in(), 3) + " J were put in, at the start and by gravity since; '" + fastest.name() +
+    std::string text = "step " + std::to_string(world.step) + ", time " + readable(world.time, 4) +
+                       " s: energy out of nothing: bodies and springs hold " + readable(held(), 3) +
+                       " J, where " + readable(put_in(), 3) +
+                       " J were put in, at the start and by gravity since; '" + fastest.name() +
                        "' moves with " + readable(fastest.energy(world.gravity).kinetic, 3) + " J. ";
     if (!least_stable_)
         return text + "No pair had pushed.";
-    text += "The stiffest springs for their masses were those of " + names_of(world, least_stable_->bodies) + " in step " +
-            std::to_string(least_stable_->step) + ": " + std::to_string(least_stable_->bodies.pairs) + " pairs, n k = " +
-            readable(least_stable_->bodies.stiffness, 3) + " N/m, stable up to dt = " + readable(least_stable_->stable_step, 3) +
-            " s, where dt is " + readable(dt_, 3) + " s. ";
+    text += "The stiffest springs for their masses were those of " + names_of(world, least_stable_->bodies) +
+            " in step " + std::to_string(least_stable_->step) + ": " +
+            std::to_string(least_stable_->bodies.pairs) +
+            " pairs, n k = " + readable(least_stable_->bodies.stiffness, 3) +
+            " N/m, stable up to dt = " + readable(least_stable_->stable_step, 3) + " s, where dt is " +
+            readable(dt_, 3) + " s. ";
     if (least_stable_->stable_step < dt_)
         return text + "Make dt shorter, the stiffness smaller, or the bodies heavier.";
-    return text + "As whole bodies they could bear this step: look for bodies that overlap at the start and for light vertices of a soft body "
-                  "(\"impulse_response\": \"implicit\"), or make dt shorter or the stiffness smaller.";
+    return text +
+           "As whole bodies they could bear this step: look for bodies that overlap at the start and for light vertices of a soft body "
+           "(\"impulse_response\": \"implicit\"), or make dt shorter or the stiffness smaller.";
 }
 
 }  // namespace enduring

@@ -8,13 +8,13 @@
 
 namespace enduring {
 
-/// Tells when a run makes energy out of nothing, by more than a tenth of all that was put in: then its step is too long for
-/// its springs, or its pairs are not those that should push.
+/// Tells when a run makes energy out of nothing, by more than a tenth of all that was put in: then its step
+/// is too long for its springs, or its pairs are not those that should push.
 ///
-/// Held, as a mean over the last ten steps, is all that can turn into motion again: kinetic and elastic energy of the bodies,
-/// k depth^2 / 2 of every pair, k stretch^2 / 2 of every friction spring, and their weight above the lowest place that they
-/// came to. Put in are what was held at the start and the work of gravity down to that lowest place. Nothing else drives a
-/// scene, and its gravity does not turn.
+/// Held, as a mean over the last ten steps, is all that can turn into motion again: kinetic and elastic
+/// energy of the bodies, k depth^2 / 2 of every pair, k stretch^2 / 2 of every friction spring, and their
+/// weight above the lowest place that they came to. Put in are what was held at the start and the work of
+/// gravity down to that lowest place. Nothing else drives a scene, and its gravity does not turn.
 class EnergyBudget {
 public:
     /// @param scene  before its first step
@@ -22,7 +22,8 @@ public:
 
     /// To be asked after each step.
     /// @param contacts  those alive after it
-    /// @return what went wrong, where and what to change, as a sentence for the reader; nothing while all is well
+    /// @return what went wrong, where and what to change, as a sentence for
+    ///     the reader; nothing while all is well
     std::optional<std::string> exceeded(const World& world, const Contacts& contacts);
 
     double put_in() const { return start_ - lowest_; }  ///< [J]
@@ -43,7 +44,8 @@ private:
     ContactParameters parameters_;
     double start_ = 0;   ///< all energy at the start, the gravitational part from the origin [J]
     double lowest_ = 0;  ///< gravitational energy at its lowest, from the origin [J]
-    std::array<double, 10> last_held_{};  ///< after each of the last steps; before them what was there at the start [J]
+    /// after each of the last steps; before them what was there at the start [J]
+    std::array<double, 10> last_held_{};
     std::optional<LeastStable> least_stable_;
 };
 

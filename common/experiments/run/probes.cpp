@@ -31,9 +31,9 @@ void EnergyProbe::observe(const World& world, const Contacts&, double)
 }
 
 MomentumProbe::MomentumProbe()
-    : TableProbe({"time_s", "px_kg_m_per_s", "py_kg_m_per_s", "pz_kg_m_per_s", "lx_kg_m2_per_s", "ly_kg_m2_per_s", "lz_kg_m2_per_s"})
-{
-}
+    : TableProbe({"time_s", "px_kg_m_per_s", "py_kg_m_per_s", "pz_kg_m_per_s", "lx_kg_m2_per_s",
+                  "ly_kg_m2_per_s", "lz_kg_m2_per_s"})
+{}
 
 void MomentumProbe::observe(const World& world, const Contacts&, double)
 {
@@ -46,10 +46,10 @@ void MomentumProbe::observe(const World& world, const Contacts&, double)
 }
 
 PenetrationProbe::PenetrationProbe(double stiffness)
-    : TableProbe({"time_s", "pairs", "pairs_inside", "depth_sum_m", "depth_max_m", "nk_n_per_m", "stable_step_s", "dt_s", "plane_depth_m"}),
+    : TableProbe({"time_s", "pairs", "pairs_inside", "depth_sum_m", "depth_max_m", "nk_n_per_m",
+                  "stable_step_s", "dt_s", "plane_depth_m"}),
       stiffness_(stiffness)
-{
-}
+{}
 
 void PenetrationProbe::observe(const World& world, const Contacts& contacts, double dt)
 {
@@ -71,18 +71,19 @@ void PenetrationProbe::observe(const World& world, const Contacts& contacts, dou
         stiffest = std::max(stiffest, bodies.stiffness);
         shortest = std::min(shortest, stable_step(world, bodies, PenaltyMethod::continuous));
     }
-    table_.add({world.time, static_cast<long>(contacts.size()), inside, sum, deepest, stiffest, pressed.empty() ? 0 : shortest, dt, in_plane});
+    table_.add({world.time, static_cast<long>(contacts.size()), inside, sum, deepest, stiffest,
+                pressed.empty() ? 0 : shortest, dt, in_plane});
 }
 
 ForceProbe::ForceProbe(std::string on, std::string from)
     : TableProbe({"time_s", "fx_n", "fy_n", "fz_n", "pairs"}), on_(std::move(on)), from_(std::move(from))
-{
-}
+{}
 
 void ForceProbe::observe(const World& world, const Contacts& contacts, double dt)
 {
     body_named(world, on_);
-    const bool plane = std::any_of(world.planes.begin(), world.planes.end(), [&](const Plane& p) { return p.name == from_; });
+    const bool plane = std::any_of(world.planes.begin(), world.planes.end(),
+                                   [&](const Plane& p) { return p.name == from_; });
     if (!plane)
         body_named(world, from_);
 
@@ -99,9 +100,9 @@ void ForceProbe::observe(const World& world, const Contacts& contacts, double dt
 }
 
 MotionProbe::MotionProbe(std::string body)
-    : TableProbe({"time_s", "x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s"}), body_(std::move(body))
-{
-}
+    : TableProbe({"time_s", "x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s"}),
+      body_(std::move(body))
+{}
 
 void MotionProbe::observe(const World& world, const Contacts&, double)
 {

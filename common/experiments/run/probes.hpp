@@ -32,7 +32,10 @@ class WatchProbe final : public Probe {
 public:
     using Watch = std::function<void(const World&, const Contacts&, double dt)>;
     explicit WatchProbe(Watch watch) : watch_(std::move(watch)) {}
-    void observe(const World& world, const Contacts& contacts, double dt) override { watch_(world, contacts, dt); }
+    void observe(const World& world, const Contacts& contacts, double dt) override
+    {
+        watch_(world, contacts, dt);
+    }
 
 private:
     Watch watch_;
@@ -54,10 +57,12 @@ public:
 
 /// How deep the contacts are at the end of the step, and how stiff they are together.
 ///
-/// time_s, pairs (alive), pairs_inside (their depth is negative, and they are not held: a held pair is no spring), depth_sum_m and depth_max_m (of those, planes
-/// counted, as positive lengths), nk_n_per_m, stable_step_s, dt_s, plane_depth_m (deepest vertex in a plane). Three of them compare the step with chapter 1's bound: n pairs between
-/// two bodies act as one spring of stiffness n k on their reduced mass m, whose explicit step is stable up to
-/// sqrt(2 m / (n k)). The row holds the largest n k and the smallest bound over all pairs of bodies (0 without contact).
+/// time_s, pairs (alive), pairs_inside (their depth is negative, and they are not held: a held pair is no
+/// spring), depth_sum_m and depth_max_m (of those, planes counted, as positive lengths), nk_n_per_m,
+/// stable_step_s, dt_s, plane_depth_m (deepest vertex in a plane). Three of them compare the step with
+/// chapter 1's bound: n pairs between two bodies act as one spring of stiffness n k on their reduced mass m,
+/// whose explicit step is stable up to sqrt(2 m / (n k)). The row holds the largest n k and the smallest
+/// bound over all pairs of bodies (0 without contact).
 class PenetrationProbe final : public TableProbe {
 public:
     /// @param stiffness  k of one pair [N/m]; that of a plane with its own is read from the plane

@@ -4,7 +4,8 @@
 
 namespace enduring {
 
-/// What this thread has had of its processor [s]. Unlike the time of day it does not run on while others have their turn.
+/// What this thread has had of its processor [s]. Unlike the time of day it
+/// does not run on while others have their turn.
 inline double processor_seconds()
 {
     timespec now{};

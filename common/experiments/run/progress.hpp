@@ -5,8 +5,8 @@
 
 namespace enduring {
 
-/// Shows on stderr how far long work has come: one line that renews itself on a terminal, a line every ten seconds
-/// elsewhere, and nothing for what takes less than a second.
+/// Shows on stderr how far long work has come: one line that renews itself on a terminal, a line every ten
+/// seconds elsewhere, and nothing for what takes less than a second.
 class Progress {
 public:
     Progress(std::string what, int count);

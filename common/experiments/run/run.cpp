@@ -39,10 +39,13 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
         observe();
         progress.update(result.steps);
         if (!result.energy_gain && (result.energy_gain = budget.exceeded(scene.world, result.contacts))) {
-            const std::string run_of = scene.name + ", " + solver.name + ": ", told = run_of + *result.energy_gain;
+            const std::string run_of = scene.name + ", " + solver.name + ": ",
+                              told = run_of + *result.energy_gain;
             if (!limits.may_gain_energy)
                 throw std::runtime_error(told);
-            warn_once(run_of, told + " (This run shows it on purpose, and those of its kind that follow are not told.)");
+            warn_once(
+                run_of,
+                told + " (This run shows it on purpose, and those of its kind that follow are not told.)");
         }
         if (limits.stop && limits.stop(scene.world, result.contacts))
             break;

@@ -14,9 +14,11 @@ namespace enduring {
 
 /// How long a run lasts; by default as long as its scene says.
 struct RunLimits {
-    std::optional<int> steps = {};                                  ///< instead of duration / dt
-    std::function<bool(const World&, const Contacts&)> stop = {};   ///< asked after every step; true ends the run
-    bool may_gain_energy = false;  ///< for what shows a failure on purpose: a gain of energy is told on stderr, and the run goes on
+    std::optional<int> steps = {};  ///< instead of duration / dt
+    /// asked after every step; true ends the run
+    std::function<bool(const World&, const Contacts&)> stop = {};
+    /// for what shows a failure on purpose: a gain of energy is told on stderr, and the run goes on
+    bool may_gain_energy = false;
 };
 
 /// A limit of a run that shows on purpose how energy grows.
@@ -30,16 +32,19 @@ struct RunResult {
     Contacts contacts;  ///< alive at the end
     Timings timings;    ///< of the passes; the probes' own time is not in it
     int steps = 0;
-    std::optional<std::string> energy_gain;  ///< where the run first made energy out of nothing (see EnergyBudget); only if it may
+    /// where the run first made energy out of nothing (see EnergyBudget); only if it may
+    std::optional<std::string> energy_gain;
 };
 
-/// The loop of every experiment: steps a scene under a solver while probes watch, with progress and the scene's warnings on stderr.
+/// The loop of every experiment: steps a scene under a solver while probes watch,
+/// with progress and the scene's warnings on stderr.
 ///
 /// @param scene   its world is moved on; run it again from a fresh load_scene()
 /// @param probes  see the world once before the first step and then after each
 /// @throws std::runtime_error  a NaN, with step, body and vertex (see advance()); energy out of nothing, unless it may (see
 ///                             EnergyBudget). The probes have seen the step that is named
-RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& probes = {}, const RunLimits& limits = {});
+RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& probes = {},
+              const RunLimits& limits = {});
 
 /// Steps that cover the scene's duration: duration / dt, rounded up unless it is whole but for rounding.
 int step_count(const Scene& scene);

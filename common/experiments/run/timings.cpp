@@ -45,7 +45,8 @@ Table Timings::table(double simulated_seconds, int steps) const
     for (const Row& row : rows_)
         table.add({row.pass, row.calls, row.seconds, row.seconds / all, row.seconds * per_step});
     table.add({"total", static_cast<long>(steps), total(), 1.0, total() * per_step});
-    table.add({"real-time factor", static_cast<long>(steps), simulated_seconds, simulated_seconds / all, 0.0});
+    table.add(
+        {"real-time factor", static_cast<long>(steps), simulated_seconds, simulated_seconds / all, 0.0});
     return table;
 }
 

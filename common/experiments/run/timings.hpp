@@ -7,7 +7,8 @@
 
 namespace enduring {
 
-/// Where the time of a run went, by pass. Kept out of all result tables, which must not change from run to run.
+/// Where the time of a run went, by pass. Kept out of all result
+/// tables, which must not change from run to run.
 class Timings {
 public:
     /// Starts the clock: time before it belongs to no pass.
@@ -16,11 +17,12 @@ public:
     void lap(const std::string& pass);
     void add(const std::string& pass, double seconds);
 
-    double total() const;                        ///< of all passes [s]
-    double of(const std::string& pass) const;    ///< [s]; 0 for a pass that never ran
+    double total() const;                      ///< of all passes [s]
+    double of(const std::string& pass) const;  ///< [s]; 0 for a pass that never ran
 
-    /// pass, calls, seconds, share, ms_per_step: a row a pass in the order of their first run, then "total". The last
-    /// row, "real-time factor", has in `seconds` the simulated time and in `share` simulated over computed time.
+    /// pass, calls, seconds, share, ms_per_step: a row a pass in the order of their first
+    /// run, then "total". The last row, "real-time factor", has in `seconds` the
+    /// simulated time and in `share` simulated over computed time.
     Table table(double simulated_seconds, int steps) const;
 
 private:

@@ -10,7 +10,7 @@
 namespace enduring {
 namespace {
 
-const Vec3 sides(0.4, 0.2, 0.1);  // [m]
+const Vec3 sides(0.4, 0.2, 0.1);        // [m]
 const Vec3 first_spin(0.05, 5.0, 0.0);  // [rad/s]; y is the middle axis
 
 /// Moments of a box of 1 kg about its axes of symmetry.
@@ -31,7 +31,8 @@ public:
             first_momentum_ = momentum;
         }
         drift_.energy = std::max(drift_.energy, std::abs(energy - first_energy_) / first_energy_);
-        drift_.momentum = std::max(drift_.momentum, (momentum - first_momentum_).norm() / first_momentum_.norm());
+        drift_.momentum = std::max(drift_.momentum,
+                                   (momentum - first_momentum_).norm() / first_momentum_.norm());
     }
     const TopDrift& drift() const { return drift_; }
 
@@ -68,14 +69,14 @@ TopDrift drift_of_ours(int steps, double dt)
 btVector3 gyroscopic_change(const btRigidBody& body, TopMethod method, double dt)
 {
     switch (method) {
-    case TopMethod::bullet_explicit:
-        return body.getInvInertiaTensorWorld() * body.computeGyroscopicForceExplicit(1e30) * -dt;
-    case TopMethod::bullet_implicit_world:
-        return body.computeGyroscopicImpulseImplicit_World(dt);
-    case TopMethod::bullet_implicit_body:
-        return body.computeGyroscopicImpulseImplicit_Body(dt);
-    default:
-        return {0, 0, 0};
+        case TopMethod::bullet_explicit:
+            return body.getInvInertiaTensorWorld() * body.computeGyroscopicForceExplicit(1e30) * -dt;
+        case TopMethod::bullet_implicit_world:
+            return body.computeGyroscopicImpulseImplicit_World(dt);
+        case TopMethod::bullet_implicit_body:
+            return body.computeGyroscopicImpulseImplicit_Body(dt);
+        default:
+            return {0, 0, 0};
     }
 }
 //! [bullet_step]
@@ -107,19 +108,24 @@ TopDrift drift_of_bullet(TopMethod method, int steps, double dt)
 const std::vector<TopMethod>& all_top_methods()
 {
     static const std::vector<TopMethod> methods{TopMethod::bullet_kept, TopMethod::bullet_explicit,
-                                                TopMethod::bullet_implicit_world, TopMethod::bullet_implicit_body,
-                                                TopMethod::ours};
+                                                TopMethod::bullet_implicit_world,
+                                                TopMethod::bullet_implicit_body, TopMethod::ours};
     return methods;
 }
 
 std::string name_of(TopMethod method)
 {
     switch (method) {
-    case TopMethod::bullet_kept: return "Bullet, velocity kept";
-    case TopMethod::bullet_explicit: return "Bullet, explicit";
-    case TopMethod::bullet_implicit_world: return "Bullet, implicit in the world";
-    case TopMethod::bullet_implicit_body: return "Bullet, implicit in the body";
-    case TopMethod::ours: return "Simo and Wong (ours)";
+        case TopMethod::bullet_kept:
+            return "Bullet, velocity kept";
+        case TopMethod::bullet_explicit:
+            return "Bullet, explicit";
+        case TopMethod::bullet_implicit_world:
+            return "Bullet, implicit in the world";
+        case TopMethod::bullet_implicit_body:
+            return "Bullet, implicit in the body";
+        case TopMethod::ours:
+            return "Simo and Wong (ours)";
     }
     return {};
 }
@@ -127,7 +133,8 @@ std::string name_of(TopMethod method)
 TopDrift top_drift(TopMethod method, double seconds, double rate)
 {
     const int steps = static_cast<int>(std::lround(seconds * rate));
-    return method == TopMethod::ours ? drift_of_ours(steps, 1 / rate) : drift_of_bullet(method, steps, 1 / rate);
+    return method == TopMethod::ours ? drift_of_ours(steps, 1 / rate)
+                                     : drift_of_bullet(method, steps, 1 / rate);
 }
 
 Table top_drift_table()
@@ -146,7 +153,8 @@ void report_top_drift(Report& report)
     const Table table = top_drift_table();
     report.table("top_drift", table);
     report.page_table("top_drift", table, 2);
-    const TopDrift bullet = top_drift(TopMethod::bullet_implicit_body, 10, 240), ours = top_drift(TopMethod::ours, 10, 240);
+    const TopDrift bullet = top_drift(TopMethod::bullet_implicit_body, 10, 240),
+                   ours = top_drift(TopMethod::ours, 10, 240);
     report.fact("rigid", "bullet_energy_percent", 100 * bullet.energy, 2);
     report.fact("rigid", "bullet_momentum_percent", 100 * bullet.momentum, 2);
     report.fact("rigid", "our_energy", ours.energy, 1);

@@ -18,8 +18,8 @@ enum class TopMethod { bullet_kept, bullet_explicit, bullet_implicit_world, bull
 const std::vector<TopMethod>& all_top_methods();
 std::string name_of(TopMethod method);
 
-/// Spins a box of 0.4 x 0.2 x 0.1 m and 1 kg at 5 rad/s about its middle axis, one per cent beside it. That axis is
-/// unstable: the box tumbles over every few seconds, which is where steps show what they lose.
+/// Spins a box of 0.4 x 0.2 x 0.1 m and 1 kg at 5 rad/s about its middle axis, one per cent beside it. That
+/// axis is unstable: the box tumbles over every few seconds, which is where steps show what they lose.
 /// @param seconds  duration [s]
 /// @param rate     steps a second [Hz]
 TopDrift top_drift(TopMethod method, double seconds, double rate);

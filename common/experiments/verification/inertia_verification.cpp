@@ -79,7 +79,8 @@ Table inertia_ratios()
     for (const auto& [name, mesh] : shapes)
         for (Basis basis : both_bases) {
             const auto [lumped, consistent] = ratios_of(mesh, basis);
-            table.add({name, name_of(basis), lumped.x(), lumped.y(), lumped.z(), farthest_from_one(consistent)});
+            table.add(
+                {name, name_of(basis), lumped.x(), lumped.y(), lumped.z(), farthest_from_one(consistent)});
         }
     return table;
 }
@@ -89,7 +90,8 @@ Table inertia_over_cells()
     Table table({"cells_across", "linear", "quadratic", "consistent"});
     for (int across : {1, 2, 3, 4, 6}) {
         const TetrahedralMesh mesh = bar({3, 0.4, 0.4}, {8 * across, across, across});
-        const InertiaRatios linear = ratios_of(mesh, Basis::linear), quadratic = ratios_of(mesh, Basis::quadratic);
+        const InertiaRatios linear = ratios_of(mesh, Basis::linear),
+                            quadratic = ratios_of(mesh, Basis::quadratic);
         table.add({long{across}, linear.lumped.x(), quadratic.lumped.x(), quadratic.consistent.x()});
     }
     return table;

@@ -24,11 +24,20 @@ void free_top(const RunOptions&, Report& report) { report_top_drift(report); }
 
 void lumping(const RunOptions&, Report& report) { leave(report, "lumping", verification::ways_of_lumping()); }
 
-void cantilever(const RunOptions&, Report& report) { leave(report, "cantilever", verification::cantilever()); }
+void cantilever(const RunOptions&, Report& report)
+{
+    leave(report, "cantilever", verification::cantilever());
+}
 
-void frequency(const RunOptions&, Report& report) { leave(report, "frequency", verification::bending_frequency()); }
+void frequency(const RunOptions&, Report& report)
+{
+    leave(report, "frequency", verification::bending_frequency());
+}
 
-void torsion(const RunOptions&, Report& report) { leave(report, "torsion", verification::torsion_frequency()); }
+void torsion(const RunOptions&, Report& report)
+{
+    leave(report, "torsion", verification::torsion_frequency());
+}
 
 void inertia(const RunOptions&, Report& report)
 {
@@ -56,7 +65,10 @@ void spinning_bar(const RunOptions&, Report& report)
     report.plot("common/experiments/verification/plots/spinning_bar.gp");
 }
 
-void one_worked_step(const RunOptions&, Report& report) { write_worked_step(worked_step_solver(worked_step().stiffness), report); }
+void one_worked_step(const RunOptions&, Report& report)
+{
+    write_worked_step(worked_step_solver(worked_step().stiffness), report);
+}
 
 }  // namespace
 }  // namespace enduring
@@ -64,20 +76,29 @@ void one_worked_step(const RunOptions&, Report& report) { write_worked_step(work
 int main(int argc, char** argv)
 {
     using namespace enduring;
-    return run_chapter(argc, argv, {
-        "00_base",
-        "The base: elastic and rigid bodies, measured",
+    return run_chapter(
+        argc, argv,
         {
-            {"lumping", "masses of the ten-node element: row sums, and two ways that stay positive", lumping},
-            {"cantilever", "deflection of a clamped bar against beam theory with shear", cantilever},
-            {"frequency", "first bending frequency of a clamped bar against beam theory", frequency},
-            {"torsion", "first torsional frequency of a clamped bar against Saint-Venant's torsion", torsion},
-            {"inertia", "moments of inertia of bars and bunnies, by the mass matrix and by lumped masses", inertia},
-            {"pushed_bar", "angular momentum and work that a bar gains from a push at its edge, with each response", pushed_bar},
-            {"convergence", "orders in space and time", convergence},
-            {"spinning_bar", "how much energy the once-a-step rotations add", spinning_bar},
-            {"free_top", "drift of a rigid body that tumbles freely, by Bullet's steps and by ours", free_top},
-            {"worked_step", "every array of one step after every pass, in numbers to check by hand", one_worked_step},
-        },
-    });
+            "00_base",
+            "The base: elastic and rigid bodies, measured",
+            {
+                {"lumping", "masses of the ten-node element: row sums, and two ways that stay positive",
+                 lumping},
+                {"cantilever", "deflection of a clamped bar against beam theory with shear", cantilever},
+                {"frequency", "first bending frequency of a clamped bar against beam theory", frequency},
+                {"torsion", "first torsional frequency of a clamped bar against Saint-Venant's torsion",
+                 torsion},
+                {"inertia", "moments of inertia of bars and bunnies, by the mass matrix and by lumped masses",
+                 inertia},
+                {"pushed_bar",
+                 "angular momentum and work that a bar gains from a push at its edge, with each response",
+                 pushed_bar},
+                {"convergence", "orders in space and time", convergence},
+                {"spinning_bar", "how much energy the once-a-step rotations add", spinning_bar},
+                {"free_top", "drift of a rigid body that tumbles freely, by Bullet's steps and by ours",
+                 free_top},
+                {"worked_step", "every array of one step after every pass, in numbers to check by hand",
+                 one_worked_step},
+            },
+        });
 }

@@ -34,7 +34,8 @@ Table ways_of_lumping()
 
     Table table({"lumping", "corner", "edge"});
     table.add({"row sums of the nodal basis", mean(nodal_corner), mean(nodal_edge)});
-    table.add({"scaled diagonal of the nodal basis", corner_squared / diagonal_sum, edge_squared / diagonal_sum});
+    table.add(
+        {"scaled diagonal of the nodal basis", corner_squared / diagonal_sum, edge_squared / diagonal_sum});
     table.add({"row sums of the Bernstein basis", mean(bernstein_corner), mean(bernstein_edge)});
     return table;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 struct Mode {
-    double omega;        ///< circular frequency [rad/s]
+    double omega;  ///< circular frequency [rad/s]
     NodalVectors shape;
 };
 
@@ -27,12 +27,14 @@ std::vector<NodalVectors> first_guesses(Eigen::Index nodes, int count)
     std::mt19937 generator(1);
     std::vector<NodalVectors> guesses;
     for (int i = 0; i < count; ++i)
-        guesses.push_back(NodalVectors::NullaryExpr(3, nodes, [&] { return static_cast<double>(generator()) / 4294967295.0 - 0.5; }));
+        guesses.push_back(NodalVectors::NullaryExpr(
+            3, nodes, [&] { return static_cast<double>(generator()) / 4294967295.0 - 0.5; }));
     return guesses;
 }
 
-/// The slowest modes by inverse iteration on a block of fields, slowest first. In each round K next = M now, and within the
-/// space that the fields span the small eigenvalue problem is solved exactly (Rayleigh and Ritz).
+/// The slowest modes by inverse iteration on a block of fields, slowest first. In each
+/// round K next = M now, and within the space that the fields span the small
+/// eigenvalue problem is solved exactly (Rayleigh and Ritz).
 std::vector<Mode> slowest_modes(ElasticBody& body, const Eigen::SparseMatrix<double>& masses, int count)
 {
     const int size = count + 4, rounds = 10;  // those beyond the count make the others converge sooner
@@ -106,7 +108,8 @@ Table bending_frequency()
 {
     const double wave_number = 1.8751040687;  // of cos(x) cosh(x) = -1, for length 1
     const double radius_of_gyration = 0.05 / std::sqrt(12.0);
-    const double theory = wave_number * wave_number * radius_of_gyration * std::sqrt(rubber.young / rubber.density) / (2 * pi);
+    const double theory = wave_number * wave_number * radius_of_gyration *
+                          std::sqrt(rubber.young / rubber.density) / (2 * pi);
 
     Table table({"basis", "cells_along", "unknowns", "frequency_hz", "theory_hz", "ratio", "lumped_ratio"});
     for (Basis basis : both_bases)
@@ -114,7 +117,8 @@ Table bending_frequency()
             const auto body = slender_bar(cells, basis);
             const double frequency = slowest_modes(*body, body->mass_matrix(), 2).front().omega / (2 * pi);
             const double with_lumps = slowest_modes(*body, lumps(*body), 2).front().omega / (2 * pi);
-            table.add({name_of(basis), long{cells}, 3L * body->node_count(), frequency, theory, frequency / theory, with_lumps / theory});
+            table.add({name_of(basis), long{cells}, 3L * body->node_count(), frequency, theory,
+                       frequency / theory, with_lumps / theory});
         }
     return table;
 }
@@ -123,15 +127,18 @@ Table torsion_frequency()
 {
     const double length = 1, thickness = 1.0 / 15;
     const double torsion_constant = 0.140577, polar_moment = 1.0 / 6;  // of a unit square (Saint-Venant)
-    const double wave_speed = std::sqrt(lame_constants(rubber).mu / rubber.density * torsion_constant / polar_moment);
+    const double wave_speed =
+        std::sqrt(lame_constants(rubber).mu / rubber.density * torsion_constant / polar_moment);
     const double theory = wave_speed / (4 * length);
 
     Table table({"basis", "cells_across", "unknowns", "frequency_hz", "theory_hz", "ratio", "lumped_ratio"});
     for (Basis basis : both_bases)
         for (int across : {1, 2, 3}) {
             const auto body = clamped_bar(length, thickness, {15, across, across}, basis, rubber);
-            const double frequency = first_torsion(*body, body->mass_matrix()), with_lumps = first_torsion(*body, lumps(*body));
-            table.add({name_of(basis), long{across}, 3L * body->node_count(), frequency, theory, frequency / theory, with_lumps / theory});
+            const double frequency = first_torsion(*body, body->mass_matrix()),
+                         with_lumps = first_torsion(*body, lumps(*body));
+            table.add({name_of(basis), long{across}, 3L * body->node_count(), frequency, theory,
+                       frequency / theory, with_lumps / theory});
         }
     return table;
 }
@@ -153,7 +160,8 @@ Table convergence_in_time()
         }
         const NodalVectors exact = body->mesh().rest() - mode;  // cos(pi) = -1
         const double error = (body->positions() - exact).norm() / mode.norm();
-        table.add({long{steps}, error, previous > 0 ? Cell{std::log2(previous / error)} : Cell{"-"}});  // an order needs two steps
+        // an order needs two steps
+        table.add({long{steps}, error, previous > 0 ? Cell{std::log2(previous / error)} : Cell{"-"}});
         previous = error;
     }
     return table;

@@ -4,9 +4,9 @@
 
 namespace enduring::verification {
 
-/// First bending frequency of a slender clamped bar against Euler and Bernoulli; lumped_ratio is that of the same body with the
-/// row sums of its mass matrix at the nodes.
-/// Columns basis, cells_along, unknowns, frequency_hz, theory_hz, ratio, lumped_ratio.
+/// First bending frequency of a slender clamped bar against Euler and Bernoulli; lumped_ratio is that of the
+/// same body with the row sums of its mass matrix at the nodes. Columns basis, cells_along, unknowns,
+/// frequency_hz, theory_hz, ratio, lumped_ratio.
 Table bending_frequency();
 
 /// First torsional frequency of a square clamped bar against Saint-Venant's torsion.

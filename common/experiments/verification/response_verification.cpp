@@ -34,8 +34,9 @@ int vertex_at(const Body& body, const Vec3& place)
 }
 
 struct Gain {
-    double angular;          ///< of the push's lever times it
-    double kinetic, energy;  ///< of its work: at once, and with the strain that it brings about, at the end of the step
+    double angular;  ///< of the push's lever times it
+    /// of its work: at once, and with the strain that it brings about, at the end of the step
+    double kinetic, energy;
 };
 
 //! [push]
@@ -48,7 +49,8 @@ Gain push(DeformableBody& body)
     body.update_prediction(dt);
     const double lever = body.positions_t0()[vertex].cross(impulse).x();
     const double work = 0.5 * impulse.dot(body.velocity(vertex));
-    const double angular = body.angular_momentum(Vec3::Zero()).x(), kinetic = body.energy(Vec3::Zero()).kinetic;
+    const double angular = body.angular_momentum(Vec3::Zero()).x(),
+                 kinetic = body.energy(Vec3::Zero()).kinetic;
     body.commit(dt);
     return {angular / lever, kinetic / work, body.energy(Vec3::Zero()).total() / work};
 }
@@ -58,13 +60,15 @@ Gain push(DeformableBody& body)
 
 Table pushed_bar()
 {
-    Table table({"response", "basis", "cells_across", "angular_percent", "kinetic_percent", "energy_percent"});
+    Table table(
+        {"response", "basis", "cells_across", "angular_percent", "kinetic_percent", "energy_percent"});
     for (const ImpulseResponse response : {ImpulseResponse::lumped, ImpulseResponse::implicit})
         for (const bool quadratic : {false, true})
             for (const int across : {1, 2, 4}) {
                 const Gain gain = push(*free_bar(response, quadratic, across));
-                table.add({response == ImpulseResponse::lumped ? "lumped" : "implicit", quadratic ? "quadratic" : "linear", long{across},
-                           100 * gain.angular, 100 * gain.kinetic, 100 * gain.energy});
+                table.add({response == ImpulseResponse::lumped ? "lumped" : "implicit",
+                           quadratic ? "quadratic" : "linear", long{across}, 100 * gain.angular,
+                           100 * gain.kinetic, 100 * gain.energy});
             }
     return table;
 }

@@ -15,15 +15,13 @@ namespace {
 
 const Vec3 bar_size(1, 0.2, 0.2);
 
-double energy(const ElasticBody& body)
-{
-    return body.kinetic_energy() + body.elastic_energy();
-}
+double energy(const ElasticBody& body) { return body.kinetic_energy() + body.elastic_energy(); }
 
 //! [stretch]
-/// The first step moves every node along its tangent, p to p + dt omega x p: a rotation by atan(theta) and a stretch of the
-/// plane of rotation by sqrt(1 + theta^2). The elements, still in their old rotation, cannot see the stretch, so no
-/// force answers it. The new rotations do see it: energy 2 (lambda + mu) strain^2 a volume, out of nothing.
+/// The first step moves every node along its tangent, p to p + dt omega x p: a rotation by
+/// atan(theta) and a stretch of the plane of rotation by sqrt(1 + theta^2). The elements, still in
+/// their old rotation, cannot see the stretch, so no force answers it. The new rotations do see
+/// it: energy 2 (lambda + mu) strain^2 a volume, out of nothing.
 double first_step_growth(const ElasticBody& body, double theta, double start)
 {
     const LameConstants lame = lame_constants(body.material());
@@ -37,7 +35,8 @@ double first_step_growth(const ElasticBody& body, double theta, double start)
 SpinGrowth spin(const SpinningBar& bar_of)
 {
     const ElasticMaterial material{.young = bar_of.young, .poisson = 0.3};
-    ElasticBody body(ElasticMesh(with_edge_midpoints(bar(bar_size, {5, 1, 1}))), material, {.freeze_rotations = bar_of.freeze_rotations});
+    ElasticBody body(ElasticMesh(with_edge_midpoints(bar(bar_size, {5, 1, 1}))), material,
+                     {.freeze_rotations = bar_of.freeze_rotations});
     const Vec3 omega(0, bar_of.omega_dt / bar_of.dt, 0);
     for (int n = 0; n < body.node_count(); ++n)
         body.velocities().col(n) = omega.cross(Vec3(body.positions().col(n)));
@@ -53,20 +52,23 @@ SpinGrowth spin(const SpinningBar& bar_of)
         if (step == 0)
             growth.first_step = growth.final_energy - 1;
         growth.largest = std::max(growth.largest, growth.final_energy - 1);
-        growth.linear_momentum = std::max(growth.linear_momentum, body.linear_momentum().norm() / (body.mass() * 0.5 * omega.norm()));
+        growth.linear_momentum = std::max(growth.linear_momentum,
+                                          body.linear_momentum().norm() / (body.mass() * 0.5 * omega.norm()));
     }
-    growth.angular_momentum = body.angular_momentum(body.centre_of_mass()).dot(angular_start) / angular_start.squaredNorm() - 1;
+    growth.angular_momentum =
+        body.angular_momentum(body.centre_of_mass()).dot(angular_start) / angular_start.squaredNorm() - 1;
     return growth;
 }
 
 Table spinning_bar_growth()
 {
-    Table table({"young_pa", "omega_dt", "first_step_percent", "formula_percent", "largest_percent", "final_percent", "angular_percent"});
+    Table table({"young_pa", "omega_dt", "first_step_percent", "formula_percent", "largest_percent",
+                 "final_percent", "angular_percent"});
     for (double young : {1e5, 1e6, 2.5e6, 1e7})
         for (double omega_dt : {0.0125, 0.025, 0.05, 0.1, 0.2}) {
             const SpinGrowth growth = spin({.young = young, .omega_dt = omega_dt});
-            table.add({young, omega_dt, 100 * growth.first_step, 100 * growth.first_step_formula, 100 * growth.largest,
-                       100 * (growth.final_energy - 1), 100 * growth.angular_momentum});
+            table.add({young, omega_dt, 100 * growth.first_step, 100 * growth.first_step_formula,
+                       100 * growth.largest, 100 * (growth.final_energy - 1), 100 * growth.angular_momentum});
         }
     return table;
 }

@@ -21,7 +21,8 @@ constexpr double eternity = 1e6;
 
 NodalVectors static_displacement(ElasticBody& body, const NodalVectors& forces)
 {
-    const NodalVectors positions = body.positions(), velocities = body.velocities(), others = body.external_forces();
+    const NodalVectors positions = body.positions(), velocities = body.velocities(),
+                       others = body.external_forces();
     body.velocities().setZero();
     body.external_forces() = forces;
     body.predict(Vec3::Zero(), eternity);
@@ -59,16 +60,19 @@ Table cantilever()
     const double area = thickness * thickness, inertia = std::pow(thickness, 4) / 12;
     const double shear_modulus = lame_constants(material).mu;
     const double shear_coefficient = 10 * (1 + material.poisson) / (12 + 11 * material.poisson);
-    const double theory = force * std::pow(length, 3) / (3 * material.young * inertia) + force * length / (shear_coefficient * shear_modulus * area);
+    const double theory = force * std::pow(length, 3) / (3 * material.young * inertia) +
+                          force * length / (shear_coefficient * shear_modulus * area);
 
     Table table({"basis", "cells_along", "unknowns", "deflection_m", "theory_m", "ratio"});
     for (Basis basis : {Basis::linear, Basis::quadratic})
         for (int across : {1, 2}) {
             const auto body = clamped_bar(length, thickness, {10 * across, across, across}, basis, material);
-            const Eigen::VectorXd tip = face_weights(body->mesh(), [&](const Vec3& p) { return p.x() > 0.5 * length - 1e-9; }) / area;
+            const Eigen::VectorXd tip =
+                face_weights(body->mesh(), [&](const Vec3& p) { return p.x() > 0.5 * length - 1e-9; }) / area;
             const NodalVectors u = static_displacement(*body, Vec3(0, -force, 0) * tip.transpose());
             const double deflection = -u.row(1).dot(tip);
-            table.add({name_of(basis), 10L * across, 3L * body->node_count(), deflection, theory, deflection / theory});
+            table.add({name_of(basis), 10L * across, 3L * body->node_count(), deflection, theory,
+                       deflection / theory});
         }
     return table;
 }
@@ -80,7 +84,10 @@ namespace {
 struct SineBubble {
     Vec3 amplitude{1, -0.5, 0.8};
 
-    Vec3 value(const Vec3& p) const { return amplitude * std::sin(pi * p.x()) * std::sin(pi * p.y()) * std::sin(pi * p.z()); }
+    Vec3 value(const Vec3& p) const
+    {
+        return amplitude * std::sin(pi * p.x()) * std::sin(pi * p.y()) * std::sin(pi * p.z());
+    }
 
     Vec3 gradient_of_bubble(const Vec3& p) const
     {
@@ -91,11 +98,10 @@ struct SineBubble {
     Mat3 hessian_of_bubble(const Vec3& p) const
     {
         const Vec3 s = (pi * p).array().sin(), c = (pi * p).array().cos();
-        const double xx = -s.prod(), xy = c.x() * c.y() * s.z(), yz = s.x() * c.y() * c.z(), zx = c.x() * s.y() * c.z();
+        const double xx = -s.prod(), xy = c.x() * c.y() * s.z(), yz = s.x() * c.y() * c.z(),
+                     zx = c.x() * s.y() * c.z();
         Mat3 h;
-        h << xx, xy, zx,
-             xy, xx, yz,
-             zx, yz, xx;
+        h << xx, xy, zx, xy, xx, yz, zx, yz, xx;
         return pi * pi * h;
     }
 
@@ -111,7 +117,8 @@ double basis_function(Basis basis, int node, const Eigen::Vector4d& l)
 {
     if (basis == Basis::linear)
         return l[node];
-    return node < 4 ? l[node] * l[node] : 2 * l[tetrahedron_edges[node - 4][0]] * l[tetrahedron_edges[node - 4][1]];
+    return node < 4 ? l[node] * l[node]
+                    : 2 * l[tetrahedron_edges[node - 4][0]] * l[tetrahedron_edges[node - 4][1]];
 }
 
 /// Calls visit(element, barycentric, position, weight in m^3) over the whole mesh.
@@ -127,7 +134,8 @@ void integrate(const ElasticMesh& mesh, const Visit& visit)
         }
 }
 
-Vec3 field_at(Basis basis, const ElasticElement& element, const NodalVectors& field, const Eigen::Vector4d& barycentric)
+Vec3 field_at(Basis basis, const ElasticElement& element, const NodalVectors& field,
+              const Eigen::Vector4d& barycentric)
 {
     Vec3 value = Vec3::Zero();
     for (int node = 0; node < nodes_of(basis); ++node)
@@ -136,12 +144,15 @@ Vec3 field_at(Basis basis, const ElasticElement& element, const NodalVectors& fi
 }
 
 /// By central differences, exact for a field of degree two.
-Mat3 gradient_at(Basis basis, const ElasticElement& element, const NodalVectors& field, const Eigen::Vector4d& barycentric)
+Mat3 gradient_at(Basis basis, const ElasticElement& element, const NodalVectors& field,
+                 const Eigen::Vector4d& barycentric)
 {
     Mat3 result;
     for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector4d step = 0.01 * element.gradients.row(axis).transpose();
-        result.col(axis) = (field_at(basis, element, field, barycentric + step) - field_at(basis, element, field, barycentric - step)) / 0.02;
+        result.col(axis) = (field_at(basis, element, field, barycentric + step) -
+                            field_at(basis, element, field, barycentric - step)) /
+                           0.02;
     }
     return result;
 }
@@ -163,18 +174,21 @@ SpatialError error_on_cube(Basis basis, int cells)
 
     const SineBubble exact;
     NodalVectors load = NodalVectors::Zero(3, body.node_count());
-    integrate(body.mesh(), [&](const ElasticElement& element, const Eigen::Vector4d& l, const Vec3& p, double weight) {
-        for (int node = 0; node < nodes_of(basis); ++node)
-            load.col(element.nodes[node]) += weight * basis_function(basis, node, l) * exact.load(p, lame_constants(material));
-    });
+    integrate(body.mesh(),
+              [&](const ElasticElement& element, const Eigen::Vector4d& l, const Vec3& p, double weight) {
+                  for (int node = 0; node < nodes_of(basis); ++node)
+                      load.col(element.nodes[node]) += weight * basis_function(basis, node, l) *
+                                                       exact.load(p, lame_constants(material));
+              });
     const NodalVectors u = static_displacement(body, load);
 
     SpatialError error;
-    integrate(body.mesh(), [&](const ElasticElement& element, const Eigen::Vector4d& l, const Vec3& p, double weight) {
-        error.value += weight * (field_at(basis, element, u, l) - exact.value(p)).squaredNorm();
-        const Mat3 gradient = exact.amplitude * exact.gradient_of_bubble(p).transpose();
-        error.gradient += weight * (gradient_at(basis, element, u, l) - gradient).squaredNorm();
-    });
+    integrate(body.mesh(),
+              [&](const ElasticElement& element, const Eigen::Vector4d& l, const Vec3& p, double weight) {
+                  error.value += weight * (field_at(basis, element, u, l) - exact.value(p)).squaredNorm();
+                  const Mat3 gradient = exact.amplitude * exact.gradient_of_bubble(p).transpose();
+                  error.gradient += weight * (gradient_at(basis, element, u, l) - gradient).squaredNorm();
+              });
     return {std::sqrt(error.value), std::sqrt(error.gradient)};
 }
 
@@ -192,7 +206,8 @@ Table convergence_in_space()
             const auto order = [&](double before, double after) -> Cell {  // an order needs two meshes
                 return coarse_cells > 0 ? Cell{std::log(before / after) / refinement} : Cell{"-"};
             };
-            table.add({name_of(basis), long{cells}, fine.value, fine.gradient, order(coarse.value, fine.value), order(coarse.gradient, fine.gradient)});
+            table.add({name_of(basis), long{cells}, fine.value, fine.gradient,
+                       order(coarse.value, fine.value), order(coarse.gradient, fine.gradient)});
             coarse = fine;
             coarse_cells = cells;
         }

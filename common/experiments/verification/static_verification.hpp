@@ -15,11 +15,12 @@ Table cantilever();
 /// Columns basis, cells, l2_error, gradient_error, l2_order, gradient_order (0 in the first row of a basis).
 Table convergence_in_space();
 
-/// Displacements in equilibrium with the forces [N], rotations frozen: one step of implicit Euler so long that inertia
-/// plays no part.
+/// Displacements in equilibrium with the forces [N], rotations frozen: one step of
+/// implicit Euler so long that inertia plays no part.
 NodalVectors static_displacement(ElasticBody& body, const NodalVectors& forces);
 
-/// Weights of the nodes on a plane face of a body, w_i = int phi_i dA: a traction t [Pa] is the nodal forces w_i t.
+/// Weights of the nodes on a plane face of a body, w_i = int phi_i dA: a
+/// traction t [Pa] is the nodal forces w_i t.
 Eigen::VectorXd face_weights(const ElasticMesh& mesh, const std::function<bool(const Vec3&)>& on_face);
 
 }  // namespace enduring::verification

@@ -16,17 +16,15 @@ inline ElasticMesh with_elements(const TetrahedralMesh& mesh, Basis basis)
     return basis == Basis::linear ? ElasticMesh(mesh) : ElasticMesh(with_edge_midpoints(mesh));
 }
 
-inline const char* name_of(Basis basis)
-{
-    return basis == Basis::linear ? "linear" : "quadratic";
-}
+inline const char* name_of(Basis basis) { return basis == Basis::linear ? "linear" : "quadratic"; }
 
 /// A square bar along x, clamped at its lower end.
-inline std::unique_ptr<ElasticBody> clamped_bar(double length, double thickness, std::array<int, 3> cells, Basis basis,
-                                                const ElasticMaterial& material)
+inline std::unique_ptr<ElasticBody> clamped_bar(double length, double thickness, std::array<int, 3> cells,
+                                                Basis basis, const ElasticMaterial& material)
 {
-    auto body = std::make_unique<ElasticBody>(with_elements(bar({length, thickness, thickness}, cells), basis), material,
-                                              ElasticOptions{.freeze_rotations = true});
+    auto body = std::make_unique<ElasticBody>(
+        with_elements(bar({length, thickness, thickness}, cells), basis), material,
+        ElasticOptions{.freeze_rotations = true});
     for (int n = 0; n < body->node_count(); ++n)
         if (body->positions()(0, n) < -0.5 * length + 1e-9)
             body->fix(n);

@@ -15,11 +15,12 @@ namespace {
 /// The bunny, 0.8 m high, swaying on fixed feet: its elements turn by tenths of a radian, back and forth.
 std::unique_ptr<ElasticBody> bending_bunny(long elements, double young)
 {
-    QuadraticTetrahedralMesh mesh =
-        read_gmsh_quadratic(source_directory() / ("common/meshes/bunny_" + std::to_string(elements) + ".msh"));
+    QuadraticTetrahedralMesh mesh = read_gmsh_quadratic(
+        source_directory() / ("common/meshes/bunny_" + std::to_string(elements) + ".msh"));
     for (Vec3& node : mesh.nodes)
         node *= 0.1;
-    auto body = std::make_unique<ElasticBody>(ElasticMesh(mesh), ElasticMaterial{.young = young, .poisson = 0.4});
+    auto body = std::make_unique<ElasticBody>(ElasticMesh(mesh),
+                                              ElasticMaterial{.young = young, .poisson = 0.4});
     for (int n = 0; n < body->node_count(); ++n) {
         const double height = body->positions()(1, n);
         if (height < 0.03)
@@ -49,9 +50,16 @@ void whole_step(benchmark::State& state)
     state.counters["iterations"] = iterations / steps;
     state.counters["factorisations"] = body->factorisations();
 }
-BENCHMARK(whole_step)->ArgNames({"elements", "young"})->ArgsProduct({{363, 785, 1452}, {100000, 1000000}})
-    ->Unit(benchmark::kMillisecond)->Iterations(100);
-BENCHMARK(whole_step)->ArgNames({"elements", "young"})->Args({10668, 100000})->Unit(benchmark::kMillisecond)->Iterations(3);
+BENCHMARK(whole_step)
+    ->ArgNames({"elements", "young"})
+    ->ArgsProduct({{363, 785, 1452}, {100000, 1000000}})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(100);
+BENCHMARK(whole_step)
+    ->ArgNames({"elements", "young"})
+    ->Args({10668, 100000})
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(3);
 
 void rotations(benchmark::State& state)
 {
@@ -74,9 +82,11 @@ void forces(benchmark::State& state)
 }
 BENCHMARK(forces)->Arg(785)->Arg(1452)->Unit(benchmark::kMicrosecond);
 
-/// The share of an iteration that is not `forces`: a solve with the factor. And the factor itself, with its matrix.
+/// The share of an iteration that is not `forces`: a solve with the
+/// factor. And the factor itself, with its matrix.
 struct Factored {
-    Factored(long elements, LinearSolverKind kind) : body(bending_bunny(elements, 1e5)), factor(body->mesh(), kind)
+    Factored(long elements, LinearSolverKind kind)
+        : body(bending_bunny(elements, 1e5)), factor(body->mesh(), kind)
     {
         find_rotations(body->mesh(), body->positions(), turned);
         refactor();
@@ -99,9 +109,17 @@ void solve_with_factor(benchmark::State& state, LinearSolverKind kind)
         system.factor.apply(system.body->velocities(), z);
 }
 BENCHMARK_CAPTURE(solve_with_factor, simplicial, LinearSolverKind::simplicial)
-    ->Arg(363)->Arg(785)->Arg(1452)->Arg(10668)->Unit(benchmark::kMicrosecond);
+    ->Arg(363)
+    ->Arg(785)
+    ->Arg(1452)
+    ->Arg(10668)
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(solve_with_factor, supernodal, LinearSolverKind::supernodal)
-    ->Arg(363)->Arg(785)->Arg(1452)->Arg(10668)->Unit(benchmark::kMicrosecond);
+    ->Arg(363)
+    ->Arg(785)
+    ->Arg(1452)
+    ->Arg(10668)
+    ->Unit(benchmark::kMicrosecond);
 
 void assemble_and_factor(benchmark::State& state, LinearSolverKind kind)
 {
@@ -110,8 +128,18 @@ void assemble_and_factor(benchmark::State& state, LinearSolverKind kind)
         system.refactor();
 }
 BENCHMARK_CAPTURE(assemble_and_factor, simplicial, LinearSolverKind::simplicial)
-    ->Arg(363)->Arg(785)->Arg(1452)->Arg(10668)->Unit(benchmark::kMillisecond)->Iterations(1);
+    ->Arg(363)
+    ->Arg(785)
+    ->Arg(1452)
+    ->Arg(10668)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(1);
 BENCHMARK_CAPTURE(assemble_and_factor, supernodal, LinearSolverKind::supernodal)
-    ->Arg(363)->Arg(785)->Arg(1452)->Arg(10668)->Unit(benchmark::kMillisecond)->Iterations(5);
+    ->Arg(363)
+    ->Arg(785)
+    ->Arg(1452)
+    ->Arg(10668)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(5);
 
 }  // namespace

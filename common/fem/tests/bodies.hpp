@@ -12,10 +12,7 @@
 /// Small bodies and fields that several tests of this folder use.
 namespace enduring::test {
 
-inline TetrahedralMesh small_bar()
-{
-    return bar({0.4, 0.2, 0.2}, {2, 1, 1});
-}
+inline TetrahedralMesh small_bar() { return bar({0.4, 0.2, 0.2}, {2, 1, 1}); }
 
 inline ElasticMesh elastic(const TetrahedralMesh& mesh, Basis basis)
 {
@@ -24,10 +21,7 @@ inline ElasticMesh elastic(const TetrahedralMesh& mesh, Basis basis)
 
 constexpr Basis both_bases[] = {Basis::linear, Basis::quadratic};
 
-inline const char* name_of(Basis basis)
-{
-    return basis == Basis::linear ? "linear" : "quadratic";
-}
+inline const char* name_of(Basis basis) { return basis == Basis::linear ? "linear" : "quadratic"; }
 
 /// Uniform in [-size, size], the same on every machine.
 inline NodalVectors random_field(int nodes, double size, unsigned seed)

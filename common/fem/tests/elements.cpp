@@ -20,7 +20,8 @@ namespace {
 /// A tetrahedron of no symmetry.
 TetrahedralMesh one_element()
 {
-    return {{Vec3(0.1, 0, 0.2), Vec3(1.3, 0.2, 0), Vec3(0.3, 0.9, -0.1), Vec3(0.2, 0.3, 1.1)}, {{0, 1, 2, 3}}};
+    return {{Vec3(0.1, 0, 0.2), Vec3(1.3, 0.2, 0), Vec3(0.3, 0.9, -0.1), Vec3(0.2, 0.3, 1.1)},
+            {{0, 1, 2, 3}}};
 }
 
 /// The ten basis functions written out: squares of the barycentric coordinates, and twice their products.
@@ -38,7 +39,8 @@ double shape(Basis basis, int node, const Eigen::Vector4d& lambda)
 }
 
 /// Gradient by central differences, which are exact for polynomials of degree two.
-Vec3 shape_gradient(Basis basis, int node, const Eigen::Vector4d& lambda, const Eigen::Matrix<double, 3, 4>& gradients)
+Vec3 shape_gradient(Basis basis, int node, const Eigen::Vector4d& lambda,
+                    const Eigen::Matrix<double, 3, 4>& gradients)
 {
     Vec3 result;
     for (int axis = 0; axis < 3; ++axis) {
@@ -67,9 +69,12 @@ Eigen::MatrixXd stiffness_by_quadrature(Basis basis, const ElasticElement& eleme
     for (const auto& [lambda, weight] : degree_five_quadrature())
         for (int a = 0; a < n; ++a)
             for (int b = 0; b < n; ++b) {
-                const Vec3 ga = shape_gradient(basis, a, lambda, element.gradients), gb = shape_gradient(basis, b, lambda, element.gradients);
-                k.block<3, 3>(3 * a, 3 * b) += weight * element.volume *
-                    (lame.mu * (ga.dot(gb) * Mat3::Identity() + gb * ga.transpose()) + lame.lambda * ga * gb.transpose());
+                const Vec3 ga = shape_gradient(basis, a, lambda, element.gradients),
+                           gb = shape_gradient(basis, b, lambda, element.gradients);
+                k.block<3, 3>(3 * a,
+                              3 * b) += weight * element.volume *
+                                        (lame.mu * (ga.dot(gb) * Mat3::Identity() + gb * ga.transpose()) +
+                                         lame.lambda * ga * gb.transpose());
             }
     return k;
 }
@@ -127,7 +132,8 @@ TEST_CASE("elements: the product without a matrix equals the turned element stif
             local.col(i) = rotations[0].transpose() * v.col(mesh.elements()[0].nodes[i]);
         const Eigen::VectorXd expected = element_stiffness(mesh, 0, hooke_matrix(lame)) * local.reshaped();
         for (int i = 0; i < mesh.node_count(); ++i)
-            CHECK((product.col(mesh.elements()[0].nodes[i]) - rotations[0] * expected.segment<3>(3 * i)).norm() <= 1e-13 * expected.norm());
+            CHECK((product.col(mesh.elements()[0].nodes[i]) - rotations[0] * expected.segment<3>(3 * i))
+                      .norm() <= 1e-13 * expected.norm());
     }
 }
 
@@ -145,8 +151,10 @@ TEST_CASE("elements: forces are the negative gradient of the energy, rotations h
         elasticity.add_forces(x, forces);
         // The energy is quadratic in x: central differences are exact but for rounding.
         const NodalVectors direction = random_field(mesh.node_count(), 1, 4);
-        const double slope = (elasticity.energy(x + 0.1 * direction) - elasticity.energy(x - 0.1 * direction)) / 0.2;
-        CHECK(std::abs(slope + forces.cwiseProduct(direction).sum()) <= 1e-11 * forces.norm() * direction.norm());
+        const double slope =
+            (elasticity.energy(x + 0.1 * direction) - elasticity.energy(x - 0.1 * direction)) / 0.2;
+        CHECK(std::abs(slope + forces.cwiseProduct(direction).sum()) <=
+              1e-11 * forces.norm() * direction.norm());
     }
 }
 
@@ -161,7 +169,8 @@ TEST_CASE("elements: M_ij = density int phi_i phi_j equals a quadrature, and no 
             for (int j = 0; j < mesh.node_count(); ++j) {
                 double integral = 0;
                 for (const auto& [lambda, weight] : degree_five_quadrature())
-                    integral += 700 * mesh.volume() * weight * shape(basis, i, lambda) * shape(basis, j, lambda);
+                    integral += 700 * mesh.volume() * weight * shape(basis, i, lambda) *
+                                shape(basis, j, lambda);
                 CAPTURE(i);
                 CAPTURE(j);
                 CHECK(masses(nodes[i], nodes[j]) > 0);
@@ -213,12 +222,14 @@ TEST_CASE("elements: an inverted, flat or curved element is refused by its numbe
     CHECK(message_of([&] { ElasticMesh{TetrahedralMesh{}}; }) != "no error");
 }
 
-TEST_CASE("elements: a pulled bar grows by its stress over Young's modulus and thins by Poisson's ratio of that")
+TEST_CASE(
+    "elements: a pulled bar grows by its stress over Young's modulus and thins by Poisson's ratio of that")
 {
     for (const double poisson : {-0.5, 0.0, 0.3, 0.49}) {
         CAPTURE(poisson);
         const double young = 2e5, stress = 30;
-        const Eigen::Matrix<double, 6, 6> hooke = hooke_matrix(lame_constants({.young = young, .poisson = poisson}));
+        const Eigen::Matrix<double, 6, 6> hooke =
+            hooke_matrix(lame_constants({.young = young, .poisson = poisson}));
         const double along = stress / young, across = -poisson * along;
         Eigen::Matrix<double, 6, 1> strain, pull;
         strain << along, across, across, 0, 0, 0;
@@ -231,10 +242,17 @@ TEST_CASE("elements: a material constant outside its range is refused by name")
 {
     const double nan = std::nan("");
     for (const auto& wrong : std::vector<std::pair<ElasticMaterial, std::string>>{
-             {{.young = 0}, "young"}, {{.young = -1}, "young"}, {{.young = nan}, "young"}, {{.young = std::numeric_limits<double>::infinity()}, "young"},
-             {{.poisson = 0.5}, "poisson"}, {{.poisson = -1}, "poisson"}, {{.poisson = nan}, "poisson"},
-             {{.density = 0}, "density"}, {{.density = nan}, "density"},
-             {{.mass_damping = -0.1}, "mass_damping"}, {{.stiffness_damping = -1e-9}, "stiffness_damping"}}) {
+             {{.young = 0}, "young"},
+             {{.young = -1}, "young"},
+             {{.young = nan}, "young"},
+             {{.young = std::numeric_limits<double>::infinity()}, "young"},
+             {{.poisson = 0.5}, "poisson"},
+             {{.poisson = -1}, "poisson"},
+             {{.poisson = nan}, "poisson"},
+             {{.density = 0}, "density"},
+             {{.density = nan}, "density"},
+             {{.mass_damping = -0.1}, "mass_damping"},
+             {{.stiffness_damping = -1e-9}, "stiffness_damping"}}) {
         const ElasticMaterial& material = wrong.first;
         const std::string& word = wrong.second;  // no structured binding: clang 14 captures none
         CAPTURE(word);

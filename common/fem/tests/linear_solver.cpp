@@ -4,8 +4,8 @@
 #include "common/geometry/read_gmsh.hpp"
 #include "common/input/source_directory.hpp"
 
-#include <Eigen/Cholesky>
 #include <doctest/doctest.h>
+#include <Eigen/Cholesky>
 
 #include <random>
 #include <vector>
@@ -46,9 +46,11 @@ Eigen::VectorXd direct_solution(const Eigen::SparseMatrix<double>& lower, const 
 struct Solver {
     LinearSolverKind kind;
     const char* name;
-    double relative_error;  ///< that its arithmetic allows: of double and of single precision, times a condition of about 100
+    /// that its arithmetic allows: of double and of single precision, times a condition of about 100
+    double relative_error;
 };
-constexpr Solver solvers[] = {{LinearSolverKind::simplicial, "simplicial", 1e-13}, {LinearSolverKind::supernodal, "supernodal", 1e-5}};
+constexpr Solver solvers[] = {{LinearSolverKind::simplicial, "simplicial", 1e-13},
+                              {LinearSolverKind::supernodal, "supernodal", 1e-5}};
 
 ElasticMesh bunny()
 {
@@ -64,12 +66,14 @@ Eigen::SparseMatrix<double> system_of(const ElasticMesh& mesh, double young, dou
     std::vector<char> fixed(static_cast<std::size_t>(mesh.node_count()), 0);
     fixed[0] = fixed[3] = 1;
     const LameConstants lame = lame_constants({.young = young, .poisson = 0.4});
-    return StiffnessAssembly(mesh).assemble(CorotatedElasticity(mesh, lame, rotations), mass_matrix(mesh, 1000), fixed, 1, dt * dt);
+    return StiffnessAssembly(mesh).assemble(CorotatedElasticity(mesh, lame, rotations),
+                                            mass_matrix(mesh, 1000), fixed, 1, dt * dt);
 }
 
 }  // namespace
 
-TEST_CASE("linear solvers: they solve like a dense factorisation, to their precision, be the matrix diagonal, sparse or full")
+TEST_CASE(
+    "linear solvers: they solve like a dense factorisation, to their precision, be the matrix diagonal, sparse or full")
 {
     for (const auto& [kind, name, relative_error] : solvers)
         for (const double density : {0.0, 0.02, 0.1, 0.5, 1.0})
@@ -80,16 +84,19 @@ TEST_CASE("linear solvers: they solve like a dense factorisation, to their preci
                 const Eigen::SparseMatrix<double> matrix = random_matrix(size, density, 7);
                 const auto solver = make_linear_solver(kind, matrix);
                 REQUIRE(solver->factor(matrix));
-                const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(size, -1, 2), expected = direct_solution(matrix, b);
+                const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(size, -1, 2),
+                                      expected = direct_solution(matrix, b);
                 Eigen::VectorXd x = b;
                 solver->solve(x);
                 CHECK((x - expected).norm() <= relative_error * expected.norm());
             }
 }
 
-TEST_CASE("linear solvers: the systems of bars and of a bunny are solved, by residual, and both solvers agree")
+TEST_CASE(
+    "linear solvers: the systems of bars and of a bunny are solved, by residual, and both solvers agree")
 {
-    for (const ElasticMesh& mesh : {elastic(small_bar(), Basis::linear), elastic(bar({1, 0.2, 0.2}, {10, 2, 2}), Basis::quadratic), bunny()}) {
+    for (const ElasticMesh& mesh : {elastic(small_bar(), Basis::linear),
+                                    elastic(bar({1, 0.2, 0.2}, {10, 2, 2}), Basis::quadratic), bunny()}) {
         CAPTURE(mesh.node_count());
         const Eigen::SparseMatrix<double> matrix = system_of(mesh, 1e5, 0.01);
         const NodalVectors impulses = random_field(mesh.node_count(), 1, 5);
@@ -137,7 +144,8 @@ TEST_CASE("linear solvers: a matrix that is not positive definite is refused, an
     }
 }
 
-TEST_CASE("linear solvers: a body moves the same by either, within its tolerance, and the option decides which one it has")
+TEST_CASE(
+    "linear solvers: a body moves the same by either, within its tolerance, and the option decides which one it has")
 {
     std::vector<NodalVectors> positions;
     for (const auto& [kind, name, relative_error] : solvers) {
@@ -150,7 +158,8 @@ TEST_CASE("linear solvers: a body moves the same by either, within its tolerance
         }
         positions.push_back(body.positions());
 
-        // With a new factor the near response is the response, to the precision of the solver: that tells which one it is.
+        // With a new factor the near response is the response, to the precision
+        // of the solver: that tells which one it is.
         const NodalVectors impulses = random_field(body.node_count(), 0.1, 6);
         body.predict({3, -9.81, 1}, 0.008);
         const NodalVectors near = body.near_response(impulses), before = body.velocities();

@@ -6,8 +6,8 @@
 #include "common/geometry/surface_extraction.hpp"
 #include "common/input/input_error.hpp"
 
-#include <Eigen/Dense>
 #include <doctest/doctest.h>
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <utility>
@@ -27,10 +27,7 @@ void run(ElasticBody& body, const Vec3& pull, double dt, int steps)
     }
 }
 
-double energy(const ElasticBody& body)
-{
-    return body.kinetic_energy() + body.elastic_energy();
-}
+double energy(const ElasticBody& body) { return body.kinetic_energy() + body.elastic_energy(); }
 
 }  // namespace
 
@@ -46,7 +43,8 @@ TEST_CASE("elastic body: rigid motion gives no force and no energy")
     }
 }
 
-TEST_CASE("elastic body: patch test, a uniform stretch leaves inner nodes free of force and loads the faces with its stress")
+TEST_CASE(
+    "elastic body: patch test, a uniform stretch leaves inner nodes free of force and loads the faces with its stress")
 {
     const ElasticMaterial material{.young = 1e5, .poisson = 0.3};
     const LameConstants lame = lame_constants(material);
@@ -57,9 +55,7 @@ TEST_CASE("elastic body: patch test, a uniform stretch leaves inner nodes free o
             mesh.nodes[n] += jitter.col(static_cast<Eigen::Index>(n));  // irregular inside
 
     Mat3 stretch;  // symmetric, so that every rotation is the identity
-    stretch << 1.02, 0.01, 0.00,
-               0.01, 0.97, 0.02,
-               0.00, 0.02, 1.01;
+    stretch << 1.02, 0.01, 0.00, 0.01, 0.97, 0.02, 0.00, 0.02, 1.01;
     const Mat3 strain = stretch - Mat3::Identity();
     const Mat3 stress = 2 * lame.mu * strain + lame.lambda * strain.trace() * Mat3::Identity();
     for (Basis basis : both_bases) {
@@ -68,10 +64,12 @@ TEST_CASE("elastic body: patch test, a uniform stretch leaves inner nodes free o
         ElasticBody body(elastic(mesh, basis), material);
         body.positions() = turn * stretch * body.mesh().rest();
 
-        NodalVectors expected = NodalVectors::Zero(3, body.node_count());  // minus the traction, on all six faces
+        // minus the traction, on all six faces
+        NodalVectors expected = NodalVectors::Zero(3, body.node_count());
         for (int axis = 0; axis < 3; ++axis)
             for (double side : {-1.0, 1.0}) {
-                const auto weights = verification::face_weights(body.mesh(), [&](const Vec3& p) { return side * p[axis] > 0.5 - 1e-9; });
+                const auto weights = verification::face_weights(
+                    body.mesh(), [&](const Vec3& p) { return side * p[axis] > 0.5 - 1e-9; });
                 expected -= turn * stress * (side * Vec3::Unit(axis)) * weights.transpose();
             }
         CHECK((body.elastic_forces() - expected).cwiseAbs().maxCoeff() <= 1e-12 * stress.norm());
@@ -105,7 +103,8 @@ TEST_CASE("elastic body: linear momentum is conserved without supports while it 
         for (double tolerance : {1e-10, 1e-3}) {
             CAPTURE(name_of(basis));
             CAPTURE(tolerance);
-            ElasticBody body(elastic(small_bar(), basis), {.stiffness_damping = 0.001}, {.solver_tolerance = tolerance});
+            ElasticBody body(elastic(small_bar(), basis), {.stiffness_damping = 0.001},
+                             {.solver_tolerance = tolerance});
             body.velocities() = random_field(body.node_count(), 2, 5);
             body.velocities().row(0) += 10 * body.positions().row(1);
             const Vec3 start = body.linear_momentum();
@@ -114,24 +113,30 @@ TEST_CASE("elastic body: linear momentum is conserved without supports while it 
         }
 }
 
-TEST_CASE("elastic body: turned, stretched and spinning it has the energy and momenta of the integral over its volume")
+TEST_CASE(
+    "elastic body: turned, stretched and spinning it has the energy and momenta of the integral over its volume")
 {
     const Vec3 size(0.4, 0.2, 0.2), velocity(1, 2, -1), about(0.3, 0.1, -0.7);
     const double density = 700;
     for (Basis basis : both_bases) {
         CAPTURE(name_of(basis));
         ElasticBody body(elastic(small_bar(), basis), {.density = density});
-        // x = F X + t, v = G X + u with X uniform in the box: only its second moments are needed, size^2 / 12 along each side.
+        // x = F X + t, v = G X + u with X uniform in the box: only its second
+        // moments are needed, size^2 / 12 along each side.
         const Mat3 f = random_rotation(3) * Vec3(1.2, 0.9, 1.1).asDiagonal(), g = random_rotation(5);
         const Vec3 t(1, -2, 0.5);
         body.positions() = (f * body.mesh().rest()).colwise() + t;
         body.velocities() = (g * body.mesh().rest()).colwise() + velocity;
         const double mass = density * size.prod();
         const Mat3 moments = (mass / 12 * size.cwiseAbs2()).asDiagonal();
-        CHECK(body.kinetic_energy() == doctest::Approx(0.5 * mass * velocity.squaredNorm() + 0.5 * (g * moments * g.transpose()).trace()).epsilon(1e-12));
+        CHECK(body.kinetic_energy() == doctest::Approx(0.5 * mass * velocity.squaredNorm() +
+                                                       0.5 * (g * moments * g.transpose()).trace())
+                                           .epsilon(1e-12));
         CHECK((body.linear_momentum() - mass * velocity).norm() <= 1e-12 * mass * velocity.norm());
-        const Mat3 of_turn = f * moments * g.transpose();  // sum of x v^T about the centre; its antisymmetric part turns
-        const Vec3 spin(of_turn(1, 2) - of_turn(2, 1), of_turn(2, 0) - of_turn(0, 2), of_turn(0, 1) - of_turn(1, 0));
+        // sum of x v^T about the centre; its antisymmetric part turns
+        const Mat3 of_turn = f * moments * g.transpose();
+        const Vec3 spin(of_turn(1, 2) - of_turn(2, 1), of_turn(2, 0) - of_turn(0, 2),
+                        of_turn(0, 1) - of_turn(1, 0));
         const Vec3 expected = mass * (t - about).cross(velocity) + spin;
         CHECK((body.angular_momentum(about) - expected).norm() <= 1e-12 * expected.norm());
     }
@@ -197,10 +202,12 @@ TEST_CASE("elastic body: fixed nodes stay, the others hang from them with the bo
 
 TEST_CASE("elastic body: a quadratic element with one corner inside out counts as inverted")
 {
-    const ElasticMesh mesh(with_edge_midpoints({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}}));
+    const ElasticMesh mesh(
+        with_edge_midpoints({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}}));
     NodalVectors positions = mesh.rest();
     CHECK(inverted_elements(mesh, positions) == 0);
-    positions(0, 4) = -0.5;  // the control point between corners 0 and 1, mirrored to the other side of corner 0
+    // the control point between corners 0 and 1, mirrored to the other side of corner 0
+    positions(0, 4) = -0.5;
     CHECK(inverted_elements(mesh, positions) == 1);
 }
 
@@ -217,7 +224,8 @@ TEST_CASE("elastic body: a node that is fixed in flight stops at once, and no im
 
 TEST_CASE("elastic body: what pushes a fixed node is felt nowhere, also by a factor from before it was fixed")
 {
-    const NodalVectors everywhere = random_field(ElasticMesh(with_edge_midpoints(small_bar())).node_count(), 0.1, 12);
+    const NodalVectors everywhere = random_field(ElasticMesh(with_edge_midpoints(small_bar())).node_count(),
+                                                 0.1, 12);
     NodalVectors elsewhere = everywhere;
     elsewhere.leftCols(3).setZero();
     const auto answers = [](const NodalVectors& impulses) {
@@ -237,13 +245,15 @@ TEST_CASE("elastic body: what pushes a fixed node is felt nowhere, also by a fac
     CHECK(velocities.norm() > 0.01);
 }
 
-TEST_CASE("elastic body: the assembled matrix and the product without one agree, fixed rows are the identity's")
+TEST_CASE(
+    "elastic body: the assembled matrix and the product without one agree, fixed rows are the identity's")
 {
     for (Basis basis : both_bases) {
         CAPTURE(name_of(basis));
         const ElasticMesh mesh = elastic(small_bar(), basis);
         ElementRotations rotations;
-        find_rotations(mesh, random_rotation(2) * (mesh.rest() + random_field(mesh.node_count(), 0.03, 1)), rotations);
+        find_rotations(mesh, random_rotation(2) * (mesh.rest() + random_field(mesh.node_count(), 0.03, 1)),
+                       rotations);
         const CorotatedElasticity elasticity(mesh, lame_constants({}), rotations);
         const Eigen::SparseMatrix<double> masses = mass_matrix(mesh, 1000);
         std::vector<char> fixed(mesh.node_count(), 0);
@@ -278,8 +288,10 @@ TEST_CASE("elastic body: conjugate gradients with an old, turned factor give the
         elasticity.add_forces(body.positions(), forces);
         const NodalVectors rhs = body.momenta() + dt * forces;
         const Eigen::MatrixXd lower = StiffnessAssembly(body.mesh())
-                                          .assemble(elasticity, body.mass_matrix(), std::vector<char>(body.node_count(), 0), 1, dt * dt);
-        const Eigen::VectorXd direct = Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>()).ldlt().solve(rhs.reshaped());
+                                          .assemble(elasticity, body.mass_matrix(),
+                                                    std::vector<char>(body.node_count(), 0), 1, dt * dt);
+        const Eigen::VectorXd direct =
+            Eigen::MatrixXd(lower.selfadjointView<Eigen::Lower>()).ldlt().solve(rhs.reshaped());
         run(body, Vec3::Zero(), dt, 1);
         CHECK((body.velocities().reshaped() - direct).norm() <= 1e-8 * direct.norm());
     }
@@ -300,7 +312,8 @@ TEST_CASE("elastic body: a body that only turns keeps its factor and needs no se
 
 TEST_CASE("elastic body: a step of another length is another system, and gets a factor of its own")
 {
-    ElasticBody body(elastic(small_bar(), Basis::linear), {.young = 1e5}), fresh(elastic(small_bar(), Basis::linear), {.young = 1e5});
+    ElasticBody body(elastic(small_bar(), Basis::linear), {.young = 1e5}),
+        fresh(elastic(small_bar(), Basis::linear), {.young = 1e5});
     body.predict(Vec3::Zero(), 0.001);
     body.predict(Vec3::Zero(), 0.1);
     CHECK(body.factorisations() == 2);
@@ -308,14 +321,16 @@ TEST_CASE("elastic body: a step of another length is another system, and gets a 
     CHECK(body.factorisations() == 2);
     fresh.predict(Vec3::Zero(), 0.1);
     const NodalVectors impulses = random_field(body.node_count(), 0.1, 4);
-    CHECK((body.near_response(impulses) - fresh.near_response(impulses)).norm() <= 1e-6 * fresh.near_response(impulses).norm());
+    CHECK((body.near_response(impulses) - fresh.near_response(impulses)).norm() <=
+          1e-6 * fresh.near_response(impulses).norm());
 }
 
 TEST_CASE("elastic body: an impulse answered after the prediction equals the force that it is over the step")
 {
     const double dt = 0.01;
     const ElasticMaterial material{.mass_damping = 0.5, .stiffness_damping = 0.01};
-    ElasticBody pushed(elastic(small_bar(), Basis::quadratic), material), forced(elastic(small_bar(), Basis::quadratic), material);
+    ElasticBody pushed(elastic(small_bar(), Basis::quadratic), material),
+        forced(elastic(small_bar(), Basis::quadratic), material);
     for (ElasticBody* body : {&pushed, &forced}) {
         body->velocities() = random_field(body->node_count(), 1, 4);
         run(*body, gravity, dt, 5);
@@ -363,7 +378,8 @@ TEST_CASE("elastic body: a NaN passes through a step without a crash or an endle
     CHECK(std::isnan(body.positions()(1, 4)));
 }
 
-TEST_CASE("surface embedding: rest positions are the surface's, and follow the curved edge of the Bernstein form")
+TEST_CASE(
+    "surface embedding: rest positions are the surface's, and follow the curved edge of the Bernstein form")
 {
     const QuadraticTetrahedralMesh mesh = with_edge_midpoints(small_bar());
     const ExtractedSurface surface = surface_of(mesh);
@@ -374,13 +390,15 @@ TEST_CASE("surface embedding: rest positions are the surface's, and follow the c
     for (std::size_t v = 0; v < positions.size(); ++v)
         CHECK((positions[v] - surface.mesh.vertices[v]).norm() <= 1e-15);
 
-    // A quadratic motion is a member of the space: y += x^2 with control points from polarisation, y_ab += x_a x_b.
+    // A quadratic motion is a member of the space: y += x^2 with control
+    // points from polarisation, y_ab += x_a x_b.
     NodalVectors curved = elements.rest();
     for (const auto& element : mesh.elements)
         for (std::size_t i = 0; i < 10; ++i) {
             const auto [a, b] = i < 4 ? std::array{int(i), int(i)} : tetrahedron_edges[i - 4];
             const int node = element[i];
-            curved(1, node) = elements.rest()(1, node) + mesh.nodes[element[a]].x() * mesh.nodes[element[b]].x();
+            curved(1, node) = elements.rest()(1, node) +
+                              mesh.nodes[element[a]].x() * mesh.nodes[element[b]].x();
         }
     embedding.evaluate(curved, positions);
     for (std::size_t v = 0; v < positions.size(); ++v) {
@@ -389,7 +407,8 @@ TEST_CASE("surface embedding: rest positions are the surface's, and follow the c
     }
 }
 
-TEST_CASE("surface embedding: an impulse on lumped masses keeps its linear momentum, and moves its vertex by the inverse mass there")
+TEST_CASE(
+    "surface embedding: an impulse on lumped masses keeps its linear momentum, and moves its vertex by the inverse mass there")
 {
     const QuadraticTetrahedralMesh mesh = with_edge_midpoints(small_bar());
     const SurfaceEmbedding embedding(mesh, surface_of(mesh).nodes);
@@ -400,7 +419,8 @@ TEST_CASE("surface embedding: an impulse on lumped masses keeps its linear momen
         embedding.apply_impulse(vertex, impulse, body.inverse_masses(), body.velocities());
         const Vec3 change = embedding.at(vertex, body.velocities());
         CHECK((body.linear_momentum() - impulse).norm() <= 1e-13);
-        CHECK((change - embedding.inverse_mass(vertex, body.inverse_masses()) * impulse).norm() <= 1e-13 * change.norm());
+        CHECK((change - embedding.inverse_mass(vertex, body.inverse_masses()) * impulse).norm() <=
+              1e-13 * change.norm());
         const double of_lumps = 0.5 * body.velocities().colwise().squaredNorm() * body.masses();
         CHECK(of_lumps == doctest::Approx(0.5 * impulse.dot(change)));  // the work the impulse did
         CHECK(body.kinetic_energy() < 0.9 * of_lumps);  // between the nodes the body lags behind them

@@ -1,8 +1,8 @@
 #include "common/fem/polar_rotation.hpp"
 #include "common/fem/tests/bodies.hpp"
 
-#include <Eigen/LU>
 #include <doctest/doctest.h>
+#include <Eigen/LU>
 
 #include <array>
 
@@ -32,8 +32,9 @@ TEST_CASE("polar rotation: F = R S is taken apart into the R and S it was made o
 TEST_CASE("polar rotation: flat, inverted, tiny, huge and zero gradients still give a rotation")
 {
     const Mat3 r = random_rotation(7);
-    for (const Vec3& stretch : {Vec3(1, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(1, 1, -1), Vec3(-1, -1, -1), Vec3(2, 1, -1e-9),
-                                Vec3(1e-150, 1e-150, 1e-150), Vec3(1e90, 1e90, 1e90), Vec3(1, 1e-9, 1e-9)}) {
+    for (const Vec3& stretch :
+         {Vec3(1, 1, 0), Vec3(1, 0, 0), Vec3(0, 0, 0), Vec3(1, 1, -1), Vec3(-1, -1, -1), Vec3(2, 1, -1e-9),
+          Vec3(1e-150, 1e-150, 1e-150), Vec3(1e90, 1e90, 1e90), Vec3(1, 1e-9, 1e-9)}) {
         CAPTURE(stretch.transpose());
         CHECK(departure_from_rotation(polar_rotation(r * stretch.asDiagonal())) <= 1e-12);
     }
@@ -73,16 +74,21 @@ TEST_CASE("polar rotation: an element turns with its body, whatever its shape")
 
 TEST_CASE("polar rotation: a bent quadratic element turns as at its centroid, not as at a corner")
 {
-    // x = X + (b.X)^2 d: its gradient 1 + 2 (b.X) d b^T is known everywhere, and its control points by polarisation.
+    // x = X + (b.X)^2 d: its gradient 1 + 2 (b.X) d b^T is known
+    // everywhere, and its control points by polarisation.
     const Vec3 b(2, -1, 1), d(0.3, 1.1, -0.7);
     const ElasticMesh mesh = elastic(small_bar(), Basis::quadratic);
-    const auto gradient_at = [&](const Vec3& place) -> Mat3 { return Mat3::Identity() + 2 * b.dot(place) * d * b.transpose(); };
+    const auto gradient_at = [&](const Vec3& place) -> Mat3 {
+        return Mat3::Identity() + 2 * b.dot(place) * d * b.transpose();
+    };
     NodalVectors bent = mesh.rest();
     for (const ElasticElement& element : mesh.elements())
         for (std::size_t i = 0; i < 10; ++i) {
             const auto [one, other] = i < 4 ? std::array{int(i), int(i)} : tetrahedron_edges[i - 4];
-            const Vec3 x_one = mesh.rest().col(element.nodes[one]), x_other = mesh.rest().col(element.nodes[other]);
-            bent.col(element.nodes[i]) = mesh.rest().col(element.nodes[i]) + b.dot(x_one) * b.dot(x_other) * d;
+            const Vec3 x_one = mesh.rest().col(element.nodes[one]),
+                       x_other = mesh.rest().col(element.nodes[other]);
+            bent.col(element.nodes[i]) = mesh.rest().col(element.nodes[i]) +
+                                         b.dot(x_one) * b.dot(x_other) * d;
         }
     ElementRotations rotations;
     find_rotations(mesh, bent, rotations);
@@ -93,6 +99,7 @@ TEST_CASE("polar rotation: a bent quadratic element turns as at its centroid, no
             centroid += mesh.rest().col(mesh.elements()[e].nodes[i]) / 4;
         CHECK((rotations[e] - polar_rotation(gradient_at(centroid))).norm() <= 1e-12);
         for (int i = 0; i < 4; ++i)
-            CHECK((rotations[e] - polar_rotation(gradient_at(mesh.rest().col(mesh.elements()[e].nodes[i])))).norm() > 0.01);
+            CHECK((rotations[e] - polar_rotation(gradient_at(mesh.rest().col(mesh.elements()[e].nodes[i]))))
+                      .norm() > 0.01);
     }
 }

@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <sstream>
 
-/// Whatever the bytes are: a sound mesh comes back, or an InputError; never a crash, a hang or a flood of memory.
+/// Whatever the bytes are: a sound mesh comes back, or an InputError;
+/// never a crash, a hang or a flood of memory.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string text(reinterpret_cast<const char*>(data), size);
@@ -15,7 +16,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const enduring::TetrahedralMesh mesh = enduring::read_gmsh(stream, "fuzz.msh");
         enduring::read_gmsh_quadratic(again, "fuzz.msh");
         enduring::check_solid(mesh, "fuzz.msh");
-    } catch (const enduring::InputError&) {
-    }
+    } catch (const enduring::InputError&) {}
     return 0;
 }

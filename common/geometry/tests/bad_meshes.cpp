@@ -64,7 +64,10 @@ TEST_CASE("Gmsh reader: each kind of bad file is refused with file, line and rea
     const std::vector<std::array<std::string, 2>> cases{
         {"", "m.msh: the file is empty"},
         {"\n \n", "m.msh: the file is empty"},
-        {std::string("\x7f" "ELF\0", 5), "m.msh:1: binary data"},
+        {std::string("\x7f"
+                     "ELF\0",
+                     5),
+         "m.msh:1: binary data"},
         {replaced(good, "2.2 0 8", "2.2 1 8"), "m.msh:2: a binary Gmsh file"},
         {replaced(good, "2.2", "4.1"), "m.msh:2: Gmsh format '4.1' is not supported"},
         {corners, "m.msh:1: not a Gmsh file"},
@@ -74,9 +77,11 @@ TEST_CASE("Gmsh reader: each kind of bad file is refused with file, line and rea
         {good.substr(0, good.size() - 13), "m.msh:13: the file ends where $EndElements is missing"},
         {replaced(good, "4\n1 0 0 0", "5\n1 0 0 0"), "m.msh:10: $Nodes promises 5 entries and ends after 4"},
         {replaced(good, "4\n1 0 0 0", "3\n1 0 0 0"), "m.msh:9: $Nodes promises 3 entries and goes on"},
-        {replaced(good, "4\n1 0 0 0", "9000000000000000000\n1 0 0 0"), "m.msh:10: $Nodes promises 9000000000000000000"},
+        {replaced(good, "4\n1 0 0 0", "9000000000000000000\n1 0 0 0"),
+         "m.msh:10: $Nodes promises 9000000000000000000"},
         {replaced(good, "4\n1 0 0 0", "-4\n1 0 0 0"), "m.msh:5: $Nodes holds -4 entries"},
-        {replaced(good, "4\n1 0 0 0", "99999999999999999999\n1 0 0 0"), "m.msh:5: count is '99999999999999999999'"},
+        {replaced(good, "4\n1 0 0 0", "99999999999999999999\n1 0 0 0"),
+         "m.msh:5: count is '99999999999999999999'"},
         {replaced(good, "2 1 0 0", "2 nan 0 0"), "m.msh:7: coordinate is 'nan', not a finite number"},
         {replaced(good, "2 1 0 0", "2 inf 0 0"), "m.msh:7: coordinate is 'inf', not a finite number"},
         {replaced(good, "2 1 0 0", "2 1e999 0 0"), "m.msh:7: coordinate is '1e999', not a finite number"},
@@ -87,11 +92,13 @@ TEST_CASE("Gmsh reader: each kind of bad file is refused with file, line and rea
         {replaced(good, "1 2 3 4\n", "1 2 3 3\n"), "m.msh:13: element 1 names node 3 twice"},
         {replaced(good, "1 2 3 4\n", "1 2 3\n"), "m.msh:13: node is missing"},
         {replaced(good, "1 2 3 4\n", "1 2 3 4 4\n"), "m.msh:13: element 1 names too many nodes"},
-        {replaced(good, "1 2 3 4\n", "2 1 3 4\n"), "m.msh:13: element 1 is inverted: its volume is -0.166667 m^3"},
+        {replaced(good, "1 2 3 4\n", "2 1 3 4\n"),
+         "m.msh:13: element 1 is inverted: its volume is -0.166667 m^3"},
         {replaced(good, "4 0 0 1", "4 1 1 0"), "m.msh:13: element 1 is flat: its volume is 0 m^3"},
         {replaced(good, "4 0 0 1", "4 0 0 1e200"), "m.msh:13: element 1 is too large"},
         {replaced(good, "1 4 2 1 1", "1 5 2 1 1"), "m.msh:13: element 1 is of type 5"},
-        {replaced(good, "1 4 2 1 1 1 2 3 4", "1 2 2 1 1 1 2 3"), "m.msh:14: the file ends without a tetrahedron"},
+        {replaced(good, "1 4 2 1 1 1 2 3 4", "1 2 2 1 1 1 2 3"),
+         "m.msh:14: the file ends without a tetrahedron"},
     };
     for (const auto& one : cases) {
         const std::string &text = one[0], &expected = one[1];
@@ -208,10 +215,12 @@ TEST_CASE("solid checks: inverted elements, stray nodes and solids that touch in
     CHECK(refused(wild) == "bar: element 3 names node -1, which does not exist");
 
     // Two tetrahedra over one edge: the surface has four faces there.
-    const TetrahedralMesh hinge{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, {{0, 2, 3, 1}, {0, 4, 5, 1}}};
+    const TetrahedralMesh hinge{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}},
+                                {{0, 2, 3, 1}, {0, 4, 5, 1}}};
     CHECK(refused(hinge).find("bar: the surface is not manifold") == 0);
 
     // Three tetrahedra on one face.
-    TetrahedralMesh crowded{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0.2, 0.2, 2}}, {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 5}}};
+    TetrahedralMesh crowded{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0.2, 0.2, 2}},
+                            {{0, 1, 2, 3}, {0, 2, 1, 4}, {0, 1, 2, 5}}};
     CHECK(refused(crowded) == "bar: more than two elements share the face over nodes 0, 1 and 2");
 }

@@ -25,10 +25,14 @@ const std::filesystem::path meshes = source_directory() / "common/meshes";
 std::string gmsh_text(const std::vector<Vec3>& nodes, int type, const std::vector<std::vector<int>>& elements)
 {
     std::ostringstream text;
-    text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\nanything\n$EndComments\n$Nodes\n" << nodes.size() << "\n" << std::setprecision(17);
+    text << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\nanything\n$EndComments\n$Nodes\n"
+         << nodes.size() << "\n"
+         << std::setprecision(17);
     for (std::size_t n = 0; n < nodes.size(); ++n)
-        text << 10 * n + 7 << " " << nodes[n].x() << " " << nodes[n].y() << " " << nodes[n].z() << "\n";  // numbers need not be dense
-    text << "$EndNodes\n$Elements\n" << elements.size() + 1 << "\n1 2 0 7 17 27\n";  // a triangle, to be passed over
+        // numbers need not be dense
+        text << 10 * n + 7 << " " << nodes[n].x() << " " << nodes[n].y() << " " << nodes[n].z() << "\n";
+    // a triangle, to be passed over
+    text << "$EndNodes\n$Elements\n" << elements.size() + 1 << "\n1 2 0 7 17 27\n";
     for (std::size_t e = 0; e < elements.size(); ++e) {
         text << e + 2 << " " << type << " 2 1 1";
         for (int node : elements[e])
@@ -57,7 +61,8 @@ TEST_CASE("Gmsh reader: what is written in 17 digits is read back to the last bi
 
 TEST_CASE("Gmsh reader: nodes that no tetrahedron uses are left out")
 {
-    std::istringstream stream(gmsh_text({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}, {0, 0, 1}}, 4, {{1, 2, 4, 5}}));
+    std::istringstream stream(
+        gmsh_text({{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}, {0, 0, 1}}, 4, {{1, 2, 4, 5}}));
     const TetrahedralMesh read = read_gmsh(stream, "text");
     CHECK(read.nodes == std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     CHECK(read.elements == std::vector<std::array<int, 4>>{{0, 1, 2, 3}});
@@ -65,9 +70,11 @@ TEST_CASE("Gmsh reader: nodes that no tetrahedron uses are left out")
 
 TEST_CASE("Gmsh reader: ten-node elements arrive in our order of edges, corners first")
 {
-    // Gmsh's own order: corners, then the middles of 01, 12, 02, 03, 23, 13. Here the middles stand first in the file.
+    // Gmsh's own order: corners, then the middles of 01, 12, 02, 03, 23,
+    // 13. Here the middles stand first in the file.
     const std::vector<Vec3> corner{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
-    const std::array<std::array<std::size_t, 2>, 6> gmsh_edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
+    const std::array<std::array<std::size_t, 2>, 6> gmsh_edges{
+        {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {2, 3}, {1, 3}}};
     std::vector<Vec3> nodes;
     for (const auto& [i, j] : gmsh_edges)
         nodes.push_back((corner[i] + corner[j]) / 2);
@@ -84,7 +91,9 @@ TEST_CASE("Gmsh reader: ten-node elements arrive in our order of edges, corners 
         CHECK(node(i) == corner[i]);
     }
     for (std::size_t e = 0; e < 6; ++e)
-        CHECK(node(4 + e) == (node(static_cast<std::size_t>(tetrahedron_edges[e][0])) + node(static_cast<std::size_t>(tetrahedron_edges[e][1]))) / 2);
+        CHECK(node(4 + e) == (node(static_cast<std::size_t>(tetrahedron_edges[e][0])) +
+                              node(static_cast<std::size_t>(tetrahedron_edges[e][1]))) /
+                                 2);
     CHECK(read_gmsh(again, "text").nodes == corner);
 }
 
@@ -154,8 +163,10 @@ TEST_CASE("OBJ reader: a polygon without an inside is refused with its line")
 {
     const std::string corners = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 3 0 0\nv 1 1 0\n";
     std::istringstream flat(corners + "f 1 2 5\nf 1 2 3 4\n"), twice(corners + "f 1 3 1 5\n");
-    CHECK_THROWS_WITH_AS(read_obj(flat, "text"), "text:7: this polygon cannot be cut into triangles", InputError);
-    CHECK_THROWS_WITH_AS(read_obj(twice, "text"), "text:6: this polygon cannot be cut into triangles", InputError);
+    CHECK_THROWS_WITH_AS(read_obj(flat, "text"), "text:7: this polygon cannot be cut into triangles",
+                         InputError);
+    CHECK_THROWS_WITH_AS(read_obj(twice, "text"), "text:6: this polygon cannot be cut into triangles",
+                         InputError);
 }
 
 TEST_CASE("OBJ reader: coordinates are the doubles nearest to their decimals")

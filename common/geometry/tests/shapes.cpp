@@ -19,14 +19,15 @@ double frustum(double r1, double r2, double height, int n)
     return n / 2.0 * std::sin(2 * pi / n) * height * (r1 * r1 + r1 * r2 + r2 * r2) / 3;
 }
 
-/// Volume that the sphere of this radius holds below a plane, faceted as the bowl's wall is: sums of frusta from the
-/// angle `from` to `to`, seen from the centre, straight down being 0.
+/// Volume that the sphere of this radius holds below a plane, faceted as the bowl's wall is: sums of frusta
+/// from the angle `from` to `to`, seen from the centre, straight down being 0.
 double faceted_sphere_part(double radius, double from, double to, int along, int around)
 {
     double volume = 0;
     for (int i = 0; i < along; ++i) {
         const double a = from + (to - from) * i / along, b = from + (to - from) * (i + 1) / along;
-        volume += frustum(radius * std::sin(a), radius * std::sin(b), radius * (std::cos(a) - std::cos(b)), around);
+        volume += frustum(radius * std::sin(a), radius * std::sin(b), radius * (std::cos(a) - std::cos(b)),
+                          around);
     }
     return volume;
 }
@@ -35,8 +36,10 @@ double faceted_sphere_part(double radius, double from, double to, int along, int
 
 TEST_CASE("shapes: every closed shape is closed, manifold and faces outwards")
 {
-    for (const SurfaceMesh& mesh : {box({1, 2, 3}), box({1, 2, 3}, {4, 1, 2}), slope({4, 0.5, 2}, 0.3, {5, 1, 2}), tetrahedron(1), sphere(2, 0),
-                                    sphere(2, 3), bowl({}), bowl({.rim_angle = 0.8, .foot_radius = 0.3, .segments_around = 7})})
+    for (const SurfaceMesh& mesh :
+         {box({1, 2, 3}), box({1, 2, 3}, {4, 1, 2}), slope({4, 0.5, 2}, 0.3, {5, 1, 2}), tetrahedron(1),
+          sphere(2, 0), sphere(2, 3), bowl({}),
+          bowl({.rim_angle = 0.8, .foot_radius = 0.3, .segments_around = 7})})
         CHECK_NOTHROW(check_surface(mesh, "shape"));
 }
 
@@ -95,8 +98,13 @@ TEST_CASE("shapes: a sphere's vertices lie on it, and its volume converges at se
 TEST_CASE("shapes: the wall of a bowl holds the volume between two faceted spheres and half a faceted torus")
 {
     for (double foot : {0.0, 0.25}) {
-        const BowlShape shape{.inner_radius = 1, .thickness = 0.2, .rim_angle = pi / 2, .foot_radius = foot,
-                              .segments_around = 24, .segments_along = 9, .segments_rim = 6};
+        const BowlShape shape{.inner_radius = 1,
+                              .thickness = 0.2,
+                              .rim_angle = pi / 2,
+                              .foot_radius = foot,
+                              .segments_around = 24,
+                              .segments_along = 9,
+                              .segments_rim = 6};
         const double foot_angle = std::asin(foot / 1.2);
         const double outer = faceted_sphere_part(1.2, foot_angle, pi / 2, 9, 24);
         const double inner = faceted_sphere_part(1.0, 0, pi / 2, 9, 24);
@@ -114,10 +122,15 @@ TEST_CASE("shapes: the wall of a bowl holds the volume between two faceted spher
 TEST_CASE("shapes: a fine bowl holds the volume of the smooth one")
 {
     const double r = 0.8, t = 0.1, R = r + t, angle = 1.1;
-    const SurfaceMesh mesh = bowl({.inner_radius = r, .thickness = t, .rim_angle = angle, .segments_around = 200,
-                                   .segments_along = 100, .segments_rim = 40});
+    const SurfaceMesh mesh = bowl({.inner_radius = r,
+                                   .thickness = t,
+                                   .rim_angle = angle,
+                                   .segments_around = 200,
+                                   .segments_along = 100,
+                                   .segments_rim = 40});
     const double shell = 2 * pi / 3 * (R * R * R - r * r * r) * (1 - std::cos(angle));
-    // Pappus: half a disc of radius t/2; its centroid lies 4 (t/2) / (3 pi) beyond the middle of the rim, along the wall.
+    // Pappus: half a disc of radius t/2; its centroid lies 4 (t/2) / (3 pi)
+    // beyond the middle of the rim, along the wall.
     const double centroid = (r + R) / 2 * std::sin(angle) + 4 * (t / 2) / (3 * pi) * std::cos(angle);
     const double rim = 2 * pi * centroid * pi * (t / 2) * (t / 2) / 2;
     CHECK(enclosed_volume(mesh) == doctest::Approx(shell + rim).epsilon(1e-3));

@@ -7,14 +7,17 @@
 
 using namespace enduring;
 
-TEST_CASE("shortest turn: it takes the one direction to the other, whatever their lengths, and leaves what lies across both")
+TEST_CASE(
+    "shortest turn: it takes the one direction to the other, whatever their lengths, and leaves what lies across both")
 {
     std::mt19937 random(5);
     std::normal_distribution<double> normal;
     for (int i = 0; i < 1000; ++i) {
-        const Vec3 from(normal(random), normal(random), normal(random)), to(normal(random), normal(random), normal(random));
+        const Vec3 from(normal(random), normal(random), normal(random)),
+            to(normal(random), normal(random), normal(random));
         const Quaternion turn = shortest_turn(from, to);
-        const double lost = 4e-16 / (1 + from.normalized().dot(to.normalized()));  // near the opposite the axis is a small difference
+        // near the opposite the axis is a small difference
+        const double lost = 4e-16 / (1 + from.normalized().dot(to.normalized()));
         CHECK((turn * from.normalized() - to.normalized()).norm() < 1e-15 + 4 * lost);
         CHECK((turn * from.cross(to) - from.cross(to)).norm() < (1e-15 + 4 * lost) * from.norm() * to.norm());
         const double angle = std::atan2(from.cross(to).norm(), from.dot(to));

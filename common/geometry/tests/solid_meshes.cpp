@@ -90,7 +90,8 @@ TEST_CASE("quadratic mesh: each edge has one node, in its middle, shared by all 
     const TetrahedralMesh linear = bar({1, 1, 1}, {2, 1, 1});
     const QuadraticTetrahedralMesh mesh = with_edge_midpoints(linear);
     CHECK(mesh.corner_count == 12);
-    // Edges counted by hand: along the axes 8 + 6 + 6, diagonals of faces 4 (xy) + 4 (xz) + 3 (yz), of cells 2.
+    // Edges counted by hand: along the axes 8 + 6 + 6, diagonals of
+    // faces 4 (xy) + 4 (xz) + 3 (yz), of cells 2.
     CHECK(mesh.nodes.size() == 12 + 20 + 11 + 2);
     for (const auto& element : mesh.elements)
         for (std::size_t e = 0; e < 6; ++e) {
@@ -104,7 +105,8 @@ TEST_CASE("quadratic mesh: each edge has one node, in its middle, shared by all 
 TEST_CASE("element quality: volume and dihedral angles of the regular tetrahedron")
 {
     const SurfaceMesh regular = tetrahedron(2);
-    const std::array<Vec3, 4> inverted{regular.vertices[0], regular.vertices[1], regular.vertices[2], regular.vertices[3]};
+    const std::array<Vec3, 4> inverted{regular.vertices[0], regular.vertices[1], regular.vertices[2],
+                                       regular.vertices[3]};
     const std::array<Vec3, 4> upright{inverted[0], inverted[2], inverted[1], inverted[3]};
     CHECK(signed_volume(upright) == doctest::Approx(8 / (6 * std::sqrt(2.0))).epsilon(1e-13));
     CHECK(smallest_dihedral_angle(upright) == doctest::Approx(std::acos(1.0 / 3)).epsilon(1e-13));
@@ -114,9 +116,11 @@ TEST_CASE("element quality: volume and dihedral angles of the regular tetrahedro
 
 TEST_CASE("element quality: a flat element and an overbent one are faults")
 {
-    CHECK(element_fault(std::array<Vec3, 4>{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 1e-16)}).find("flat") != std::string::npos);
+    CHECK(element_fault(std::array<Vec3, 4>{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 1e-16)})
+              .find("flat") != std::string::npos);
 
-    QuadraticTetrahedralMesh mesh = with_edge_midpoints({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}});
+    QuadraticTetrahedralMesh mesh =
+        with_edge_midpoints({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}});
     std::array<Vec3, 10> nodes;
     const auto fault = [&] {
         for (std::size_t i = 0; i < 10; ++i)

@@ -1,6 +1,6 @@
+#include "common/geometry/surface_topology.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
-#include "common/geometry/surface_topology.hpp"
 #include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
@@ -25,7 +25,8 @@ bool same(std::span<const int> a, const std::vector<int>& b)
 
 TEST_CASE("topology: every neighbourhood equals a search through all faces")
 {
-    for (const SurfaceMesh& mesh : {sphere(1, 2), plane_grid(1, 1, {4, 3}, GridDiagonals::crossed), box({1, 2, 3}, {2, 3, 4})}) {
+    for (const SurfaceMesh& mesh :
+         {sphere(1, 2), plane_grid(1, 1, {4, 3}, GridDiagonals::crossed), box({1, 2, 3}, {2, 3, 4})}) {
         const SurfaceTopology surface = topology_of(mesh);
         for (int v = 0; v < surface.vertex_count(); ++v) {
             std::vector<int> faces, edges;
@@ -65,7 +66,9 @@ TEST_CASE("topology: closed surfaces obey Euler's formula")
         CHECK(surface.is_closed());
         CHECK(surface.is_manifold());
         CHECK(surface.is_consistently_oriented());
-        CHECK(surface.vertex_count() - static_cast<int>(surface.edges().size()) + static_cast<int>(surface.faces().size()) == 2);
+        CHECK(surface.vertex_count() - static_cast<int>(surface.edges().size()) +
+                  static_cast<int>(surface.faces().size()) ==
+              2);
     }
 }
 

@@ -1,6 +1,6 @@
+#include "common/geometry/surface_tree.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
-#include "common/geometry/surface_tree.hpp"
 #include "common/geometry/triangle_distance.hpp"
 #include "common/geometry/winding_number.hpp"
 
@@ -31,15 +31,16 @@ std::vector<Vec3> random_points(int count, unsigned seed, double reach)
 TEST_CASE("surface tree: what it holds and how far its faces are is what the solid angle and every face say")
 {
     BowlShape bowl_shape;
-    for (const SurfaceMesh& mesh : {box({1, 0.8, 1.2}, {3, 2, 1}), sphere(0.7, 2), bowl(bowl_shape), tetrahedron(1)}) {
+    for (const SurfaceMesh& mesh :
+         {box({1, 0.8, 1.2}, {3, 2, 1}), sphere(0.7, 2), bowl(bowl_shape), tetrahedron(1)}) {
         const SurfaceTree tree(mesh.faces, mesh.vertices);
         int inside = 0;
         for (const Vec3& point : random_points(800, 17, 1.3)) {
             CAPTURE(point.transpose());
             double nearest = 1e300;
             for (const auto& [a, b, c] : mesh.faces)
-                nearest = std::min(nearest, distance_to_triangle(point, mesh.vertices[a],
-                                                                 mesh.vertices[b], mesh.vertices[c]));
+                nearest = std::min(nearest, distance_to_triangle(point, mesh.vertices[a], mesh.vertices[b],
+                                                                 mesh.vertices[c]));
             CHECK(tree.distance(point) == doctest::Approx(nearest).epsilon(1e-12));
             CHECK(tree.contains(point) == (winding_number(mesh.faces, mesh.vertices, point) > 0.5));
             inside += tree.contains(point);
@@ -48,7 +49,8 @@ TEST_CASE("surface tree: what it holds and how far its faces are is what the sol
     }
 }
 
-TEST_CASE("surface tree: of the points of a grid in a box none lies on the wrong side, though many face its edges")
+TEST_CASE(
+    "surface tree: of the points of a grid in a box none lies on the wrong side, though many face its edges")
 {
     const SurfaceMesh mesh = box({2, 2, 2}, {4, 4, 4});
     const SurfaceTree tree(mesh.faces, mesh.vertices);

@@ -6,7 +6,8 @@
 
 using namespace enduring;
 
-TEST_CASE("triangle foot: the weights give the foot, the depth the way back to the point, on either side and beyond the edges")
+TEST_CASE(
+    "triangle foot: the weights give the foot, the depth the way back to the point, on either side and beyond the edges")
 {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(-1, 1);

@@ -1,5 +1,5 @@
-#include "common/geometry/box_shapes.hpp"
 #include "common/geometry/winding_number.hpp"
+#include "common/geometry/box_shapes.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
-#include "common/experiments/verification/free_top.hpp"
 #include "common/rigid/free_rotation.hpp"
+#include "common/experiments/verification/free_top.hpp"
 #include "common/rigid/rigid_motion.hpp"
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
@@ -31,7 +31,8 @@ Vec3 euler_by_rk4(const Vec3& j, Vec3 w, double seconds, int steps)
 }
 
 /// Angular momentum of a box in a real Bullet world after some steps; the world the course does without.
-btVector3 momentum_in_bullet_world(int flag, const btVector3& inertia, const btVector3& spin, int steps, double dt)
+btVector3 momentum_in_bullet_world(int flag, const btVector3& inertia, const btVector3& spin, int steps,
+                                   double dt)
 {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
@@ -55,20 +56,23 @@ btVector3 momentum_in_bullet_world(int flag, const btVector3& inertia, const btV
 
 }  // namespace
 
-TEST_CASE("free rotation: a step keeps energy and the size of the momentum for any body and any turn below a radian")
+TEST_CASE(
+    "free rotation: a step keeps energy and the size of the momentum for any body and any turn below a radian")
 {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> moment(0.1, 1.0), component(-1.0, 1.0), turn(1e-6, 1.0);
     for (int i = 0; i < 2000; ++i) {
         Vec3 j(moment(random), moment(random), moment(random));
         j.z() = std::min(j.z(), j.x() + j.y());  // no body has a moment above the sum of the other two
-        const Vec3 w0 = Vec3(component(random), component(random), component(random)).normalized() * turn(random);
+        const Vec3 w0 = Vec3(component(random), component(random), component(random)).normalized() *
+                        turn(random);
         const Vec3 w1 = freely_turned(j, w0, 1.0);
         CAPTURE(j.transpose());
         CAPTURE(w0.transpose());
         const double energy = w0.dot(j.cwiseProduct(w0));
         CHECK(std::abs(w1.dot(j.cwiseProduct(w1)) - energy) <= 1e-13 * energy);
-        CHECK(std::abs(j.cwiseProduct(w1).norm() - j.cwiseProduct(w0).norm()) <= 1e-13 * j.cwiseProduct(w0).norm());
+        CHECK(std::abs(j.cwiseProduct(w1).norm() - j.cwiseProduct(w0).norm()) <=
+              1e-13 * j.cwiseProduct(w0).norm());
         // It is a step of Euler's equations, not one that keeps everything by standing still.
         const Vec3 change = -w0.cross(j.cwiseProduct(w0)).cwiseQuotient(j);
         CHECK((w1 - w0 - change).norm() <= 20 * w0.squaredNorm() * w0.norm() / j.minCoeff());
@@ -103,7 +107,8 @@ TEST_CASE("free rotation: a spin about a principal axis stays what it is")
 
 TEST_CASE("free top: Bullet's own steps drift by more than 1% in 10 s at 240 Hz, ours by rounding")
 {
-    for (const TopMethod method : {TopMethod::bullet_explicit, TopMethod::bullet_implicit_world, TopMethod::bullet_implicit_body}) {
+    for (const TopMethod method :
+         {TopMethod::bullet_explicit, TopMethod::bullet_implicit_world, TopMethod::bullet_implicit_body}) {
         CAPTURE(name_of(method));
         CHECK(top_drift(method, 10, 240).energy > 0.01);
         CHECK(top_drift(method, 10, 240).momentum > 0.01);

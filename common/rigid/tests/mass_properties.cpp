@@ -1,5 +1,5 @@
-#include "common/input/input_error.hpp"
 #include "common/rigid/mass_properties.hpp"
+#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +13,8 @@ SurfaceMesh box_from(const Vec3& low, const Vec3& high)
 {
     SurfaceMesh mesh;
     for (int corner = 0; corner < 8; ++corner)
-        mesh.vertices.push_back({corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(), corner & 4 ? high.z() : low.z()});
+        mesh.vertices.push_back({corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
+                                 corner & 4 ? high.z() : low.z()});
     mesh.faces = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                   {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
     return mesh;
@@ -50,7 +51,8 @@ TEST_CASE("mass properties: a box has its text-book mass, centre and moments")
 TEST_CASE("mass properties: a tetrahedron at the origin has the moments of its own integrals")
 {
     // Over the corner 0 <= x, y, z, x + y + z <= 1: volume 1/6, centre 1/4; int x^2 = 1/60, int x y = 1/120.
-    SurfaceMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+    SurfaceMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                     {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
     const MassProperties p = mass_properties(mesh, 6);
     CHECK(p.mass == doctest::Approx(1));
     CHECK((p.centre - Vec3::Constant(0.25)).norm() <= 1e-15);
@@ -62,10 +64,12 @@ TEST_CASE("mass properties: a tetrahedron at the origin has the moments of its o
 TEST_CASE("mass properties: turning and moving a mesh turns the tensor and moves the centre, even far away")
 {
     const Vec3 size(0.4, 0.2, 0.1), far(1e6, -2e6, 3e5);
-    const MassProperties p = mass_properties(moved(box_from(-size / 2, size / 2), skewed, far), 1 / size.prod());
+    const MassProperties p = mass_properties(moved(box_from(-size / 2, size / 2), skewed, far),
+                                             1 / size.prod());
     CHECK((p.centre - far).norm() <= 1e-9);
     const Mat3 expected = skewed * box_inertia(size) * skewed.transpose();
-    CHECK((p.inertia - expected).norm() <= 1e-8 * expected.norm());  // the vertices themselves are rounded at 1e6
+    // the vertices themselves are rounded at 1e6
+    CHECK((p.inertia - expected).norm() <= 1e-8 * expected.norm());
 }
 
 TEST_CASE("mass properties: another mass scales the tensor and leaves the centre")
@@ -95,5 +99,6 @@ TEST_CASE("mass properties: what encloses no volume is refused with a reason")
     for (Face& face : inside_out.faces)
         std::swap(face[0], face[1]);
     CHECK_THROWS_WITH_AS(mass_properties(inside_out, 1), doctest::Contains("volume"), InputError);
-    CHECK_THROWS_WITH_AS(mass_properties(box_from({0, 0, 0}, {1, 1, 0}), 1), doctest::Contains("volume"), InputError);
+    CHECK_THROWS_WITH_AS(mass_properties(box_from({0, 0, 0}, {1, 1, 0}), 1), doctest::Contains("volume"),
+                         InputError);
 }

@@ -1,5 +1,5 @@
-#include "common/input/input_error.hpp"
 #include "common/rigid/rigid_motion.hpp"
+#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -72,13 +72,16 @@ TEST_CASE("rigid motion: an impulse off centre moves and turns as mass and inert
     CHECK(body.kinetic_energy() == doctest::Approx(0.5 * impulse.dot(inverse_mass * impulse)).epsilon(1e-12));
 }
 
-TEST_CASE("errata: an impulse is what mass times velocity changes by, not what it is, as (3.9) prints, and (3.10) of the turn")
+TEST_CASE(
+    "errata: an impulse is what mass times velocity changes by, not what it is, as (3.9) prints, and (3.10) of the turn")
 {
-    const Vec3 centre = askew_box().centre, off_centre = centre + Vec3(0.1, 0.05, -0.2), impulse(0.3, -0.7, 0.2);
+    const Vec3 centre = askew_box().centre, off_centre = centre + Vec3(0.1, 0.05, -0.2),
+               impulse(0.3, -0.7, 0.2);
     for (const Vec3& velocity : {Vec3(0, 0, 0), Vec3(1, 2, -1)}) {
         RigidMotion body(askew_box(), velocity, velocity);
         const Mat3 inertia = body.inverse_inertia().inverse();
-        const Vec3 v0 = body.velocity(), omega0 = body.angular_velocity(), twist = (off_centre - centre).cross(impulse);
+        const Vec3 v0 = body.velocity(), omega0 = body.angular_velocity(),
+                   twist = (off_centre - centre).cross(impulse);
         body.apply_impulse(impulse, off_centre);
         CHECK((2.0 * (body.velocity() - v0) - impulse).norm() <= 1e-14);
         CHECK((inertia * (body.angular_velocity() - omega0) - twist).norm() <= 1e-14);

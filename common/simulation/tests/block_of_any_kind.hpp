@@ -15,13 +15,15 @@ namespace enduring::tests {
 
 enum class BodyKind { rigid, linear, quadratic, still };
 
-/// How finely a block is cut along x, y and z: the sides of one that does not deform, the inside of one that does.
+/// How finely a block is cut along x, y and z: the sides of one that
+/// does not deform, the inside of one that does.
 struct BlockCells {
     std::array<int, 3> sides{2, 2, 2}, inside{2, 1, 1};
 };
 
 /// A tumbling block of side about 1 around a place, of any kind: 10 kg/m^3, soft if it deforms.
-inline std::unique_ptr<Body> block(const std::string& name, BodyKind kind, const Vec3& place, const Vec3& velocity, const BlockCells& cells = {})
+inline std::unique_ptr<Body> block(const std::string& name, BodyKind kind, const Vec3& place,
+                                   const Vec3& velocity, const BlockCells& cells = {})
 {
     const Vec3 size(1, 0.9, 1.1), turning(0.3, 0.2, -0.5);
     if (kind == BodyKind::rigid || kind == BodyKind::still) {
@@ -30,7 +32,8 @@ inline std::unique_ptr<Body> block(const std::string& name, BodyKind kind, const
             x += place;
         if (kind == BodyKind::rigid)
             return std::make_unique<RigidBody>(name, mesh, mass_properties(mesh, 10), velocity, turning);
-        return std::make_unique<StaticBody>(name, SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
+        return std::make_unique<StaticBody>(
+            name, SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
     }
     DeformableSettings settings;
     settings.material.density = 10;

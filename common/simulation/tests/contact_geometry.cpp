@@ -6,7 +6,6 @@
 
 using namespace enduring;
 
-
 TEST_CASE("contact geometry: a vertex under a face has its foot, the outward normal and a negative depth")
 {
     World world;

@@ -1,10 +1,10 @@
+#include "common/simulation/deformable_body.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/read_gmsh.hpp"
 #include "common/geometry/surface_extraction.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/input/source_directory.hpp"
 #include "common/rigid/mass_properties.hpp"
-#include "common/simulation/deformable_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -27,7 +27,8 @@ DeformableSettings soft(const Vec3& velocity = Vec3::Zero(), const Vec3& spin = 
     return settings;
 }
 
-std::unique_ptr<DeformableBody> soft_body(const TetrahedralMesh& mesh, bool quadratic, const DeformableSettings& settings)
+std::unique_ptr<DeformableBody> soft_body(const TetrahedralMesh& mesh, bool quadratic,
+                                          const DeformableSettings& settings)
 {
     if (quadratic)
         return std::make_unique<DeformableBody>("body", with_edge_midpoints(mesh), settings);
@@ -79,7 +80,8 @@ TEST_CASE("deformable body: free fall is symplectic Euler at every surface verte
     }
 }
 
-TEST_CASE("deformable body: a lumped impulse gives exactly its linear momentum and moves its vertex by the inverse mass there")
+TEST_CASE(
+    "deformable body: a lumped impulse gives exactly its linear momentum and moves its vertex by the inverse mass there")
 {
     for (const bool quadratic : {false, true}) {
         CAPTURE(quadratic);
@@ -110,7 +112,8 @@ std::unique_ptr<DeformableBody> linear_bar(bool quadratic, ImpulseResponse respo
 
 }  // namespace
 
-TEST_CASE("deformable body: an implicit impulse gives exactly its linear and angular momentum, and its work at the vertex")
+TEST_CASE(
+    "deformable body: an implicit impulse gives exactly its linear and angular momentum, and its work at the vertex")
 {
     const Vec3 impulse(0.5, -1, 2), about(0.3, 0, -2);
     for (const bool quadratic : {false, true})
@@ -119,7 +122,8 @@ TEST_CASE("deformable body: an implicit impulse gives exactly its linear and ang
             CAPTURE(vertex);
             const auto body = linear_bar(quadratic, ImpulseResponse::implicit);
             body->predict(Vec3::Zero(), 0.01);
-            const Vec3 velocity = body->velocity(vertex), linear = body->linear_momentum(), angular = body->angular_momentum(about);
+            const Vec3 velocity = body->velocity(vertex), linear = body->linear_momentum(),
+                       angular = body->angular_momentum(about);
             const double before = body->energy(Vec3::Zero()).total();
             const Vec3 point = body->positions_t0()[vertex];
             body->apply_impulse(vertex, impulse);
@@ -132,7 +136,8 @@ TEST_CASE("deformable body: an implicit impulse gives exactly its linear and ang
         }
 }
 
-TEST_CASE("deformable body: a lumped impulse turns the body and works on it by less than its lever and its way")
+TEST_CASE(
+    "deformable body: a lumped impulse turns the body and works on it by less than its lever and its way")
 {
     for (const bool quadratic : {false, true}) {
         CAPTURE(quadratic);
@@ -159,9 +164,11 @@ TEST_CASE("deformable body: while it spins it has the momentum and the energy of
                 CAPTURE(quadratic);
                 CAPTURE(axis);
                 const auto body = soft_body(shape, quadratic, soft({1, 2, -1}, Vec3::Unit(axis)));
-                const MassProperties rigid = with_mass(mass_properties(surface_of(shape).mesh, 1), body->mass());
+                const MassProperties rigid = with_mass(mass_properties(surface_of(shape).mesh, 1),
+                                                       body->mass());
                 const Mat3 turn = soft().rotation, inertia = turn * rigid.inertia * turn.transpose();
-                const Vec3 centre = turn * rigid.centre + soft().position, angular = inertia * Vec3::Unit(axis);
+                const Vec3 centre = turn * rigid.centre + soft().position,
+                           angular = inertia * Vec3::Unit(axis);
                 CHECK((body->angular_momentum(centre) - angular).norm() < 1e-10 * angular.norm());
                 const double kinetic = 0.5 * body->mass() * 6 + 0.5 * angular[axis];
                 CHECK(body->energy(Vec3::Zero()).kinetic == doctest::Approx(kinetic).epsilon(1e-10));
@@ -221,10 +228,12 @@ TEST_CASE("deformable body: fixed nodes take no impulse, at once or within the s
                 CAPTURE(vertex);
                 const Vec3 impulse(1, 2, 3), before = body->velocity(vertex);
                 const auto nodes = body->embedding().nodes_of(vertex);
-                const bool pinned = std::all_of(nodes.begin(), nodes.end(), [](const NodeWeight& n) { return n.node < 3; });
+                const bool pinned = std::all_of(nodes.begin(), nodes.end(),
+                                                [](const NodeWeight& n) { return n.node < 3; });
                 body->begin_trial();
                 body->try_impulse(vertex, impulse);
-                const Vec3 tried = body->tried_velocity(vertex), answer = body->inverse_mass(vertex) * impulse;
+                const Vec3 tried = body->tried_velocity(vertex),
+                           answer = body->inverse_mass(vertex) * impulse;
                 body->apply_impulse(vertex, impulse);
                 body->update_prediction(0.02);
                 const Vec3 after = body->velocity(vertex);

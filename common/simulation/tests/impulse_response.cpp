@@ -2,8 +2,8 @@
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <doctest/doctest.h>
+#include <Eigen/SparseCholesky>
 
 #include <memory>
 
@@ -36,7 +36,8 @@ Vec3 answer(ImpulseResponse response, bool quadratic, double dt)
 
 }  // namespace
 
-TEST_CASE("impulse response: the implicit one gives the impulse's momentum, once, and moves nothing before the update")
+TEST_CASE(
+    "impulse response: the implicit one gives the impulse's momentum, once, and moves nothing before the update")
 {
     for (const bool quadratic : {false, true}) {
         CAPTURE(quadratic);
@@ -55,19 +56,22 @@ TEST_CASE("impulse response: the implicit one gives the impulse's momentum, once
 
 namespace {
 
-/// Velocity of vertex 0 per impulse there, w^T M^-1 w: in a step too short for elasticity its neighbours follow by inertia alone.
+/// Velocity of vertex 0 per impulse there, w^T M^-1 w: in a step too short for
+/// elasticity its neighbours follow by inertia alone.
 double answer_of_inertia(bool quadratic)
 {
     const auto body = soft_bar(ImpulseResponse::implicit, quadratic);
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(body->elastic().node_count());
     for (const auto& [node, weight] : body->embedding().nodes_of(0))
         weights[node] = weight;
-    return weights.dot(Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(body->elastic().mass_matrix()).solve(weights));
+    return weights.dot(
+        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(body->elastic().mass_matrix()).solve(weights));
 }
 
 }  // namespace
 
-TEST_CASE("impulse response: the implicit one tends to that of the mass matrix alone as the step shrinks, and is smaller in a longer one")
+TEST_CASE(
+    "impulse response: the implicit one tends to that of the mass matrix alone as the step shrinks, and is smaller in a longer one")
 {
     for (const bool quadratic : {false, true}) {
         CAPTURE(quadratic);
@@ -105,7 +109,8 @@ Mat3 solved_inverse_mass(DeformableBody& body, int vertex, double dt)
 
 }  // namespace
 
-TEST_CASE("impulse response: the implicit inverse mass is what one solve of the elastic system gives, also after a turn")
+TEST_CASE(
+    "impulse response: the implicit inverse mass is what one solve of the elastic system gives, also after a turn")
 {
     for (const bool quadratic : {false, true})
         for (const double dt : {0.01, 0.002}) {
@@ -133,8 +138,9 @@ TEST_CASE("impulse response: the implicit inverse mass turns with the body")
         settings.impulse_response = ImpulseResponse::implicit;
         settings.angular_velocity = {0, 0, 2};
         const TetrahedralMesh mesh = bar({1, 0.2, 0.2}, {4, 1, 1});
-        const auto body = quadratic ? std::make_unique<DeformableBody>("bar", with_edge_midpoints(mesh), settings)
-                                    : std::make_unique<DeformableBody>("bar", mesh, settings);
+        const auto body = quadratic
+                              ? std::make_unique<DeformableBody>("bar", with_edge_midpoints(mesh), settings)
+                              : std::make_unique<DeformableBody>("bar", mesh, settings);
         body->predict(Vec3::Zero(), dt);
         const Mat3 at_first = body->inverse_mass(1);
         for (int step = 0; step < 78; ++step) {  // a quarter turn

@@ -1,6 +1,6 @@
+#include "common/simulation/rigid_body.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/rigid/mass_properties.hpp"
-#include "common/simulation/rigid_body.hpp"
 #include "common/simulation/step.hpp"
 
 #include <doctest/doctest.h>
@@ -64,10 +64,12 @@ TEST_CASE("rigid body: the predicted surface is the one that committing produces
         CHECK((body.positions_t0()[i] - predicted[i]).norm() < 1e-13);
         CHECK(body.positions_t1()[i] == body.positions_t0()[i]);
     }
-    CHECK((predicted[1] - predicted[0]).norm() == doctest::Approx((placed_brick().vertices[1] - placed_brick().vertices[0]).norm()));
+    CHECK((predicted[1] - predicted[0]).norm() ==
+          doctest::Approx((placed_brick().vertices[1] - placed_brick().vertices[0]).norm()));
 }
 
-TEST_CASE("rigid body: an impulse changes the velocity at its vertex by the inverse mass there, and no position")
+TEST_CASE(
+    "rigid body: an impulse changes the velocity at its vertex by the inverse mass there, and no position")
 {
     RigidBody body = brick({0, 1, 0}, {0.3, -0.2, 0.5});
     const double dt = 0.01;
@@ -103,7 +105,8 @@ TEST_CASE("rigid body: impulses give it exactly their linear and angular momentu
     body.predict(Vec3::Zero(), 0.01);
     const Vec3 about(0.5, -1, 2);
     Vec3 linear = body.linear_momentum(), angular = body.angular_momentum(about);
-    for (const auto& [vertex, impulse] : {std::pair<int, Vec3>{0, {1, 2, 3}}, {5, {-2, 0.5, 1}}, {2, {0, -4, 0.25}}}) {
+    for (const auto& [vertex, impulse] :
+         {std::pair<int, Vec3>{0, {1, 2, 3}}, {5, {-2, 0.5, 1}}, {2, {0, -4, 0.25}}}) {
         linear += impulse;
         angular += (body.positions_t0()[vertex] - about).cross(impulse);
         body.apply_impulse(vertex, impulse);
@@ -123,5 +126,6 @@ TEST_CASE("rigid body: potential energy turns into kinetic energy in free fall")
         body.commit(1e-4);
     }
     // Symplectic Euler lags by m g^2 dt t / 2.
-    CHECK(body.energy(gravity).total() - before == doctest::Approx(-8 * 9.81 * 9.81 * 1e-4 * 0.1 / 2).epsilon(1e-6));
+    CHECK(body.energy(gravity).total() - before ==
+          doctest::Approx(-8 * 9.81 * 9.81 * 1e-4 * 0.1 / 2).epsilon(1e-6));
 }

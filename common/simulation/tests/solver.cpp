@@ -13,10 +13,7 @@ Pass named(const std::string& name)
     return {name, [](World&, Contacts&, double) {}};
 }
 
-Solver solver()
-{
-    return {"springs", {named("a"), named("b")}, {named("c")}, {named("d")}};
-}
+Solver solver() { return {"springs", {named("a"), named("b")}, {named("c")}, {named("d")}}; }
 
 std::string names(const Solver& of, StepStage stage)
 {
@@ -65,7 +62,8 @@ TEST_CASE("solver: a name that no pass has is refused, and the message lists tho
     CHECK_THROWS_WITH_AS(same.replace("x", named("y")), message, std::invalid_argument);
     CHECK_THROWS_WITH_AS(same.remove("x"), message, std::invalid_argument);
     CHECK_THROWS_WITH_AS(same.pass("x"), message, std::invalid_argument);
-    CHECK_THROWS_WITH_AS(Solver{}.remove("x"), R"(solver "" has no pass "x"; it has none)", std::invalid_argument);
+    CHECK_THROWS_WITH_AS(Solver{}.remove("x"), R"(solver "" has no pass "x"; it has none)",
+                         std::invalid_argument);
     CHECK(names(same, StepStage::refresh) == "a b ");
 }
 

@@ -60,7 +60,8 @@ TEST_CASE("step: without contacts one detection ends it, and nothing responds")
     std::string log;
     World world = one_triangle();
     Contacts contacts;
-    advance(world, contacts, {"", {logged("enduring", log)}, {logged("detect", log)}, {logged("respond", log)}}, 0.1);
+    advance(world, contacts,
+            {"", {logged("enduring", log)}, {logged("detect", log)}, {logged("respond", log)}}, 0.1);
     CHECK(log == "enduring detect ");
 }
 
@@ -84,7 +85,8 @@ TEST_CASE("step: five responses are the most, and what the last detection finds 
     std::string log;
     World world = one_triangle();
     Contacts contacts;
-    advance(world, contacts, {"", {}, {logged("d", log, append_contact)}, {logged("r", log, handle_all)}}, 0.1);
+    advance(world, contacts, {"", {}, {logged("d", log, append_contact)}, {logged("r", log, handle_all)}},
+            0.1);
     CHECK(log == "d r d r d r d r d r d ");
     REQUIRE(contacts.size() == 6);
     CHECK(contacts[4].answered());
@@ -101,8 +103,8 @@ TEST_CASE("step: a contact that lives on starts the new step waiting, without im
     contacts[0].friction = {3, 2, 1};
     bool seen = false;
     const Pass enduring{"enduring", [&](World&, Contacts& living, double) {
-                            seen = living.size() == 1 && living[0].start == 0 && !living[0].answered() && living[0].impulse.isZero() &&
-                                   living[0].friction.isZero();
+                            seen = living.size() == 1 && living[0].start == 0 && !living[0].answered() &&
+                                   living[0].impulse.isZero() && living[0].friction.isZero();
                         }};
     std::string log;
     advance(world, contacts, {"", {enduring}, {}, {logged("r", log, handle_all)}}, 0.1);
@@ -110,7 +112,8 @@ TEST_CASE("step: a contact that lives on starts the new step waiting, without im
     CHECK(log == "r ");
 }
 
-TEST_CASE("step: a pair's vertices receive its impulse and its friction by their weights, once, and only while it waits")
+TEST_CASE(
+    "step: a pair's vertices receive its impulse and its friction by their weights, once, and only while it waits")
 {
     World world = one_triangle();
     world.bodies.push_back(triangle("second sheet"));
@@ -161,24 +164,27 @@ TEST_CASE("step: a NaN stops the run and names step, body and vertex")
     World world = one_triangle();
     world.bodies.push_back(triangle("second sheet"));
     Contacts contacts(1);
-    const Pass poison{"r", [&](World& in, Contacts& all, double) {
-                          if (in.step == 2)
-                              in.bodies[1]->apply_impulse(1, {0, std::numeric_limits<double>::quiet_NaN(), 0});
-                          handle_all(in, all);
-                      }};
+    const Pass poison{
+        "r", [&](World& in, Contacts& all, double) {
+            if (in.step == 2)
+                in.bodies[1]->apply_impulse(1, {0, std::numeric_limits<double>::quiet_NaN(), 0});
+            handle_all(in, all);
+        }};
     const Solver solver{"", {}, {}, {poison}};
     advance(world, contacts, solver, 0.1);
     advance(world, contacts, solver, 0.1);
-    CHECK_THROWS_WITH_AS(advance(world, contacts, solver, 0.1),
-                         "step 3: body 'second sheet', vertex 1: the position predicted after contact impulses is not a finite number",
-                         std::runtime_error);
+    CHECK_THROWS_WITH_AS(
+        advance(world, contacts, solver, 0.1),
+        "step 3: body 'second sheet', vertex 1: the position predicted after contact impulses is not a finite number",
+        std::runtime_error);
 }
 
 TEST_CASE("step: an infinite velocity is caught in the prediction")
 {
     World world = one_triangle({0, -std::numeric_limits<double>::infinity(), 0});
     Contacts contacts;
-    CHECK_THROWS_WITH_AS(advance(world, contacts, {}, 0.1), doctest::Contains("body 'sheet', vertex 0"), std::runtime_error);
+    CHECK_THROWS_WITH_AS(advance(world, contacts, {}, 0.1), doctest::Contains("body 'sheet', vertex 0"),
+                         std::runtime_error);
 }
 
 TEST_CASE("step: the observer hears of every pass by its name, in order")
@@ -186,7 +192,8 @@ TEST_CASE("step: the observer hears of every pass by its name, in order")
     std::string log, heard;
     World world = one_triangle();
     Contacts contacts(1);
-    advance(world, contacts, {"", {logged("e", log)}, {logged("d", log)}, {logged("r", log, handle_all)}, {logged("f", log)}}, 0.1,
-            [&](const std::string& pass) { heard += pass + ","; });
+    advance(world, contacts,
+            {"", {logged("e", log)}, {logged("d", log)}, {logged("r", log, handle_all)}, {logged("f", log)}},
+            0.1, [&](const std::string& pass) { heard += pass + ","; });
     CHECK(heard == "predict,e,d,r,apply impulses,update prediction,d,f,commit,");
 }

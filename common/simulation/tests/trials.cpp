@@ -9,13 +9,18 @@ namespace {
 /// One body of the kind, in the middle of a tumbling step, and three of its vertices.
 std::unique_ptr<Body> body_in_motion(const std::string& kind, double dt)
 {
-    const std::string what = kind == "rigid"
-        ? R"("type": "rigid", "shape": {"box": {"size": [1, 0.5, 0.4]}}, "mass": 3)"
-        : R"("type": "deformable", "shape": {"bar": {"size": [1, 0.2, 0.2], "cells": [4, 1, 1]}}, "density": 100, "young": 1e6,
-             "poisson": 0.3, "basis": ")" + std::string(kind.find("quadratic") == std::string::npos ? "linear" : "quadratic") +
-              R"(", "impulse_response": ")" + std::string(kind.find("implicit") == std::string::npos ? "lumped" : "implicit") + "\"";
-    Scene scene = read_scene(R"({"name": "s", "dt": 0.01, "duration": 1, "bodies": [{"name": "b", "position": [3, -2, 1], "angular_velocity": [0.3, 0.5, 2], )" + what + "}]}", "",
-                             "s.json", {});
+    const std::string what =
+        kind == "rigid"
+            ? R"("type": "rigid", "shape": {"box": {"size": [1, 0.5, 0.4]}}, "mass": 3)"
+            : R"("type": "deformable", "shape": {"bar": {"size": [1, 0.2, 0.2], "cells": [4, 1, 1]}}, "density": 100, "young": 1e6,
+             "poisson": 0.3, "basis": ")" +
+                  std::string(kind.find("quadratic") == std::string::npos ? "linear" : "quadratic") +
+                  R"(", "impulse_response": ")" +
+                  std::string(kind.find("implicit") == std::string::npos ? "lumped" : "implicit") + "\"";
+    Scene scene = read_scene(
+        R"({"name": "s", "dt": 0.01, "duration": 1, "bodies": [{"name": "b", "position": [3, -2, 1], "angular_velocity": [0.3, 0.5, 2], )" +
+            what + "}]}",
+        "", "s.json", {});
     std::unique_ptr<Body> body = std::move(scene.world.bodies[0]);
     for (int step = 0; step < 30; ++step) {
         body->predict(Vec3::Zero(), dt);
@@ -30,10 +35,12 @@ std::unique_ptr<Body> body_in_motion(const std::string& kind, double dt)
 TEST_CASE("trials: what is tried is what would happen, and nothing happens")
 {
     const double dt = 0.01;
-    for (const std::string kind : {"rigid", "lumped linear", "lumped quadratic", "implicit linear", "implicit quadratic"}) {
+    for (const std::string kind :
+         {"rigid", "lumped linear", "lumped quadratic", "implicit linear", "implicit quadratic"}) {
         CAPTURE(kind);
         const auto body = body_in_motion(kind, dt);
-        const std::vector<std::pair<int, Vec3>> impulses{{0, {0.5, -1, 2}}, {3, {1, 0.2, 0}}, {7, {0, 0.4, -0.3}}, {3, {0, 0, 0.6}}};
+        const std::vector<std::pair<int, Vec3>> impulses{
+            {0, {0.5, -1, 2}}, {3, {1, 0.2, 0}}, {7, {0, 0.4, -0.3}}, {3, {0, 0, 0.6}}};
         const std::vector<int> asked{0, 3, 7, 5};
         body->begin_trial();
         body->try_impulse(2, {5, 5, 5});
@@ -52,10 +59,12 @@ TEST_CASE("trials: what is tried is what would happen, and nothing happens")
         for (const auto& [vertex, impulse] : impulses)
             body->apply_impulse(vertex, impulse);
         body->update_prediction(dt);
-        const double exact = kind.find("implicit") == std::string::npos ? 1e-12 : 0.01;  // the frames' turn is a mean
+        // the frames' turn is a mean
+        const double exact = kind.find("implicit") == std::string::npos ? 1e-12 : 0.01;
         for (std::size_t i = 0; i < asked.size(); ++i) {
             const Vec3 change = body->velocity(asked[i]) - before[i];
-            REQUIRE((change.norm() > 0.01 || asked[i] == 5));  // nobody pushes vertex 5: only rigid and implicit bodies move it
+            // nobody pushes vertex 5: only rigid and implicit bodies move it
+            REQUIRE((change.norm() > 0.01 || asked[i] == 5));
             CHECK((tried[i] - before[i] - change).norm() < exact * std::max(0.01, change.norm()));
         }
     }
@@ -72,7 +81,9 @@ TEST_CASE("trials: the inverse mass at a vertex is what a unit impulse tried the
             for (int axis = 0; axis < 3; ++axis) {
                 body->begin_trial();
                 body->try_impulse(vertex, Vec3::Unit(axis));
-                CHECK((body->tried_velocity(vertex) - body->velocity(vertex) - inverse_mass.col(axis)).norm() < 1e-10 * inverse_mass.norm());
+                CHECK(
+                    (body->tried_velocity(vertex) - body->velocity(vertex) - inverse_mass.col(axis)).norm() <
+                    1e-10 * inverse_mass.norm());
             }
         }
     }

@@ -1,5 +1,5 @@
-#include "common/worked_step/step_record.hpp"
 #include "common/worked_step/worked_step.hpp"
+#include "common/worked_step/step_record.hpp"
 #include "common/worked_step/worked_step_tables.hpp"
 
 #include <doctest/doctest.h>
@@ -12,7 +12,8 @@ using namespace enduring;
 
 namespace {
 
-/// The page's hand computation: k dt = 1 N s/m and 1 kg a point, so impulse = area of the depth = change of velocity.
+/// The page's hand computation: k dt = 1 N s/m and 1 kg a point, so
+/// impulse = area of the depth = change of velocity.
 struct Expected {
     std::string stage;
     std::vector<double> above_v, below_v, above_t1, below_t1;
@@ -20,7 +21,8 @@ struct Expected {
 };
 
 const std::vector<double> rest{0, 0, 0, 0};
-const std::vector<double> pushed{-0.0375, -0.10625, -0.08125, -0.1}, sunk{-0.00375, -0.010625, -0.008125, -0.01};
+const std::vector<double> pushed{-0.0375, -0.10625, -0.08125, -0.1},
+    sunk{-0.00375, -0.010625, -0.008125, -0.01};
 
 const std::vector<Expected> expected{
     {"start", {-2, 0, 0}, rest, {0.1, -0.1, -0.2}, rest, 2},
@@ -44,7 +46,8 @@ void check_array(const std::vector<Vec3>& found, const std::vector<double>& y)
     }
 }
 
-void check_contact(const Contact& found, std::array<int, 4> vertices, std::array<double, 4> weights, double start, bool handled, double impulse)
+void check_contact(const Contact& found, std::array<int, 4> vertices, std::array<double, 4> weights,
+                   double start, bool handled, double impulse)
 {
     CHECK(found.vertices == vertices);
     for (std::size_t i = 0; i < 4; ++i)
@@ -75,7 +78,8 @@ TEST_CASE("worked step: every array after every stage is the page's hand computa
         check_array(records[i].bodies[0].positions_t1, expected[i].above_t1);
         check_array(records[i].bodies[1].positions_t1, expected[i].below_t1);
         const bool committed = expected[i].stage == "commit";
-        check_array(records[i].bodies[0].positions_t0, committed ? expected[i].above_t1 : expected[0].above_t1);
+        check_array(records[i].bodies[0].positions_t0,
+                    committed ? expected[i].above_t1 : expected[0].above_t1);
         check_array(records[i].bodies[1].positions_t0, committed ? sunk : rest);
         CHECK(records[i].contacts.size() == expected[i].contacts);
     }
@@ -120,7 +124,8 @@ TEST_CASE("worked step: in the next step all three pairs endure and push from it
     CHECK(records.back().contacts.size() == 3);
 }
 
-TEST_CASE("worked step: the page's tables have a column for each stage that changed the array and a row for each vertex")
+TEST_CASE(
+    "worked step: the page's tables have a column for each stage that changed the array and a row for each vertex")
 {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "enduring_worked_step";
     Report report(folder);

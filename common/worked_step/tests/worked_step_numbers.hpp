@@ -20,7 +20,9 @@ inline void check_equal(const std::vector<Vec3>& found, const std::vector<Vec3>&
 inline void check_worked_step(const Solver& solver)
 {
     WorkedStep by_hand = worked_step(), by_solver = worked_step();
-    const StageRecord expected = record_step(by_hand.world, by_hand.contacts, worked_step_solver(by_hand.stiffness), by_hand.dt).back();
+    const StageRecord expected = record_step(by_hand.world, by_hand.contacts,
+                                             worked_step_solver(by_hand.stiffness), by_hand.dt)
+                                     .back();
     const StageRecord found = record_step(by_solver.world, by_solver.contacts, solver, by_solver.dt).back();
     for (std::size_t body = 0; body < 2; ++body) {
         check_equal(found.bodies[body].velocities, expected.bodies[body].velocities);
@@ -31,8 +33,10 @@ inline void check_worked_step(const Solver& solver)
         CAPTURE(i);
         CHECK(found.contacts[i].vertices == expected.contacts[i].vertices);
         for (std::size_t j = 0; j < 4; ++j)
-            CHECK(found.contacts[i].weights[j] == doctest::Approx(expected.contacts[i].weights[j]).epsilon(1e-14));
-        CHECK(found.contacts[i].start == doctest::Approx(expected.contacts[i].start).epsilon(1e-6));  // what the query promises
+            CHECK(found.contacts[i].weights[j] ==
+                  doctest::Approx(expected.contacts[i].weights[j]).epsilon(1e-14));
+        // what the query promises
+        CHECK(found.contacts[i].start == doctest::Approx(expected.contacts[i].start).epsilon(1e-6));
         CHECK((found.contacts[i].impulse - expected.contacts[i].impulse).norm() < 1e-14);
     }
 }

@@ -18,7 +18,8 @@ using namespace enduring;
 
 namespace {
 
-/// Two triangles that lie 0.25 m apart, three contacts of every kind between them and a plane, impulses by hand.
+/// Two triangles that lie 0.25 m apart, three contacts of every kind
+/// between them and a plane, impulses by hand.
 struct TwoSheets {
     World world;
     Contacts contacts;
@@ -54,12 +55,14 @@ DeformableSettings soft()
     return settings;
 }
 
-/// Moves the surface vertex that starts at (0, 0, 1) within one tiny step, in which the elements cannot answer.
+/// Moves the surface vertex that starts at (0, 0, 1) within one tiny
+/// step, in which the elements cannot answer.
 void dent(Body& body, const Vec3& by)
 {
     const double dt = 1e-9;
     const auto vertices = body.positions_t0();
-    const int top = static_cast<int>(std::find(vertices.begin(), vertices.end(), Vec3(0, 0, 1)) - vertices.begin());
+    const int top =
+        static_cast<int>(std::find(vertices.begin(), vertices.end(), Vec3(0, 0, 1)) - vertices.begin());
     body.predict(Vec3::Zero(), dt);
     body.apply_impulse(top, by / dt / body.inverse_mass(top)(0, 0));
     body.update_prediction(dt);
@@ -69,7 +72,10 @@ void dent(Body& body, const Vec3& by)
 struct Parsed {
     pugi::xml_document document;
     explicit Parsed(const std::string& text) { REQUIRE(document.load_string(text.c_str())); }
-    pugi::xml_node piece(const char* type) const { return document.child("VTKFile").child(type).child("Piece"); }
+    pugi::xml_node piece(const char* type) const
+    {
+        return document.child("VTKFile").child(type).child("Piece");
+    }
 };
 
 std::vector<double> numbers(const pugi::xml_node& section, const char* name, int components)
@@ -86,7 +92,10 @@ std::vector<double> numbers(const pugi::xml_node& section, const char* name, int
     return values;
 }
 
-Vec3 vector_at(const std::vector<double>& values, std::size_t i) { return {values.at(3 * i), values.at(3 * i + 1), values.at(3 * i + 2)}; }
+Vec3 vector_at(const std::vector<double>& values, std::size_t i)
+{
+    return {values.at(3 * i), values.at(3 * i + 1), values.at(3 * i + 2)};
+}
 
 }  // namespace
 
@@ -97,7 +106,8 @@ TEST_CASE("paraview: every surface vertex and face arrives with its place, veloc
     const pugi::xml_node piece = file.piece("PolyData");
     CHECK(piece.attribute("NumberOfPoints").as_int() == 6);
     CHECK(piece.attribute("NumberOfPolys").as_int() == 2);
-    const auto points = numbers(piece.child("Points"), "points", 3), velocities = numbers(piece.child("PointData"), "velocity", 3);
+    const auto points = numbers(piece.child("Points"), "points", 3),
+               velocities = numbers(piece.child("PointData"), "velocity", 3);
     const auto bodies = numbers(piece.child("PointData"), "body", 1);
     for (std::size_t i = 0; i < 6; ++i) {
         const Body& body = *sheets.world.bodies[i / 3];
@@ -109,7 +119,8 @@ TEST_CASE("paraview: every surface vertex and face arrives with its place, veloc
     CHECK(numbers(piece.child("Polys"), "offsets", 1) == std::vector<double>{3, 6});
 }
 
-TEST_CASE("paraview: the contact forces on vertices are the pairs' impulses over dt, and cancel between bodies")
+TEST_CASE(
+    "paraview: the contact forces on vertices are the pairs' impulses over dt, and cancel between bodies")
 {
     const TwoSheets sheets;
     const Parsed file(surfaces_vtp(sheets.world, sheets.contacts, sheets.dt));
@@ -117,7 +128,8 @@ TEST_CASE("paraview: the contact forces on vertices are the pairs' impulses over
     REQUIRE(forces.size() == 18);
     CHECK((vector_at(forces, 0) - Vec3(0, 0.75 * 8, 0) / 0.5).norm() < 1e-14);
     CHECK((vector_at(forces, 1) - (Vec3(1, 4, 0) + 0.25 * Vec3(0, 8, 0)) / 0.5).norm() < 1e-14);
-    CHECK((vector_at(forces, 5) - (-0.25 * Vec3(1, 4, 0) - 0.5 * Vec3(0, 8, 0) + Vec3(0, 0.5, 0)) / 0.5).norm() < 1e-14);
+    CHECK((vector_at(forces, 5) - (-0.25 * Vec3(1, 4, 0) - 0.5 * Vec3(0, 8, 0) + Vec3(0, 0.5, 0)) / 0.5)
+              .norm() < 1e-14);
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < 6; ++i)
         sum += vector_at(forces, i);
@@ -156,7 +168,8 @@ TEST_CASE("paraview: a pair is a line from q to p with its forces, depth and lab
 TEST_CASE("paraview: quadratic elements come with points of the body on their edges, not with control points")
 {
     World world;
-    world.bodies.push_back(std::make_unique<DeformableBody>("soft", with_edge_midpoints(one_tetrahedron()), soft()));
+    world.bodies.push_back(
+        std::make_unique<DeformableBody>("soft", with_edge_midpoints(one_tetrahedron()), soft()));
     dent(*world.bodies[0], {0.1, -0.05, 0.2});
     const Parsed file(elements_vtu(world));
     const pugi::xml_node piece = file.piece("UnstructuredGrid");
@@ -213,5 +226,6 @@ TEST_CASE("paraview: a series saves every few steps and lists them with their ti
         }
         CHECK(found == 3);
     }
-    CHECK_THROWS_WITH_AS(ParaviewSeries(folder.path, 0), "a series saves every 1st, 2nd, ... step, not every 0", InputError);
+    CHECK_THROWS_WITH_AS(ParaviewSeries(folder.path, 0),
+                         "a series saves every 1st, 2nd, ... step, not every 0", InputError);
 }

@@ -13,4 +13,8 @@ static void draw_bunny_in_bowl(benchmark::State& state)
     for (auto _ : state)
         benchmark::DoNotOptimize(renderer.draw(stage).rgb.data());
 }
-BENCHMARK(draw_bunny_in_bowl)->Args({640, 360})->Args({960, 540})->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(draw_bunny_in_bowl)
+    ->Args({640, 360})
+    ->Args({960, 540})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();

@@ -12,23 +12,14 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Picture Renderer::draw(const Stage&)
-{
-    return {};
-}
+Picture Renderer::draw(const Stage&) { return {}; }
 
 void write_png(const Picture&, const std::filesystem::path&) {}
 
-Picture read_png(const std::filesystem::path&)
-{
-    return {};
-}
+Picture read_png(const std::filesystem::path&) { return {}; }
 
 void draw_text(Picture&, const std::string&, double, double, double, const Vec3&) {}
 
-double text_width(const std::string&, double)
-{
-    return 0;
-}
+double text_width(const std::string&, double) { return 0; }
 
 }  // namespace enduring

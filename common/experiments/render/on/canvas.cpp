@@ -21,10 +21,11 @@ void shape_texture(GLuint texture, GLenum format, int width, int height, GLenum 
 }  // namespace
 
 Canvas::Canvas(int width, int height)
-    : width_(width), height_(height), samples_(make_texture()), depth_(make_texture()), painting_(make_framebuffer()),
-      bytes_(make_texture()), developed_(make_framebuffer()),
+    : width_(width), height_(height), samples_(make_texture()), depth_(make_texture()),
+      painting_(make_framebuffer()), bytes_(make_texture()), developed_(make_framebuffer()),
       backdrop_program_(make_program(shaders::screen_vertex, shaders::backdrop_fragment)),
-      develop_program_(make_program(shaders::screen_vertex, shaders::develop_fragment)), no_corners_(make_vertex_array())
+      develop_program_(make_program(shaders::screen_vertex, shaders::develop_fragment)),
+      no_corners_(make_vertex_array())
 {
     shape_texture(samples_, GL_RGBA16F, 2 * width, 2 * height, GL_RGBA, GL_FLOAT);
     shape_texture(depth_, GL_DEPTH_COMPONENT32F, 2 * width, 2 * height, GL_DEPTH_COMPONENT, GL_FLOAT);

@@ -19,7 +19,8 @@ public:
 
 private:
     int width_, height_;
-    graphics::Handle samples_, depth_, painting_, bytes_, developed_, backdrop_program_, develop_program_, no_corners_;
+    graphics::Handle samples_, depth_, painting_, bytes_, developed_, backdrop_program_, develop_program_,
+        no_corners_;
 };
 
 }  // namespace enduring

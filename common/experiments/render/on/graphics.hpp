@@ -18,7 +18,8 @@ namespace enduring::graphics {
 class Handle {
 public:
     Handle() = default;
-    Handle(GLuint name, std::function<void(GLuint)> give_back) : name_(name), give_back_(std::move(give_back)) {}
+    Handle(GLuint name, std::function<void(GLuint)> give_back) : name_(name), give_back_(std::move(give_back))
+    {}
     ~Handle()
     {
         if (give_back_)

@@ -14,7 +14,8 @@ struct DirectionalLight {
     Vec3 radiance;  ///< what a surface facing it receives
 };
 
-/// A soft sun from the upper left of the camera (the first sun_count lights) and a sky of even brightness above `up`.
+/// A soft sun from the upper left of the camera (the first sun_count
+/// lights) and a sky of even brightness above `up`.
 std::array<DirectionalLight, light_count> studio_lights(const Camera& camera, const Vec3& up);
 
 }  // namespace enduring

@@ -24,16 +24,19 @@ void write_png(const Picture& picture, const std::filesystem::path& path)
         return;
     std::string bytes;
     const auto append = [](void* text, void* data, int size) {
-        static_cast<std::string*>(text)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+        static_cast<std::string*>(text)->append(static_cast<const char*>(data),
+                                                static_cast<std::size_t>(size));
     };
-    stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3, picture.rgb.data(), 3 * picture.width);
+    stbi_write_png_to_func(append, &bytes, picture.width, picture.height, 3, picture.rgb.data(),
+                           3 * picture.width);
     write_file(path, bytes);
 }
 
 Picture read_png(const std::filesystem::path& path)
 {
     int width = 0, height = 0, channels = 0;
-    const std::unique_ptr<stbi_uc, void (*)(void*)> bytes(stbi_load(path.c_str(), &width, &height, &channels, 3), stbi_image_free);
+    const std::unique_ptr<stbi_uc, void (*)(void*)> bytes(
+        stbi_load(path.c_str(), &width, &height, &channels, 3), stbi_image_free);
     if (!bytes)
         throw InputError(path.string() + ": " + stbi_failure_reason());
     Picture picture(width, height);

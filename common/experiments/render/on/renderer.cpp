@@ -1,10 +1,10 @@
+#include "common/experiments/render/renderer.hpp"
 #include "common/experiments/render/label.hpp"
 #include "common/experiments/render/on/canvas.hpp"
 #include "common/experiments/render/on/context.hpp"
 #include "common/experiments/render/on/shaders.hpp"
 #include "common/experiments/render/on/shadow_maps.hpp"
 #include "common/experiments/render/on/view.hpp"
-#include "common/experiments/render/renderer.hpp"
 #include "common/input/input_error.hpp"
 
 #include <algorithm>
@@ -48,7 +48,8 @@ Geometry gather(const Stage& stage, const Ball& ball, int height)
     const auto add_bodies = [&](bool casting) {
         for (std::size_t i = 0; i < stage.bodies.size(); ++i)
             if ((stage.bodies[i].casts_shadow && stage.bodies[i].opacity >= 1) == casting)
-                geometry.bodies[i] = geometry.part([&] { add_surface(geometry.soup, stage.bodies[i], ball.centre); });
+                geometry.bodies[i] =
+                    geometry.part([&] { add_surface(geometry.soup, stage.bodies[i], ball.centre); });
     };
     geometry.casters = geometry.part([&] { add_bodies(true); });
     add_bodies(false);
@@ -70,10 +71,7 @@ Geometry gather(const Stage& stage, const Ball& ball, int height)
     return geometry;
 }
 
-void draw_part(const Part& part)
-{
-    glDrawArrays(GL_TRIANGLES, part.first, part.count);
-}
+void draw_part(const Part& part) { glDrawArrays(GL_TRIANGLES, part.first, part.count); }
 
 Vec3 open_floor(const std::array<DirectionalLight, light_count>& lights)
 {
@@ -88,16 +86,17 @@ Vec3 open_floor(const std::array<DirectionalLight, light_count>& lights)
 struct Renderer::Machine {
     Machine(int width, int height)
         : canvas(width, height), surface(make_program(shaders::stage_vertex, shaders::surface_fragment)),
-          annotation(make_program(shaders::stage_vertex, shaders::annotation_fragment)), corners(make_buffer()),
-          layout(make_vertex_array())
+          annotation(make_program(shaders::stage_vertex, shaders::annotation_fragment)),
+          corners(make_buffer()), layout(make_vertex_array())
     {
         glBindVertexArray(layout);
         glBindBuffer(GL_ARRAY_BUFFER, corners);
-        const std::array<std::size_t, 4> offsets{offsetof(Corner, position), offsetof(Corner, normal), offsetof(Corner, color),
-                                                 offsetof(Corner, barycentric)};
+        const std::array<std::size_t, 4> offsets{offsetof(Corner, position), offsetof(Corner, normal),
+                                                 offsetof(Corner, color), offsetof(Corner, barycentric)};
         for (GLuint i = 0; i < offsets.size(); ++i) {
             glEnableVertexAttribArray(i);
-            glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(Corner), reinterpret_cast<const void*>(offsets[i]));
+            glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, sizeof(Corner),
+                                  reinterpret_cast<const void*>(offsets[i]));
         }
     }
 
@@ -105,7 +104,8 @@ struct Renderer::Machine {
     {
         glBindVertexArray(layout);
         glBindBuffer(GL_ARRAY_BUFFER, corners);
-        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(soup.size() * sizeof(Corner)), soup.data(), GL_STREAM_DRAW);
+        glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(soup.size() * sizeof(Corner)), soup.data(),
+                     GL_STREAM_DRAW);
     }
 
     ShadowMaps shadows;
@@ -188,8 +188,8 @@ void Renderer::Machine::draw_annotations(const Geometry& geometry)
 Renderer::Renderer(int width, int height) : width_(width), height_(height)
 {
     if (std::min(width, height) < 16 || std::max(width, height) > 4096)
-        throw InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height)
-                         + " pixels: both must lie in [16, 4096]");
+        throw InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+                         " pixels: both must lie in [16, 4096]");
     make_current();
     machine_ = std::make_unique<Machine>(width, height);
 }
@@ -204,7 +204,8 @@ Picture Renderer::draw(const Stage& stage)
     const Ball ball = ball_around(stage);
     const auto lights = studio_lights(stage.camera, up);
     const Geometry geometry = gather(stage, ball, height_);
-    const Eigen::Matrix4d to_screen = view_projection(stage.camera, ball, static_cast<double>(width_) / height_);
+    const Eigen::Matrix4d to_screen = view_projection(stage.camera, ball,
+                                                      static_cast<double>(width_) / height_);
 
     machine_->upload(geometry.soup);
     machine_->shadows.fill(lights, ball.radius, geometry.casters.count);
@@ -219,7 +220,8 @@ Picture Renderer::draw(const Stage& stage)
         set(program, "eye", Vec3(stage.camera.eye - ball.centre));
     }
     machine_->shadows.hand_over(surface, lights, ball.radius);
-    const Ground floor = stage.grounds.empty() ? Ground{ball.centre - 10 * ball.radius * up, up, -1} : stage.grounds.front();
+    const Ground floor = stage.grounds.empty() ? Ground{ball.centre - 10 * ball.radius * up, up, -1}
+                                               : stage.grounds.front();
     set(surface, "picture_height", static_cast<double>(machine_->canvas.rows()));
     set(surface, "open_floor", open_floor(lights));
     set(surface, "floor_normal", floor.normal);

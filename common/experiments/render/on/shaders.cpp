@@ -42,7 +42,8 @@ vec3 backdrop()
 }
 )";
 
-// Each of the four samples of a pixel sees a quarter of the lights; averaging the samples brings them together.
+// Each of the four samples of a pixel sees a quarter of the lights;
+// averaging the samples brings them together.
 static const std::string light = R"(
 const int lights = 28;
 uniform mat3 light[lights];
@@ -76,13 +77,15 @@ Light light_at(vec3 point, vec3 normal, vec3 view)
     vec3 x = normalize(abs(normal.x) < 0.9 ? cross(normal, vec3(1, 0, 0)) : cross(normal, vec3(0, 0, 1))), y = cross(normal, x);
     int first = (int(gl_FragCoord.x) & 1) + 2 * (int(gl_FragCoord.y) & 1);
     uvec2 pixel = uvec2(gl_FragCoord.xy) / 2u;
-    float quarter = float((pixel.x & 1u) ^ (pixel.y & 1u)) * 0.5 + float(pixel.y & 1u) * 0.25;  // four neighbours share the circle
+    // four neighbours share the circle
+    float quarter = float((pixel.x & 1u) ^ (pixel.y & 1u)) * 0.5 + float(pixel.y & 1u) * 0.25;
     float turn = 6.2831853 * (grain(pixel / 2u) + quarter), reach = fract(grain(pixel / 2u + 7919u) + quarter);
     for (int i = first; i < lights; i += 4) {
         float facing = dot(normal, toward(i));
         if (facing <= 0)
             continue;
-        // A few directions stand for the whole sky: looking from places a little apart along the surface hides the gaps.
+        // A few directions stand for the whole sky: looking from places a
+        // little apart along the surface hides the gaps.
         reach = fract(reach + 0.618034);
         turn += 2.3999632;
         float away = radius * (i < sun_lights ? 0.015 : 0.05) * sqrt(reach);
@@ -103,7 +106,8 @@ uniform bool is_ground;
 uniform float opacity, line_width, grid;
 out vec4 result;
 
-// A body stands between the sky's light and what the floor throws back; close to the floor lies its own shadow.
+// A body stands between the sky's light and what the floor throws
+// back; close to the floor lies its own shadow.
 vec3 bounce(vec3 normal)
 {
     float below = 0.5 - 0.5 * dot(normal, floor_normal);
@@ -111,7 +115,8 @@ vec3 bounce(vec3 normal)
     return vec3(0.36, 0.34, 0.31) * below * (0.25 + 0.75 * smoothstep(0.0, 0.7, height));
 }
 
-// A thin line along the triangle's edges; where triangles are hardly larger than the line it fades instead of filling them.
+// A thin line along the triangle's edges; where triangles are hardly larger
+// than the line it fades instead of filling them.
 float edge_line()
 {
     vec3 slope = fwidth(corner), away = corner / slope;
@@ -180,8 +185,8 @@ out vec4 result;
 void main() { result = vec4(backdrop(), 1); }
 )";
 
-// From light to bytes: 4 x 4 samples a pixel, weighted so that the four kinds of samples count alike; bright colours run
-// into white softly; then the curve of a screen.
+// From light to bytes: 4 x 4 samples a pixel, weighted so that the four kinds of samples count alike; bright
+// colours run into white softly; then the curve of a screen.
 const std::string develop_fragment = R"(#version 330 core
 uniform sampler2D samples;
 out vec4 result;

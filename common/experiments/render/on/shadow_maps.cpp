@@ -16,10 +16,12 @@ constexpr int size = 384;  ///< pixels along one map
 }  // namespace
 
 ShadowMaps::ShadowMaps()
-    : maps_(make_texture()), framebuffer_(make_framebuffer()), program_(make_program(shaders::depth_vertex, shaders::depth_fragment))
+    : maps_(make_texture()), framebuffer_(make_framebuffer()),
+      program_(make_program(shaders::depth_vertex, shaders::depth_fragment))
 {
     glBindTexture(GL_TEXTURE_2D_ARRAY, maps_);
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, size, size, light_count, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT24, size, size, light_count, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT, nullptr);
     const std::array<float, 4> unshadowed{1, 1, 1, 1};
     glTexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, unshadowed.data());
     for (const GLenum direction : std::initializer_list<GLenum>{GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
@@ -49,7 +51,8 @@ void ShadowMaps::fill(const std::array<DirectionalLight, light_count>& lights, d
     }
 }
 
-void ShadowMaps::hand_over(GLuint program, const std::array<DirectionalLight, light_count>& lights, double radius) const
+void ShadowMaps::hand_over(GLuint program, const std::array<DirectionalLight, light_count>& lights,
+                           double radius) const
 {
     glUseProgram(program);
     for (std::size_t i = 0; i < lights.size(); ++i) {

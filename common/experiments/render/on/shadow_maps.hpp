@@ -16,7 +16,8 @@ public:
     /// @param radius  of the ball around everything drawn
     void fill(const std::array<DirectionalLight, light_count>& lights, double radius, GLsizei corners);
     /// Tells a program with the `light` part of the shaders where the light comes from.
-    void hand_over(GLuint program, const std::array<DirectionalLight, light_count>& lights, double radius) const;
+    void hand_over(GLuint program, const std::array<DirectionalLight, light_count>& lights,
+                   double radius) const;
 
 private:
     graphics::Handle maps_, framebuffer_, program_;

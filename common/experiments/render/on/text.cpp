@@ -43,7 +43,10 @@ std::vector<int> code_points(const std::string& utf8)
         if ((byte & 0xc0) == 0x80 && !points.empty())
             points.back() = (points.back() << 6) | (byte & 0x3f);
         else
-            points.push_back(byte < 0x80 ? byte : byte >= 0xf0 ? byte & 0x07 : byte >= 0xe0 ? byte & 0x0f : byte & 0x1f);
+            points.push_back(byte < 0x80    ? byte
+                             : byte >= 0xf0 ? byte & 0x07
+                             : byte >= 0xe0 ? byte & 0x0f
+                                            : byte & 0x1f);
     }
     return points;
 }
@@ -58,8 +61,8 @@ void cover(Coverage& line, int code_point, float scale, double pen)
 {
     int width = 0, height = 0, left = 0, top = 0;
     const auto whole = static_cast<int>(std::floor(pen));
-    unsigned char* bitmap = stbtt_GetCodepointBitmapSubpixel(&font(), scale, scale, static_cast<float>(pen - whole), 0, code_point,
-                                                            &width, &height, &left, &top);
+    unsigned char* bitmap = stbtt_GetCodepointBitmapSubpixel(
+        &font(), scale, scale, static_cast<float>(pen - whole), 0, code_point, &width, &height, &left, &top);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const int column = whole + left + x - line.left, row = top + y - line.top;
@@ -81,7 +84,9 @@ double walk(const std::string& text, float scale, double start, Visit&& visit)
         visit(points[i], pen);
         int advance = 0, bearing = 0;
         stbtt_GetCodepointHMetrics(&font(), points[i], &advance, &bearing);
-        const int kerning = i + 1 < points.size() ? stbtt_GetCodepointKernAdvance(&font(), points[i], points[i + 1]) : 0;
+        const int kerning = i + 1 < points.size()
+                                ? stbtt_GetCodepointKernAdvance(&font(), points[i], points[i + 1])
+                                : 0;
         pen += scale * static_cast<double>(advance + kerning);
     }
     return pen - start;
@@ -94,18 +99,24 @@ double text_width(const std::string& text, double size_px)
     return walk(text, stbtt_ScaleForPixelHeight(&font(), static_cast<float>(size_px)), 0, [](int, double) {});
 }
 
-void draw_text(Picture& picture, const std::string& text, double x, double y, double size_px, const Vec3& color)
+void draw_text(Picture& picture, const std::string& text, double x, double y, double size_px,
+               const Vec3& color)
 {
     if (picture.empty())
         return;
     const float scale = stbtt_ScaleForPixelHeight(&font(), static_cast<float>(size_px));
     const int ascent = static_cast<int>(std::ceil(size_px)), base = static_cast<int>(std::lround(y));
-    Coverage line{static_cast<int>(std::floor(x)) - 2, -ascent, static_cast<int>(std::ceil(text_width(text, size_px))) + 4, 2 * ascent, {}};
+    Coverage line{static_cast<int>(std::floor(x)) - 2,
+                  -ascent,
+                  static_cast<int>(std::ceil(text_width(text, size_px))) + 4,
+                  2 * ascent,
+                  {}};
     line.share.resize(static_cast<std::size_t>(line.width * line.height));
     walk(text, scale, x, [&](int code_point, double pen) { cover(line, code_point, scale, pen); });
     for (int row = 0; row < line.height; ++row)
         for (int column = 0; column < line.width; ++column)
-            blend(picture, line.left + column, base + line.top + row, color, line.share[row * line.width + column]);
+            blend(picture, line.left + column, base + line.top + row, color,
+                  line.share[row * line.width + column]);
 }
 
 }  // namespace enduring

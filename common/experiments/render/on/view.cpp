@@ -38,7 +38,8 @@ Eigen::Matrix4d view_projection(const Camera& camera, const Ball& ball, double a
     view.topRightCorner<3, 1>() = -view.topLeftCorner<3, 3>() * (camera.eye - ball.centre);
 
     const double distance = (camera.eye - ball.centre).norm();
-    const double near = std::max(0.02 * distance, 0.5 * (distance - 4 * ball.radius)), far = distance + 100 * ball.radius;
+    const double near = std::max(0.02 * distance, 0.5 * (distance - 4 * ball.radius)),
+                 far = distance + 100 * ball.radius;
     const double cotangent = 1 / std::tan(camera.field_of_view_deg * std::numbers::pi / 360);
     Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
     projection(0, 0) = cotangent / aspect;
@@ -59,11 +60,12 @@ double pleasant_spacing(double about)
 TriangleSoup ground_soup(const Ground& ground, const Ball& ball)
 {
     const Vec3 x = 90 * ball.radius * ground.normal.unitOrthogonal(), y = ground.normal.cross(x);
-    const Vec3 foot = ground.point - ball.centre - (ground.point - ball.centre).dot(x) / x.squaredNorm() * x
-                      - (ground.point - ball.centre).dot(y) / y.squaredNorm() * y;
+    const Vec3 foot = ground.point - ball.centre - (ground.point - ball.centre).dot(x) / x.squaredNorm() * x -
+                      (ground.point - ball.centre).dot(y) / y.squaredNorm() * y;
     TriangleSoup soup;
     for (const Vec3& corner : {Vec3(x), Vec3(y), Vec3(-x), Vec3(x), Vec3(-x), Vec3(-y)})
-        soup.push_back({(foot + 1.4 * corner).cast<float>(), ground.normal.cast<float>(), Eigen::Vector3f::Ones(), Eigen::Vector3f::Ones()});
+        soup.push_back({(foot + 1.4 * corner).cast<float>(), ground.normal.cast<float>(),
+                        Eigen::Vector3f::Ones(), Eigen::Vector3f::Ones()});
     return soup;
 }
 

@@ -20,10 +20,7 @@ int count(const std::string& text, const std::string& part)
     return times;
 }
 
-int darkest(const Picture& picture)
-{
-    return *std::min_element(picture.rgb.begin(), picture.rgb.end());
-}
+int darkest(const Picture& picture) { return *std::min_element(picture.rgb.begin(), picture.rgb.end()); }
 
 }  // namespace
 
@@ -44,7 +41,8 @@ TEST_CASE("strip: pictures stand in rows, untouched, with room for their caption
     CHECK(strip({}).empty());
 }
 
-TEST_CASE("text: a line is dark where it stands, as wide as it says, and cut at the border" * doctest::skip(!pictures_are_on))
+TEST_CASE("text: a line is dark where it stands, as wide as it says, and cut at the border" *
+          doctest::skip(!pictures_are_on))
 {
     Picture picture(200, 40);
     const double width = text_width("τ = ½ (δ < 0)", 16);
@@ -59,7 +57,8 @@ TEST_CASE("text: a line is dark where it stands, as wide as it says, and cut at 
     draw_text(picture, "beyond", -60, 45, 40, Vec3::Zero());
 }
 
-TEST_CASE("clip: every frame arrives, the film loops, and an unfinished one leaves nothing" * doctest::skip(!pictures_are_on))
+TEST_CASE("clip: every frame arrives, the film loops, and an unfinished one leaves nothing" *
+          doctest::skip(!pictures_are_on))
 {
     const TemporaryFolder folder;
     {

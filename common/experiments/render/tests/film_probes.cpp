@@ -8,15 +8,21 @@ using namespace enduring;
 
 namespace {
 
-Scene falling_sphere() { return load_scene(scene_file("falling_sphere"), R"({"dt": 0.01, "duration": 0.3})"); }
+Scene falling_sphere()
+{
+    return load_scene(scene_file("falling_sphere"), R"({"dt": 0.01, "duration": 0.3})");
+}
 
 }  // namespace
 
-TEST_CASE("film probes: the strip takes each of its moments once, at the step next to it" * doctest::skip(!pictures_are_on))
+TEST_CASE("film probes: the strip takes each of its moments once, at the step next to it" *
+          doctest::skip(!pictures_are_on))
 {
     Scene scene = falling_sphere();
     std::vector<double> marked_at;
-    StripProbe strip(scene, {0.0, 0.104, 0.2, 9.0}, [&](Stage&, const World& world, const Contacts&) { marked_at.push_back(world.time); }, 64, 48);
+    StripProbe strip(
+        scene, {0.0, 0.104, 0.2, 9.0},
+        [&](Stage&, const World& world, const Contacts&) { marked_at.push_back(world.time); }, 64, 48);
     run(scene, Solver{}, {&strip});
     REQUIRE(marked_at.size() == 3);
     CHECK(marked_at[0] == 0);

@@ -1,5 +1,5 @@
-#include "common/experiments/render/difference.hpp"
 #include "common/experiments/render/reference.hpp"
+#include "common/experiments/render/difference.hpp"
 #include "common/experiments/render/renderer.hpp"
 #include "common/experiments/render/tests/sample_stages.hpp"
 #include "common/experiments/report/report.hpp"
@@ -54,7 +54,8 @@ struct RenewWish {
 
 TEST_SUITE_BEGIN("pictures");
 
-TEST_CASE("picture difference: rounding of another CPU passes, two levels up or down at every pixel" * doctest::skip(!pictures_are_on))
+TEST_CASE("picture difference: rounding of another CPU passes, two levels up or down at every pixel" *
+          doctest::skip(!pictures_are_on))
 {
     const Picture expected = draw(box_and_ball());
     Picture got = expected;
@@ -68,7 +69,8 @@ TEST_CASE("picture difference: rounding of another CPU passes, two levels up or 
 
 TEST_CASE("picture difference: positions that differ by rounding pass" * doctest::skip(!pictures_are_on))
 {
-    const PictureDifference difference = compare_pictures(draw(moved(box_and_ball(), 1, {1e-5, -1e-5, 1e-5})), draw(box_and_ball()));
+    const PictureDifference difference = compare_pictures(draw(moved(box_and_ball(), 1, {1e-5, -1e-5, 1e-5})),
+                                                          draw(box_and_ball()));
     CHECK_MESSAGE(difference.same, difference.message);
 }
 
@@ -81,7 +83,8 @@ TEST_CASE("picture difference: a missing body fails, however small" * doctest::s
     CHECK_MESSAGE(!difference.same, difference.message);
 }
 
-TEST_CASE("picture difference: a body that moved by two hundredths of the picture's width fails" * doctest::skip(!pictures_are_on))
+TEST_CASE("picture difference: a body that moved by two hundredths of the picture's width fails" *
+          doctest::skip(!pictures_are_on))
 {
     const Stage stage = box_and_small_ball();
     const double width = stage.camera.pixel_size(Vec3::Zero(), 270) * 480;
@@ -89,12 +92,14 @@ TEST_CASE("picture difference: a body that moved by two hundredths of the pictur
         for (const Vec3& direction : {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX()), Vec3(Vec3::UnitY())}) {
             CAPTURE(body);
             CAPTURE(direction.transpose());
-            const PictureDifference difference = compare_pictures(draw(moved(stage, body, 0.02 * width * direction)), draw(stage));
+            const PictureDifference difference = compare_pictures(
+                draw(moved(stage, body, 0.02 * width * direction)), draw(stage));
             CHECK_MESSAGE(!difference.same, difference.message);
         }
 }
 
-TEST_CASE("picture difference: a body of another colour fails, and so does another size" * doctest::skip(!pictures_are_on))
+TEST_CASE("picture difference: a body of another colour fails, and so does another size" *
+          doctest::skip(!pictures_are_on))
 {
     Stage other = box_and_ball();
     other.bodies[1].color = palette::plum;
@@ -102,7 +107,8 @@ TEST_CASE("picture difference: a body of another colour fails, and so does anoth
     CHECK_FALSE(compare_pictures(Picture(64, 64), Picture(64, 65)).same);
 }
 
-TEST_CASE("reference: it is written when asked for, then compared, and a difference leaves two pictures" * doctest::skip(!pictures_are_on))
+TEST_CASE("reference: it is written when asked for, then compared, and a difference leaves two pictures" *
+          doctest::skip(!pictures_are_on))
 {
     const TemporaryFolder folder;
     const ReferencePlaces places{folder.path / "renders", folder.path / "differences"};
@@ -123,15 +129,18 @@ TEST_CASE("reference: it is written when asked for, then compared, and a differe
 
 TEST_CASE("reference: a CPU without AVX passes" * doctest::skip(!pictures_are_on))
 {
-    // The graphics library compiles its shaders for the CPU it finds; told that there is only SSE2, it rounds as an old one.
+    // The graphics library compiles its shaders for the CPU it finds; told that
+    // there is only SSE2, it rounds as an old one.
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-    Subprocess old_cpu({"env", "ENDURING_RENEW_RENDERS=0", "GALLIUM_OVERRIDE_CPU_CAPS=sse2", "LP_NATIVE_VECTOR_WIDTH=128", program,
-                        "--test-case=*as in their reference picture*", "--minimal"},
-                       "coreutils");
+    Subprocess old_cpu(
+        {"env", "ENDURING_RENEW_RENDERS=0", "GALLIUM_OVERRIDE_CPU_CAPS=sse2", "LP_NATIVE_VECTOR_WIDTH=128",
+         program, "--test-case=*as in their reference picture*", "--minimal"},
+        "coreutils");
     CHECK_NOTHROW(old_cpu.finish());
 }
 
-TEST_CASE("pictures: a PNG reads back pixel by pixel, and a file that is none is named" * doctest::skip(!pictures_are_on))
+TEST_CASE("pictures: a PNG reads back pixel by pixel, and a file that is none is named" *
+          doctest::skip(!pictures_are_on))
 {
     const TemporaryFolder folder;
     const Picture picture = draw(box_and_ball());

@@ -1,5 +1,5 @@
-#include "common/experiments/render/reference.hpp"
 #include "common/experiments/render/renderer.hpp"
+#include "common/experiments/render/reference.hpp"
 #include "common/experiments/render/tests/sample_stages.hpp"
 #include "common/input/input_error.hpp"
 
@@ -32,10 +32,7 @@ std::array<double, 3> color_at(const Picture& picture, const Stage& stage, const
     return sum;
 }
 
-double brightness(const std::array<double, 3>& color)
-{
-    return (color[0] + color[1] + color[2]) / 3;
-}
+double brightness(const std::array<double, 3>& color) { return (color[0] + color[1] + color[2]) / 3; }
 
 Stage ball_on_floor(double height)
 {
@@ -50,7 +47,8 @@ Stage ball_on_floor(double height)
 
 TEST_SUITE_BEGIN("pictures");
 
-TEST_CASE("renderer: the same stage gives the same bytes, whatever was drawn in between" * doctest::skip(!pictures_are_on))
+TEST_CASE("renderer: the same stage gives the same bytes, whatever was drawn in between" *
+          doctest::skip(!pictures_are_on))
 {
     const Picture first = small_renderer().draw(box_and_ball());
     small_renderer().draw(ball_on_floor(1));
@@ -58,21 +56,26 @@ TEST_CASE("renderer: the same stage gives the same bytes, whatever was drawn in 
     CHECK(Renderer(480, 270).draw(box_and_ball()).rgb == first.rgb);
 }
 
-TEST_CASE("renderer: the floor darkens towards the place where a ball touches it" * doctest::skip(!pictures_are_on))
+TEST_CASE("renderer: the floor darkens towards the place where a ball touches it" *
+          doctest::skip(!pictures_are_on))
 {
     const Stage touching = ball_on_floor(0), floating = ball_on_floor(1.5);
     const Picture picture = small_renderer().draw(touching), raised = small_renderer().draw(floating);
     const Vec3 close(0.12, 0, 0.36), farther(0.25, 0, 0.75), far(0.6, 0, 1.8);
-    CHECK(brightness(color_at(picture, touching, close)) < brightness(color_at(picture, touching, farther)) - 10);
+    CHECK(brightness(color_at(picture, touching, close)) <
+          brightness(color_at(picture, touching, farther)) - 10);
     CHECK(brightness(color_at(picture, touching, farther)) < brightness(color_at(picture, touching, far)));
-    CHECK(brightness(color_at(raised, floating, close)) > brightness(color_at(picture, touching, close)) + 12);
+    CHECK(brightness(color_at(raised, floating, close)) >
+          brightness(color_at(picture, touching, close)) + 12);
 }
 
-TEST_CASE("renderer: the sun comes from the left of the camera and throws a soft shadow to the right" * doctest::skip(!pictures_are_on))
+TEST_CASE("renderer: the sun comes from the left of the camera and throws a soft shadow to the right" *
+          doctest::skip(!pictures_are_on))
 {
     const Stage stage = ball_on_floor(0);
     const Picture picture = small_renderer().draw(stage);
-    CHECK(brightness(color_at(picture, stage, {0.75, 0, -0.3})) < brightness(color_at(picture, stage, {-0.75, 0, -0.3})) - 25);
+    CHECK(brightness(color_at(picture, stage, {0.75, 0, -0.3})) <
+          brightness(color_at(picture, stage, {-0.75, 0, -0.3})) - 25);
     std::set<int> levels;  // walking out of the shadow meets many levels, not two
     for (double x = 0.5; x < 1.6; x += 0.01)
         levels.insert(static_cast<int>(brightness(color_at(picture, stage, {x, 0, -0.35}, 0))));
@@ -101,7 +104,8 @@ TEST_CASE("renderer: an edge between floor and box is antialiased" * doctest::sk
     stage.bodies = {drawable(box({1, 1, 1}), {0, 0.5, 0}, palette::ink)};
     stage.camera = {{0, 0.62, 4}, {0, 0.6, 0}, Vec3(0.03, 1, 0)};
     const Picture picture = small_renderer().draw(stage);
-    std::set<int> levels;  // a nearly level outline against the backdrop steps through the levels between the two
+    // a nearly level outline against the backdrop steps through the levels between the two
+    std::set<int> levels;
     const int middle = static_cast<int>(stage.camera.project({0, 1, 0.5}, picture.width, picture.height).y());
     for (int x = picture.width / 2 - 60; x < picture.width / 2 + 60; ++x)
         for (int y = middle - 4; y < middle + 5; ++y)
@@ -109,7 +113,8 @@ TEST_CASE("renderer: an edge between floor and box is antialiased" * doctest::sk
     CHECK(levels.size() >= 8);
 }
 
-TEST_CASE("renderer: marks have their colour, and what a body hides shines through it faintly" * doctest::skip(!pictures_are_on))
+TEST_CASE("renderer: marks have their colour, and what a body hides shines through it faintly" *
+          doctest::skip(!pictures_are_on))
 {
     Stage stage = ball_on_floor(0);
     stage.bodies[0].color = palette::ivory;
@@ -143,13 +148,15 @@ TEST_CASE("renderer: a size no picture can have is refused" * doctest::skip(!pic
 
 TEST_CASE("renderer: box and ball look as in their reference picture")
 {
-    const ReferenceCheck check = check_reference_picture(small_renderer().draw(box_and_ball()), "common/box_and_ball.png");
+    const ReferenceCheck check = check_reference_picture(small_renderer().draw(box_and_ball()),
+                                                         "common/box_and_ball.png");
     CHECK_MESSAGE(check.passed, check.message);
 }
 
 TEST_CASE("renderer: bunny, bowl, marks and label look as in their reference picture")
 {
-    const ReferenceCheck check = check_reference_picture(small_renderer().draw(bunny_in_bowl()), "common/bunny_in_bowl.png");
+    const ReferenceCheck check = check_reference_picture(small_renderer().draw(bunny_in_bowl()),
+                                                         "common/bunny_in_bowl.png");
     CHECK_MESSAGE(check.passed, check.message);
 }
 

@@ -42,7 +42,8 @@ inline Stage bunny_in_bowl()
     for (Vec3& vertex : bunny.vertices)
         vertex *= 0.14;
     Stage stage;
-    stage.bodies = {drawable(bowl(shape), {0, 0, 0}, palette::sand, true), drawable(bunny, {0.1, -0.75, 0}, palette::ivory)};
+    stage.bodies = {drawable(bowl(shape), {0, 0, 0}, palette::sand, true),
+                    drawable(bunny, {0.1, -0.75, 0}, palette::ivory)};
     stage.bodies[1].wireframe = true;
     double lowest = 0;
     for (const Vec3& point : stage.bodies[0].positions)
@@ -53,12 +54,15 @@ inline Stage bunny_in_bowl()
     // The face nearest to the camera is one that it sees.
     const auto& at = stage.bodies[1].positions;
     const auto corner = [&](const Face& face, std::size_t i) -> const Vec3& { return at[face[i]]; };
-    const auto depth = [&](const Face& f) { return stage.camera.depth((corner(f, 0) + corner(f, 1) + corner(f, 2)) / 3); };
+    const auto depth = [&](const Face& f) {
+        return stage.camera.depth((corner(f, 0) + corner(f, 1) + corner(f, 2)) / 3);
+    };
     const Face face = *std::min_element(stage.bodies[1].faces.begin(), stage.bodies[1].faces.end(),
                                         [&](const Face& f, const Face& g) { return depth(f) < depth(g); });
     const Vec3 a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
     stage.triangles = {{{a, b, c}}};
-    stage.segments = {{a, b, palette::colliding_edge, 5}, {c, c + Vec3(0, 0.4, 0.2), palette::artefact, 4, true}};
+    stage.segments = {{a, b, palette::colliding_edge, 5},
+                      {c, c + Vec3(0, 0.4, 0.2), palette::artefact, 4, true}};
     stage.dots = {{c}};
     stage.labels = {{"a vertex", c, {14, -12}}};
     return stage;

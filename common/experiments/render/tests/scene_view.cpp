@@ -45,7 +45,8 @@ TEST_CASE("scene view: bodies, looks, planes and camera are those of the scene")
 TEST_CASE("scene view: each kind of contact marks its own vertices in the thesis' colours")
 {
     const Scene scene = two_bodies();
-    const auto box_at = scene.world.bodies[0]->positions_t0(), floor_at = scene.world.bodies[1]->positions_t0();
+    const auto box_at = scene.world.bodies[0]->positions_t0(),
+               floor_at = scene.world.bodies[1]->positions_t0();
     Contact vertex_face{ContactKind::vertex_face, 0, 1, 3, 0, {3, 0, 1, 4}};
     Contact edge_edge{ContactKind::edge_edge, 0, 1, 0, 0, {2, 5, 6, 7}};
     Contact vertex_plane{ContactKind::vertex_plane, 0, 0, 6, -1, {6, -1, -1, -1}};
@@ -67,6 +68,7 @@ TEST_CASE("scene view: each kind of contact marks its own vertices in the thesis
 
     mark_artefacts(stage, scene.world, {vertex_face, edge_edge});
     CHECK(stage.dots.back().point == box_at[3]);
-    for (const Vec3& color : {stage.dots.back().color, stage.triangles.back().color, stage.segments.back().color})
+    for (const Vec3& color :
+         {stage.dots.back().color, stage.triangles.back().color, stage.segments.back().color})
         CHECK(color == palette::artefact);
 }

@@ -42,7 +42,9 @@ ChapterProgram two_experiments()
             report.table(name, table);
         };
     };
-    const auto refuse = [](const RunOptions&, Report&) { throw InputError("ball.obj:3: expected three numbers"); };
+    const auto refuse = [](const RunOptions&, Report&) {
+        throw InputError("ball.obj:3: expected three numbers");
+    };
     const auto fail = [](const RunOptions&, Report&) { throw std::runtime_error("step 7: NaN"); };
     return {"99_trial",
             "A trial",
@@ -62,7 +64,8 @@ bool contains(const std::string& text, const std::string& part)
 TEST_CASE("chapter program: named experiments run, others do not, and the progress says what was written")
 {
     const TemporaryFolder folder;
-    const Outcome outcome = call({"roll", "--quick", "--scene", "s.json", "--out", folder.path.string()}, two_experiments());
+    const Outcome outcome = call({"roll", "--quick", "--scene", "s.json", "--out", folder.path.string()},
+                                 two_experiments());
     CHECK(outcome.code == 0);
     CHECK(content(folder.path / "roll.csv") == "quick,scene\n1,s.json\n");
     CHECK(folder.count() == 1);
@@ -70,7 +73,8 @@ TEST_CASE("chapter program: named experiments run, others do not, and the progre
     CHECK(outcome.err.empty());
 }
 
-TEST_CASE("chapter program: an unknown experiment or option prints the usage and ends with 2 before anything runs")
+TEST_CASE(
+    "chapter program: an unknown experiment or option prints the usage and ends with 2 before anything runs")
 {
     const TemporaryFolder folder;
     for (const std::string word : {"rol", "--fast"}) {
@@ -110,8 +114,9 @@ TEST_CASE("chapter program: --list names every experiment, one a line, and runs 
 {
     const Outcome outcome = call({"--list", "--out", "/proc/nowhere"}, two_experiments());
     CHECK(outcome.code == 0);
-    CHECK(outcome.out == "  drop    a ball falls\n  roll    a ball rolls\n"
-                         "  refuse  meets a bad file\n  fail    ends in a NaN\n");
+    CHECK(outcome.out ==
+          "  drop    a ball falls\n  roll    a ball rolls\n"
+          "  refuse  meets a bad file\n  fail    ends in a NaN\n");
 }
 
 TEST_CASE("chapter program: a chapter's own option can replace the experiments")
@@ -126,11 +131,14 @@ TEST_CASE("chapter program: a chapter's own option can replace the experiments")
     CHECK(folder.count() == 0);
 }
 
-TEST_CASE("chapter program: --scene without a word is a scene of one's own, with a word that experiment's scene")
+TEST_CASE(
+    "chapter program: --scene without a word is a scene of one's own, with a word that experiment's scene")
 {
     ChapterProgram program = two_experiments();
     std::filesystem::path ran, into;
-    program.own_scene = [&](const RunOptions& options, Report& report) { ran = options.scene.value(), into = report.folder(); };
+    program.own_scene = [&](const RunOptions& options, Report& report) {
+        ran = options.scene.value(), into = report.folder();
+    };
     const TemporaryFolder folder;
     const std::string out = folder.path.string();
 

@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
-#include <csignal>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <csignal>
 
 using namespace enduring;
 

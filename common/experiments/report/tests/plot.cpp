@@ -28,8 +28,9 @@ TEST_CASE("plots: a script reads a table of the report and leaves an SVG without
     for (const double dt : {0.1, 0.2, 0.3})
         table.add({dt, dt * dt});
     report.table("radius", table);
-    report.plot(script(folder, "load style\nset xlabel 'dt [s]'\nplot folder.'/radius.csv' using 1:2 with lines\n"),
-                "radius");
+    report.plot(
+        script(folder, "load style\nset xlabel 'dt [s]'\nplot folder.'/radius.csv' using 1:2 with lines\n"),
+        "radius");
     const std::string svg = content(folder.path / "it's here" / "radius.svg");
     CHECK(svg.find("</svg>") != std::string::npos);
     CHECK(svg.find("dt [s]") != std::string::npos);
@@ -41,7 +42,8 @@ TEST_CASE("plots: a script that fails or draws nothing leaves no picture")
 {
     const TemporaryFolder folder, results;
     Report report(results.path);
-    CHECK_THROWS_AS(report.plot(script(folder, "load style\nplot folder.'/missing.csv'\n"), "a"), std::runtime_error);
+    CHECK_THROWS_AS(report.plot(script(folder, "load style\nplot folder.'/missing.csv'\n"), "a"),
+                    std::runtime_error);
     CHECK_THROWS_AS(report.plot(script(folder, "x = 1\n"), "a"), std::runtime_error);
     CHECK_THROWS_AS(report.plot(folder.path / "none.gp", "a"), InputError);
     CHECK(results.count() == 0);

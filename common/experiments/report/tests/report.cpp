@@ -1,5 +1,5 @@
-#include "common/experiments/report/column_words.hpp"
 #include "common/experiments/report/report.hpp"
+#include "common/experiments/report/column_words.hpp"
 #include "common/experiments/report/table.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"
@@ -21,7 +21,8 @@ TEST_CASE("report: every double in a CSV reads back as the same double")
 {
     std::mt19937_64 random(7);
     Table table({"value"});
-    std::vector<double> values{0.0, -0.0, 0.1, 1.0 / 3, 5e-324, 1e-15, 1e9, std::numeric_limits<double>::max()};
+    std::vector<double> values{0.0,    -0.0,  0.1, 1.0 / 3,
+                               5e-324, 1e-15, 1e9, std::numeric_limits<double>::max()};
     while (values.size() < 2000)
         if (const double value = std::bit_cast<double>(random()); std::isfinite(value))
             values.push_back(value);
@@ -35,7 +36,8 @@ TEST_CASE("report: every double in a CSV reads back as the same double")
     for (const double value : values) {
         std::getline(lines, line);
         CAPTURE(line);
-        CHECK(std::bit_cast<std::uint64_t>(std::strtod(line.c_str(), nullptr)) == std::bit_cast<std::uint64_t>(value));
+        CHECK(std::bit_cast<std::uint64_t>(std::strtod(line.c_str(), nullptr)) ==
+              std::bit_cast<std::uint64_t>(value));
     }
 }
 
@@ -58,8 +60,9 @@ TEST_CASE("report: text with a comma or a quote stays one CSV cell, and a bar do
     table.add({std::string("says \"no\", twice"), 3L, 0.1});
     table.add({std::string("a|b"), -1L, 1e-7});
     CHECK(csv(table) == "method,count,dt_s\n\"says \"\"no\"\", twice\",3,0.1\na|b,-1,1e-07\n");
-    CHECK(markdown(table, 3) == "| method | count | Δt [s] |\n|---|---:|---:|\n"
-                                "| says \"no\", twice | 3 | 0.1 |\n| a\\|b | -1 | 1·10⁻⁷ |\n");
+    CHECK(markdown(table, 3) ==
+          "| method | count | Δt [s] |\n|---|---:|---:|\n"
+          "| says \"no\", twice | 3 | 0.1 |\n| a\\|b | -1 | 1·10⁻⁷ |\n");
 }
 
 TEST_CASE("report: a page names columns in words, with the unit in brackets")

@@ -33,12 +33,15 @@ Solver ground_solver(const ContactParameters& contact)
     Solver solver;
     solver.name = "springs";
     solver.append(StepStage::detect, "all vertices", [](World& world, Contacts& contacts, double) {
-        for (int vertex = static_cast<int>(contacts.size()); vertex < world.bodies[0]->surface().vertex_count(); ++vertex)
-            contacts.push_back({ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}});
+        for (int vertex = static_cast<int>(contacts.size());
+             vertex < world.bodies[0]->surface().vertex_count(); ++vertex)
+            contacts.push_back(
+                {ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}});
     });
     solver.append(StepStage::respond, "springs", [contact](World& world, Contacts& contacts, double dt) {
         for (Contact& pair : contacts)
-            pair.impulse = -contact.stiffness * dt * std::min(0.0, contact_geometry(world, pair, 1).depth) * Vec3::UnitY();
+            pair.impulse = -contact.stiffness * dt * std::min(0.0, contact_geometry(world, pair, 1).depth) *
+                           Vec3::UnitY();
     });
     return solver;
 }
@@ -58,7 +61,8 @@ Solver kick(double factor)
 
 }  // namespace
 
-TEST_CASE("energy budget: what falls and bounces on springs that the step can bear holds no more than was put in")
+TEST_CASE(
+    "energy budget: what falls and bounces on springs that the step can bear holds no more than was put in")
 {
     for (const double height : {0.0, 0.3, 5.0})
         for (const double h : {0.01, 0.3, 1.2}) {  // of k dt^2 / m, where 4/3 is the limit
@@ -70,7 +74,8 @@ TEST_CASE("energy budget: what falls and bounces on springs that the step can be
         }
 }
 
-TEST_CASE("energy budget: springs that are too stiff for the step end the run, and it says where, who, n k and the stable step")
+TEST_CASE(
+    "energy budget: springs that are too stiff for the step end the run, and it says where, who, n k and the stable step")
 {
     Scene scene = points_above_ground(0.3, 20000, 0.01);
     EnergyProbe energy;
@@ -82,12 +87,16 @@ TEST_CASE("energy budget: springs that are too stiff for the step end the run, a
     }
     CAPTURE(said);
     const std::string step = "step " + std::to_string(scene.world.step) + ", time ";
-    for (const std::string& part : {std::string("points, springs: "), step, std::string("'points' and 'ground'"), std::string("3 pairs"), std::string("n k = 60000 N/m"),
-                                    std::string("dt = 0.00816 s"), std::string("Make dt shorter")})  // sqrt(4/3 * 3 / 60000)
+    for (const std::string& part :
+         {std::string("points, springs: "), step, std::string("'points' and 'ground'"),
+          std::string("3 pairs"), std::string("n k = 60000 N/m"),
+          // sqrt(4/3 * 3 / 60000)
+          std::string("dt = 0.00816 s"), std::string("Make dt shorter")})
         CHECK(said.find(part) != std::string::npos);
     CHECK(scene.world.step > 1);
     CHECK(scene.world.step < 400);
-    CHECK(energy.table().rows().size() == static_cast<std::size_t>(scene.world.step) + 1);  // the probes have seen the last step
+    // the probes have seen the last step
+    CHECK(energy.table().rows().size() == static_cast<std::size_t>(scene.world.step) + 1);
 }
 
 TEST_CASE("energy budget: what shows a failure on purpose says so and runs to its end")
@@ -130,11 +139,13 @@ TEST_CASE("energy budget: a tenth is tolerated, and more is not")
         const RunResult result = run(scene, kick(std::sqrt(1 + gain)), {}, failure_on_purpose());
         CHECK(result.energy_gain.has_value() == (gain > 0.1));
         if (gain == 0.5)
-            CHECK(result.energy_gain->find("step 12, time 1.2 s") == 0);  // three of ten steps with half as much again
+            // three of ten steps with half as much again
+            CHECK(result.energy_gain->find("step 12, time 1.2 s") == 0);
     }
 }
 
-TEST_CASE("energy budget: height is counted from the lowest place, so a fall puts in no more than its own depth")
+TEST_CASE(
+    "energy budget: height is counted from the lowest place, so a fall puts in no more than its own depth")
 {
     // 1000 m up, or down: where the origin lies does not matter.
     for (const double origin : {0.0, 1000.0, -1000.0}) {

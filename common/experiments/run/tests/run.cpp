@@ -1,5 +1,5 @@
-#include "common/experiments/run/processor_clock.hpp"
 #include "common/experiments/run/run.hpp"
+#include "common/experiments/run/processor_clock.hpp"
 #include "common/input/input_error.hpp"
 #include "common/simulation/tests/triangle_body.hpp"
 
@@ -14,7 +14,8 @@ namespace {
 double number(const Table& table, std::size_t row, std::size_t column)
 {
     const Cell& cell = table.rows().at(row).at(column);
-    return std::holds_alternative<long>(cell) ? static_cast<double>(std::get<long>(cell)) : std::get<double>(cell);
+    return std::holds_alternative<long>(cell) ? static_cast<double>(std::get<long>(cell))
+                                              : std::get<double>(cell);
 }
 
 /// Two triangles, the upper one moving down at 1 m/s, 0.25 m apart.
@@ -30,7 +31,10 @@ Scene two_sheets()
     return scene;
 }
 
-Contact vertex_on_face(int vertex) { return {ContactKind::vertex_face, 0, 1, vertex, 0, {vertex, 0, 1, 2}, {1, -0.5, -0.25, -0.25}}; }
+Contact vertex_on_face(int vertex)
+{
+    return {ContactKind::vertex_face, 0, 1, vertex, 0, {vertex, 0, 1, 2}, {1, -0.5, -0.25, -0.25}};
+}
 
 }  // namespace
 
@@ -47,7 +51,8 @@ TEST_CASE("run: as many steps as the duration asks for, and the probes look once
     CHECK(number(motion.table(), 3, 0) == doctest::Approx(1.5));
     CHECK(number(motion.table(), 3, 2) == doctest::Approx(0.25 - 1.5));
     CHECK(number(motion.table(), 3, 5) == doctest::Approx(-1));
-    CHECK_THROWS_WITH_AS(MotionProbe("middle").observe(scene.world, {}, 0.5), "the scene has no body \"middle\"; it has upper, lower", InputError);
+    CHECK_THROWS_WITH_AS(MotionProbe("middle").observe(scene.world, {}, 0.5),
+                         "the scene has no body \"middle\"; it has upper, lower", InputError);
 }
 
 TEST_CASE("run: duration / dt steps despite rounding, and one more when it is not whole")
@@ -72,7 +77,8 @@ TEST_CASE("run: a limit or a stop ends it early")
     Scene scene = two_sheets();
     CHECK(run(scene, {}, {}, {2, {}}).steps == 2);
     Scene again = two_sheets();
-    CHECK(run(again, {}, {}, {{}, [](const World& world, const Contacts&) { return world.time > 0.4; }}).steps == 1);
+    CHECK(run(again, {}, {}, {{}, [](const World& world, const Contacts&) { return world.time > 0.4; }})
+              .steps == 1);
 }
 
 TEST_CASE("probes: energy and momentum of point masses are the textbook's")
@@ -83,8 +89,8 @@ TEST_CASE("probes: energy and momentum of point masses are the textbook's")
     MomentumProbe momentum;
     energy.observe(scene.world, {}, 0.5);
     momentum.observe(scene.world, {}, 0.5);
-    CHECK(number(energy.table(), 0, 1) == doctest::Approx(1.5));   // 3 kg at 1 m/s
-    CHECK(number(energy.table(), 0, 2) == doctest::Approx(7.5));   // 3 kg at 0.25 m
+    CHECK(number(energy.table(), 0, 1) == doctest::Approx(1.5));  // 3 kg at 1 m/s
+    CHECK(number(energy.table(), 0, 2) == doctest::Approx(7.5));  // 3 kg at 0.25 m
     CHECK(number(energy.table(), 0, 4) == doctest::Approx(9.0));
     CHECK(number(momentum.table(), 0, 2) == doctest::Approx(-3));
     // sum of x cross m v over (0,0), (z=1), (x=1) at v = -y: (z, 0, -x) each.
@@ -113,7 +119,8 @@ TEST_CASE("probes: penetration sums the depths inside, and bounds the step by th
     CHECK(number(probe.table(), 1, 3) == doctest::Approx(0.25 + 0.25 + 0.55));
     CHECK(number(probe.table(), 1, 4) == doctest::Approx(0.55));
     CHECK(number(probe.table(), 1, 5) == doctest::Approx(200));
-    CHECK(number(probe.table(), 1, 6) == doctest::Approx(std::sqrt(2 * 1.5 / 200)));  // two 3 kg bodies: reduced 1.5 kg
+    // two 3 kg bodies: reduced 1.5 kg
+    CHECK(number(probe.table(), 1, 6) == doctest::Approx(std::sqrt(2 * 1.5 / 200)));
     CHECK(number(probe.table(), 1, 7) == 0.5);
     CHECK(number(probe.table(), 1, 8) == doctest::Approx(0.55));
 

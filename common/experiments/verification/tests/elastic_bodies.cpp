@@ -27,7 +27,8 @@ bool is(const Table& table, std::size_t row, const std::string& word)
 
 }  // namespace
 
-TEST_CASE("lumped masses: row sums of the nodal basis are negative at the corners, those of the Bernstein basis never")
+TEST_CASE(
+    "lumped masses: row sums of the nodal basis are negative at the corners, those of the Bernstein basis never")
 {
     const Table table = ways_of_lumping();
     CHECK(number(table, 0, 1) == doctest::Approx(-1.0 / 20));
@@ -38,7 +39,8 @@ TEST_CASE("lumped masses: row sums of the nodal basis are negative at the corner
     CHECK(number(table, 2, 2) == doctest::Approx(1.0 / 10));
 }
 
-TEST_CASE("cantilever: quadratic elements meet beam theory with shear within 2%, linear ones on the same mesh lock")
+TEST_CASE(
+    "cantilever: quadratic elements meet beam theory with shear within 2%, linear ones on the same mesh lock")
 {
     const Table table = cantilever();
     REQUIRE(table.rows().size() == 4);
@@ -67,7 +69,9 @@ TEST_CASE("bending: the first frequency of a slender bar is within 2% of Euler a
     CHECK(number(table, 0, 5) > 1.5);  // linear elements lock
 }
 
-TEST_CASE("torsion: quadratic elements, three across a square bar, are within 2% of Saint-Venant's first frequency" * doctest::test_suite("long simulation"))
+TEST_CASE(
+    "torsion: quadratic elements, three across a square bar, are within 2% of Saint-Venant's first frequency" *
+    doctest::test_suite("long simulation"))
 {
     const Table table = torsion_frequency();
     double before = 2;
@@ -82,7 +86,8 @@ TEST_CASE("torsion: quadratic elements, three across a square bar, are within 2%
     CHECK(number(table, 3, 6) < 0.8);  // lumped masses turn too slowly
 }
 
-TEST_CASE("inertia: the mass matrix has the integral's for bars and bunnies, to rounding; lumps at the nodes have up to three times that")
+TEST_CASE(
+    "inertia: the mass matrix has the integral's for bars and bunnies, to rounding; lumps at the nodes have up to three times that")
 {
     const Table table = inertia_ratios();
     for (std::size_t row = 0; row < table.rows().size(); ++row) {
@@ -136,7 +141,8 @@ TEST_CASE("spinning bar: the energy made in the first step is the stretch of a l
         }
 }
 
-TEST_CASE("spinning bar: up to |omega| dt = 0.05 the energy grows by at most 1% in all" * doctest::test_suite("long simulation"))
+TEST_CASE("spinning bar: up to |omega| dt = 0.05 the energy grows by at most 1% in all" *
+          doctest::test_suite("long simulation"))
 {
     for (double young : {1e5, 1e6, 2.5e6})
         for (double omega_dt : {0.0125, 0.025, 0.05}) {

@@ -6,13 +6,16 @@
 
 using namespace enduring;
 
-TEST_CASE("pushed bar: the implicit response gives all of the push's turn and work, the lumped one gives less, on coarse bars most" * doctest::test_suite("long simulation"))
+TEST_CASE(
+    "pushed bar: the implicit response gives all of the push's turn and work, the lumped one gives less, on coarse bars most" *
+    doctest::test_suite("long simulation"))
 {
     const Table table = verification::pushed_bar();
     CHECK(std::get<double>(table.rows()[0][3]) < 40);  // linear elements, one cell across
     double coarser = 0;
     for (const auto& row : table.rows()) {
-        const double angular = std::get<double>(row[3]), kinetic = std::get<double>(row[4]), energy = std::get<double>(row[5]);
+        const double angular = std::get<double>(row[3]), kinetic = std::get<double>(row[4]),
+                     energy = std::get<double>(row[5]);
         CAPTURE(std::get<std::string>(row[0]));
         CAPTURE(std::get<std::string>(row[1]));
         CAPTURE(std::get<long>(row[2]));

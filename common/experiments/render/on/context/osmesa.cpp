@@ -10,8 +10,17 @@ namespace {
 
 OSMesaContext make_context()
 {
-    const std::array<int, 11> attributes{OSMESA_FORMAT, OSMESA_RGBA, OSMESA_PROFILE, OSMESA_CORE_PROFILE,
-                                         OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0, 0, 0};
+    const std::array<int, 11> attributes{OSMESA_FORMAT,
+                                         OSMESA_RGBA,
+                                         OSMESA_PROFILE,
+                                         OSMESA_CORE_PROFILE,
+                                         OSMESA_CONTEXT_MAJOR_VERSION,
+                                         3,
+                                         OSMESA_CONTEXT_MINOR_VERSION,
+                                         3,
+                                         0,
+                                         0,
+                                         0};
     OSMesaContext context = OSMesaCreateContextAttribs(attributes.data(), nullptr);
     if (context == nullptr)
         throw std::runtime_error("OSMesa gives no OpenGL 3.3 context");
@@ -24,8 +33,8 @@ void make_current()
 {
     static OSMesaContext context = make_context();
     static std::array<unsigned char, 4> pixel{};  // every picture goes to a framebuffer of its own
-    if (OSMesaGetCurrentContext() != context
-        && OSMesaMakeCurrent(context, pixel.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
+    if (OSMesaGetCurrentContext() != context &&
+        OSMesaMakeCurrent(context, pixel.data(), GL_UNSIGNED_BYTE, 1, 1) == GL_FALSE)
         throw std::runtime_error("OSMesa's context cannot be made current");
 }
 
