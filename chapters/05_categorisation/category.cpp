@@ -63,8 +63,7 @@ ContactCategory categorise(const World& world, const Contact& contact, double ta
         case ContactKind::edge_edge:
             return categorise_edge_pair(surface_at(body(world, contact.body_a), tau),
                                         surface_at(body(world, contact.body_b), tau), contact, rule);
-        case ContactKind::vertex_plane:
-            break;
+        case ContactKind::vertex_plane: break;
     }
     return ContactCategory::regular;
 }

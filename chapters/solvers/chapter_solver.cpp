@@ -14,22 +14,14 @@ namespace enduring::solvers {
 Solver chapter_solver(int chapter, const ContactParameters& parameters)
 {
     switch (chapter) {
-        case 1:
-            return chapter01_solver(parameters);
-        case 2:
-            return chapter02_solver(parameters);
-        case 3:
-            return chapter03_solver(parameters);
-        case 4:
-            return chapter04_solver(parameters);
-        case 5:
-            return chapter05_solver(parameters);
-        case 6:
-            return chapter06_solver(parameters);
-        case 7:
-            return chapter07_solver(parameters);
-        default:
-            throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to 7 have");
+        case 1: return chapter01_solver(parameters);
+        case 2: return chapter02_solver(parameters);
+        case 3: return chapter03_solver(parameters);
+        case 4: return chapter04_solver(parameters);
+        case 5: return chapter05_solver(parameters);
+        case 6: return chapter06_solver(parameters);
+        case 7: return chapter07_solver(parameters);
+        default: throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to 7 have");
     }
 }
 

@@ -59,12 +59,9 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
 std::unique_ptr<Body> read_body(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     switch (value.at("type").choice({"static", "rigid", "deformable"})) {
-        case 0:
-            return read_static(value, surroundings);
-        case 1:
-            return read_rigid(value, surroundings);
-        default:
-            return read_deformable(value, surroundings);
+        case 0: return read_static(value, surroundings);
+        case 1: return read_rigid(value, surroundings);
+        default: return read_deformable(value, surroundings);
     }
 }
 

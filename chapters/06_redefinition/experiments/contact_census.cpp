@@ -21,15 +21,9 @@ void ContactCensus::observe(const World& world, const Contacts& contacts, double
         const auto place = static_cast<std::size_t>(
             std::find(categories.begin(), categories.end(), contact.category) - categories.begin());
         switch (contact.kind) {
-            case ContactKind::vertex_plane:
-                ++planes;
-                break;
-            case ContactKind::vertex_face:
-                ++vertex_face[place];
-                break;
-            case ContactKind::edge_edge:
-                ++edge_edge[place];
-                break;
+            case ContactKind::vertex_plane: ++planes; break;
+            case ContactKind::vertex_face: ++vertex_face[place]; break;
+            case ContactKind::edge_edge: ++edge_edge[place]; break;
         }
         held += contact.held();
         normal += contact.impulse.norm() / dt;

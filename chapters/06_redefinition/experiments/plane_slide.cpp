@@ -73,12 +73,9 @@ private:
 std::string name_of(GridDiagonals diagonals)
 {
     switch (diagonals) {
-        case GridDiagonals::same:
-            return "same";
-        case GridDiagonals::alternating:
-            return "alternating";
-        case GridDiagonals::crossed:
-            break;
+        case GridDiagonals::same: return "same";
+        case GridDiagonals::alternating: return "alternating";
+        case GridDiagonals::crossed: break;
     }
     return "crossed";
 }

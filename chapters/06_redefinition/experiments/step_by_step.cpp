@@ -140,14 +140,10 @@ Caught run_until_caught(const std::string& name, bool hooked)
 bool still_in(const FaceTrial& trial, int step, const std::optional<FaceTrial>& choice)
 {
     switch (step) {
-        case 1:
-            return true;
-        case 2:
-            return trial.verdict == FaceVerdict::hooked || trial.verdict == FaceVerdict::fit;
-        case 3:
-            return trial.verdict == FaceVerdict::fit;
-        default:
-            return choice && trial.face == choice->face;
+        case 1: return true;
+        case 2: return trial.verdict == FaceVerdict::hooked || trial.verdict == FaceVerdict::fit;
+        case 3: return trial.verdict == FaceVerdict::fit;
+        default: return choice && trial.face == choice->face;
     }
 }
 
@@ -184,16 +180,11 @@ Stage draw_step(const Caught& caught, int step)
 std::string words(FaceVerdict verdict)
 {
     switch (verdict) {
-        case FaceVerdict::above:
-            return "not below it";
-        case FaceVerdict::deep:
-            return "on the far side";
-        case FaceVerdict::beside:
-            return "foot outside";
-        case FaceVerdict::hooked:
-            return "hooked";
-        default:
-            return "regular";
+        case FaceVerdict::above: return "not below it";
+        case FaceVerdict::deep: return "on the far side";
+        case FaceVerdict::beside: return "foot outside";
+        case FaceVerdict::hooked: return "hooked";
+        default: return "regular";
     }
 }
 

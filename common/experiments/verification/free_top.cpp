@@ -71,12 +71,9 @@ btVector3 gyroscopic_change(const btRigidBody& body, TopMethod method, double dt
     switch (method) {
         case TopMethod::bullet_explicit:
             return body.getInvInertiaTensorWorld() * body.computeGyroscopicForceExplicit(1e30) * -dt;
-        case TopMethod::bullet_implicit_world:
-            return body.computeGyroscopicImpulseImplicit_World(dt);
-        case TopMethod::bullet_implicit_body:
-            return body.computeGyroscopicImpulseImplicit_Body(dt);
-        default:
-            return {0, 0, 0};
+        case TopMethod::bullet_implicit_world: return body.computeGyroscopicImpulseImplicit_World(dt);
+        case TopMethod::bullet_implicit_body: return body.computeGyroscopicImpulseImplicit_Body(dt);
+        default: return {0, 0, 0};
     }
 }
 //! [bullet_step]
@@ -116,16 +113,11 @@ const std::vector<TopMethod>& all_top_methods()
 std::string name_of(TopMethod method)
 {
     switch (method) {
-        case TopMethod::bullet_kept:
-            return "Bullet, velocity kept";
-        case TopMethod::bullet_explicit:
-            return "Bullet, explicit";
-        case TopMethod::bullet_implicit_world:
-            return "Bullet, implicit in the world";
-        case TopMethod::bullet_implicit_body:
-            return "Bullet, implicit in the body";
-        case TopMethod::ours:
-            return "Simo and Wong (ours)";
+        case TopMethod::bullet_kept: return "Bullet, velocity kept";
+        case TopMethod::bullet_explicit: return "Bullet, explicit";
+        case TopMethod::bullet_implicit_world: return "Bullet, implicit in the world";
+        case TopMethod::bullet_implicit_body: return "Bullet, implicit in the body";
+        case TopMethod::ours: return "Simo and Wong (ours)";
     }
     return {};
 }
