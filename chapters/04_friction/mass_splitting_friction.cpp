@@ -21,26 +21,37 @@ struct FrictionPair {
     double limit = 0;  ///< of the impulse's length, where the pair slips [N s]
 };
 
-void try_on_bodies(const World& world, const Contact& contact, const Vec3& impulse)
-{
-    for (int i = 0; i < contact.vertex_count(); ++i) {
-        const auto v = static_cast<std::size_t>(i);
-        body_of_vertex(world, contact, i).try_impulse(contact.vertices[v], contact.weights[v] * impulse);
+/// Impulses on pairs, tried out on all bodies together.
+class Trials {
+public:
+    explicit Trials(const World& world)
+    {
+        for (const std::unique_ptr<Body>& body : world.bodies)
+            bodies_.push_back(body->begin_trial());
     }
-}
 
-/// With everything in effect that was tried.
-Vec2 slip_velocity(const World& world, const FrictionPair& pair)
-{
-    const Contact& contact = *pair.contact;
-    Vec3 velocity = Vec3::Zero();
-    for (int i = 0; i < contact.vertex_count(); ++i) {
-        const auto v = static_cast<std::size_t>(i);
-        velocity += contact.weights[v] *
-                    body_of_vertex(world, contact, i).tried_velocity(contact.vertices[v]);
+    void push(const Contact& contact, const Vec3& impulse)
+    {
+        for (int i = 0; i < contact.vertex_count(); ++i) {
+            const auto v = static_cast<std::size_t>(i);
+            bodies_[body_index(contact, i)]->push(contact.vertices[v], contact.weights[v] * impulse);
+        }
     }
-    return pair.plane.of(velocity);
-}
+
+    /// Of p against q [m/s].
+    Vec3 velocity(const Contact& contact)
+    {
+        Vec3 velocity = Vec3::Zero();
+        for (int i = 0; i < contact.vertex_count(); ++i) {
+            const auto v = static_cast<std::size_t>(i);
+            velocity += contact.weights[v] * bodies_[body_index(contact, i)]->velocity(contact.vertices[v]);
+        }
+        return velocity;
+    }
+
+private:
+    std::vector<std::unique_ptr<Trial>> bodies_;
+};
 
 std::vector<FrictionPair> friction_pairs(const World& world, Contacts& contacts,
                                          const MassSplitting& friction, double dt)
@@ -66,20 +77,18 @@ Vec2 cut_to(double limit, const Vec2& impulse)
     return length > limit ? Vec2(impulse * (limit / length)) : impulse;
 }
 
-void try_normal_impulses(const World& world, const std::vector<FrictionPair>& pairs)
+void try_normal_impulses(Trials& trials, const std::vector<FrictionPair>& pairs)
 {
-    for (const std::unique_ptr<Body>& body : world.bodies)
-        body->begin_trial();
     for (const FrictionPair& pair : pairs)
-        try_on_bodies(world, *pair.contact, pair.contact->impulse);
+        trials.push(*pair.contact, pair.contact->impulse);
 }
 
-void try_springs(const World& world, std::vector<FrictionPair>& pairs, double mu_s, double dt)
+void try_springs(Trials& trials, std::vector<FrictionPair>& pairs, double mu_s, double dt)
 {
     for (FrictionPair& pair : pairs) {
         pair.limit = mu_s * pair.normal_impulse;
         pair.impulse = cut_to(mu_s * pair.normal_impulse, -dt * pair.anchor.spring * pair.anchor.stretch);
-        try_on_bodies(world, *pair.contact, pair.plane.in_space(pair.impulse));
+        trials.push(*pair.contact, pair.plane.in_space(pair.impulse));
     }
 }
 
@@ -95,13 +104,13 @@ Vec2 toward(const FrictionImpulse& better, double mu_s, FrictionPair& pair)
 
 /// One round: every pair answers what all of them did before.
 /// @return  how much that changed, relative to what the pairs can hold, as root mean squares
-double improve(const World& world, std::vector<FrictionPair>& pairs, const MassSplitting& friction)
+double improve(Trials& trials, std::vector<FrictionPair>& pairs, const MassSplitting& friction)
 {
     double change = 0, most = 0;
     for (FrictionPair& pair : pairs) {
-        const FrictionImpulse better = better_impulse(pair.impulse, slip_velocity(world, pair),
-                                                      pair.inverse_mass, pair.normal_impulse, pair.anchor,
-                                                      friction);
+        const FrictionImpulse better = better_impulse(
+            pair.impulse, pair.plane.of(trials.velocity(*pair.contact)), pair.inverse_mass,
+            pair.normal_impulse, pair.anchor, friction);
         pair.change = toward(better, friction.mu_s, pair) - pair.impulse;
         pair.contact->slip = better.slip;
         change += pair.change.squaredNorm();
@@ -109,7 +118,7 @@ double improve(const World& world, std::vector<FrictionPair>& pairs, const MassS
     }
     for (FrictionPair& pair : pairs) {
         pair.impulse += pair.change;
-        try_on_bodies(world, *pair.contact, pair.plane.in_space(pair.change));
+        trials.push(*pair.contact, pair.plane.in_space(pair.change));
     }
     return change > 0 ? std::sqrt(change / most) : 0;
 }
@@ -129,11 +138,12 @@ bool worth_another(const std::vector<double>& changes)
 void mass_splitting_friction(const World& world, Contacts& contacts, const MassSplitting& friction, double dt)
 {
     std::vector<FrictionPair> pairs = friction_pairs(world, contacts, friction, dt);
-    try_normal_impulses(world, pairs);
-    try_springs(world, pairs, friction.mu_s, dt);
+    Trials trials(world);
+    try_normal_impulses(trials, pairs);
+    try_springs(trials, pairs, friction.mu_s, dt);
     std::vector<double> changes;
     do
-        changes.push_back(improve(world, pairs, friction));
+        changes.push_back(improve(trials, pairs, friction));
     while (worth_another(changes));
     for (const FrictionPair& pair : pairs)
         pair.contact->friction =

@@ -8,14 +8,9 @@
 namespace enduring {
 namespace {
 
-std::size_t body_index(const Contact& contact, int i)
-{
-    return static_cast<std::size_t>(i < contact.vertices_of_a() ? contact.body_a : contact.body_b);
-}
-
 std::span<const int> parts(const World& world, const Contact& contact, int i)
 {
-    return body_of_vertex(world, contact, i).moved_parts(contact.vertices[i]);
+    return body_of_vertex(world, contact, i).mass_parts().moved_by(contact.vertices[i]);
 }
 
 double largest_eigenvalue(const Mat2& m)
@@ -63,7 +58,7 @@ MassShares::MassShares(const World& world, const Contacts& contacts)
     for (const std::unique_ptr<Body>& body : world.bodies) {
         lists.emplace_back(*body);
         bodies_.push_back(
-            {std::vector<int>(static_cast<std::size_t>(body->part_count()), 0),
+            {std::vector<int>(static_cast<std::size_t>(body->mass_parts().count()), 0),
              {},
              std::vector<double>(static_cast<std::size_t>(body->surface().vertex_count()), -1)});
     }
@@ -95,7 +90,7 @@ double MassShares::response_bound(const Body& body, OfBody& of_body, int vertex)
 {
     double& known = of_body.together[vertex];
     if (known < 0)
-        known = body.response_bound(vertex, of_body.pushes);
+        known = body.mass_parts().response_bound(vertex, of_body.pushes);
     return known;
 }
 

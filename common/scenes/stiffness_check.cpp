@@ -23,7 +23,7 @@ Softness softness_of(const Body& body, double stiffness)
     if (body.is_static())
         return softness;
     softness.pairs = corners_of_smallest_side(body.surface(), body.positions_t0());
-    if (body.part_count() == 1) {
+    if (body.mass_parts().count() == 1) {
         softness.inverse_mass = 1 / body.mass();
         return softness;
     }

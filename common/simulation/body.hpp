@@ -2,11 +2,13 @@
 
 #include "common/geometry/surface_topology.hpp"
 #include "common/geometry/vector.hpp"
+#include "common/simulation/mass_parts.hpp"
+#include "common/simulation/trial.hpp"
 
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,12 +21,6 @@ struct Energy {
     /// [J]; the gravitational part is zero at the origin
     double kinetic = 0, gravitational = 0, elastic = 0;
     double total() const { return kinetic + gravitational + elastic; }
-};
-
-/// A surface vertex and the share of an impulse that it receives.
-struct Push {
-    int vertex;
-    double weight;  ///< not negative
 };
 
 /// How a surface vertex moves with its body's coordinates in contact: its
@@ -65,13 +61,7 @@ public:
         return lerp(positions_t0_[i], positions_t1_[i], tau);
     }
     /// The mean of the surface vertices at the start of the step [m]; not the centre of mass.
-    Vec3 centre() const
-    {
-        Vec3 sum = Vec3::Zero();
-        for (const Vec3& x : positions_t0_)
-            sum += x;
-        return sum / static_cast<double>(std::max<std::size_t>(1, positions_t0_.size()));
-    }
+    Vec3 centre() const;
 
     /// New velocities from gravity [m/s^2], inner forces and damping over dt [s]; then positions_t1.
     virtual void predict(const Vec3& gravity, double dt) = 0;
@@ -88,27 +78,10 @@ public:
     /// Velocity change at a surface vertex per impulse there [1/kg]; zero for what does not move.
     virtual Mat3 inverse_mass(int vertex) const = 0;
 
-    /// Impulses may be tried out on a copy of the predicted velocities before any is
-    /// applied: friction is worth no more than what all its pairs do together. begin_trial()
-    /// makes the copy. What does not move does not answer.
-    virtual void begin_trial() {}
-    virtual void try_impulse(int, const Vec3&) {}
-    virtual Vec3 tried_velocity(int vertex) const { return velocity(vertex); }
-
-    /// Parts of the body, each moved as one by an impulse on it within a step: pairs that
-    /// push on the same part share its mass. A rigid body is one part, and so is a deformable
-    /// one that answers implicitly; else every node is its own.
-    virtual int part_count() const { return 1; }
-    /// The parts that an impulse at a surface vertex moves.
-    virtual std::span<const int> moved_parts(int) const { return {&whole, 1}; }
-
-    /// The same question answered better by a body whose parts hang together, if it can: a bound on what all
-    /// `pushes` change at a vertex together, each weight's worth of impulse in its own worst direction
-    /// [1/kg]; infinite where it knows none.
-    virtual double response_bound(int, std::span<const Push>) const
-    {
-        return std::numeric_limits<double>::infinity();
-    }
+    /// To try impulses out before any is applied.
+    virtual std::unique_ptr<Trial> begin_trial() const;
+    /// Which pairs share this body's mass.
+    virtual const MassParts& mass_parts() const;
 
     /// For a solver that treats all bodies as one: the velocities that contact can
     /// change, as a few coordinates. A rigid body's are the velocity of its centre and
@@ -141,8 +114,6 @@ protected:
     std::vector<Vec3> positions_t0_, positions_t1_;
 
 private:
-    static constexpr int whole = 0;
-
     std::string name_;
     SurfaceTopology surface_;
 };

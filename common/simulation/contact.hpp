@@ -54,6 +54,9 @@ struct Contact {
     bool held() const { return state == ContactState::held; }
     /// Held, or else (again) waiting for its impulse.
     void hold(bool yes) { state = yes ? ContactState::held : ContactState::waiting; }
+    /// Its depth, where it is negative, is that of a spring: a held pair pushes nothing, and a resolved one
+    /// has left by another face.
+    bool is_spring() const { return !held() && !resolved; }
     /// Inside since an earlier step; so is one that enters at the very start of this one.
     bool endures() const { return start == 0; }
 

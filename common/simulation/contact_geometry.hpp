@@ -31,11 +31,14 @@ double pair_stiffness(const World& world, const Contact& contact, double of_all_
 const std::string& name_of_a(const World& world, const Contact& contact);
 const std::string& name_of_b(const World& world, const Contact& contact);
 
-/// The body that the contact's i-th vertex (0..3) belongs to.
+/// The body that the contact's i-th vertex (0..3) belongs to, by its place in World::bodies.
+inline std::size_t body_index(const Contact& contact, int i)
+{
+    return static_cast<std::size_t>(i < contact.vertices_of_a() ? contact.body_a : contact.body_b);
+}
 inline Body& body_of_vertex(const World& world, const Contact& contact, int i)
 {
-    const int body = i < contact.vertices_of_a() ? contact.body_a : contact.body_b;
-    return *world.bodies[body];
+    return *world.bodies[body_index(contact, i)];
 }
 
 /// World position of the contact's i-th vertex (0..3) at tau [m].

@@ -23,6 +23,61 @@ void set_motion(ElasticBody& elastic, const Vec3& velocity, const Vec3& angular_
                                          angular_velocity.cross(elastic.positions().col(node) - centre);
 }
 
+class LumpedTrial final : public Trial {
+public:
+    LumpedTrial(const ElasticBody& elastic, const SurfaceEmbedding& embedding)
+        : embedding_(embedding), inverse_masses_(elastic.inverse_masses()), velocities_(elastic.velocities())
+    {}
+    void push(int vertex, const Vec3& impulse) override
+    {
+        embedding_.apply_impulse(vertex, impulse, inverse_masses_, velocities_);
+    }
+    Vec3 velocity(int vertex) override { return embedding_.at(vertex, velocities_); }
+
+private:
+    const SurfaceEmbedding& embedding_;
+    const Eigen::VectorXd& inverse_masses_;
+    NodalVectors velocities_;  ///< of the nodes
+};
+
+class ImplicitTrial final : public Trial {
+public:
+    ImplicitTrial(const Body& body, VertexResponse& response) : body_(body), response_(response) {}
+    void push(int vertex, const Vec3& impulse) override { response_.push(vertex, impulse); }
+    Vec3 velocity(int vertex) override { return body_.velocity(vertex) + response_.change(vertex); }
+
+private:
+    const Body& body_;
+    ResponseTrial response_;
+};
+
+/// Each node answers alone.
+class LumpedParts final : public MassParts {
+public:
+    LumpedParts(const ElasticBody& elastic, const SurfaceEmbedding& embedding)
+        : elastic_(elastic), embedding_(embedding)
+    {}
+    int count() const override { return elastic_.node_count(); }
+    std::span<const int> moved_by(int vertex) const override { return embedding_.node_numbers_of(vertex); }
+
+private:
+    const ElasticBody& elastic_;
+    const SurfaceEmbedding& embedding_;
+};
+
+/// One part, which the elements hold together.
+class ImplicitParts final : public MassParts {
+public:
+    explicit ImplicitParts(VertexResponse& response) : response_(response) {}
+    double response_bound(int vertex, std::span<const Push> pushes) const override
+    {
+        return response_.response_bound(vertex, pushes);
+    }
+
+private:
+    VertexResponse& response_;
+};
+
 }  // namespace
 
 DeformableBody::DeformableBody(std::string name, const TetrahedralMesh& mesh,
@@ -44,6 +99,10 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
       impulse_response_(settings.impulse_response),
       waiting_impulses_(NodalVectors::Zero(3, elastic_.node_count())), vertex_response_(elastic_, embedding_)
 {
+    if (impulse_response_ == ImpulseResponse::implicit)
+        parts_ = std::make_unique<ImplicitParts>(vertex_response_);
+    else
+        parts_ = std::make_unique<LumpedParts>(elastic_, embedding_);
     elastic_.place(settings.rotation, settings.position);
     set_motion(elastic_, settings.velocity, settings.angular_velocity);
     for (const int node : settings.fixed_nodes)
@@ -136,39 +195,11 @@ void DeformableBody::apply_contact_impulse(std::span<const int> touched, const E
         apply_impulse(touched[i], impulse.segment<3>(static_cast<Eigen::Index>(3 * i)));
 }
 
-void DeformableBody::begin_trial()
+std::unique_ptr<Trial> DeformableBody::begin_trial() const
 {
     if (impulse_response_ == ImpulseResponse::implicit)
-        vertex_response_.begin_trial();
-    else
-        tried_velocities_ = elastic_.velocities();
-}
-
-void DeformableBody::try_impulse(int vertex, const Vec3& impulse)
-{
-    if (impulse_response_ == ImpulseResponse::implicit)
-        vertex_response_.try_impulse(vertex, impulse);
-    else
-        embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), tried_velocities_);
-}
-
-Vec3 DeformableBody::tried_velocity(int vertex) const
-{
-    if (impulse_response_ == ImpulseResponse::implicit)
-        return velocity(vertex) + vertex_response_.tried_change(vertex);
-    return embedding_.at(vertex, tried_velocities_);
-}
-
-std::span<const int> DeformableBody::moved_parts(int vertex) const
-{
-    return impulse_response_ == ImpulseResponse::implicit ? Body::moved_parts(vertex)
-                                                          : embedding_.node_numbers_of(vertex);
-}
-
-double DeformableBody::response_bound(int vertex, std::span<const Push> pushes) const
-{
-    return impulse_response_ == ImpulseResponse::implicit ? vertex_response_.response_bound(vertex, pushes)
-                                                          : Body::response_bound(vertex, pushes);
+        return std::make_unique<ImplicitTrial>(*this, vertex_response_);
+    return std::make_unique<LumpedTrial>(elastic_, embedding_);
 }
 
 Energy DeformableBody::energy(const Vec3& gravity) const

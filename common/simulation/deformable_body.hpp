@@ -58,16 +58,8 @@ public:
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
 
-    void begin_trial() override;
-    void try_impulse(int vertex, const Vec3& impulse) override;
-    Vec3 tried_velocity(int vertex) const override;
-
-    int part_count() const override
-    {
-        return impulse_response_ == ImpulseResponse::implicit ? 1 : elastic_.node_count();
-    }
-    std::span<const int> moved_parts(int vertex) const override;
-    double response_bound(int vertex, std::span<const Push> pushes) const override;
+    std::unique_ptr<Trial> begin_trial() const override;
+    const MassParts& mass_parts() const override { return *parts_; }
 
     double mass() const override { return elastic_.mass(); }
     Energy energy(const Vec3& gravity) const override;
@@ -90,7 +82,7 @@ private:
     /// on the nodes, until the next update_prediction; only for the implicit response
     NodalVectors waiting_impulses_;
     mutable VertexResponse vertex_response_;  ///< filled when asked; only for the implicit response
-    NodalVectors tried_velocities_;           ///< of the nodes; only for the lumped response
+    std::unique_ptr<const MassParts> parts_;
 };
 
 }  // namespace enduring

@@ -4,15 +4,38 @@
 #include <utility>
 
 namespace enduring {
+namespace {
+
+class PointTrial final : public Trial {
+public:
+    PointTrial(std::vector<Vec3> velocities, double mass) : velocities_(std::move(velocities)), mass_(mass) {}
+    void push(int vertex, const Vec3& impulse) override { velocities_[vertex] += impulse / mass_; }
+    Vec3 velocity(int vertex) override { return velocities_[vertex]; }
+
+private:
+    std::vector<Vec3> velocities_;
+    double mass_;
+};
+
+}  // namespace
+
+PointMasses::EachAlone::EachAlone(std::size_t points) : numbers_(points)
+{
+    std::iota(numbers_.begin(), numbers_.end(), 0);
+}
 
 PointMasses::PointMasses(std::string name, std::vector<Vec3> positions, std::vector<Face> faces,
                          double mass_of_each, const Vec3& velocity)
     : Body(std::move(name), SurfaceTopology(static_cast<int>(positions.size()), std::move(faces))),
-      mass_(mass_of_each), velocities_(positions.size(), velocity), numbers_(positions.size())
+      mass_(mass_of_each), velocities_(positions.size(), velocity), parts_(positions.size())
 {
-    std::iota(numbers_.begin(), numbers_.end(), 0);
     positions_t1_ = positions;
     positions_t0_ = std::move(positions);
+}
+
+std::unique_ptr<Trial> PointMasses::begin_trial() const
+{
+    return std::make_unique<PointTrial>(velocities_, mass_);
 }
 
 void PointMasses::predict(const Vec3& gravity, double dt)

@@ -24,18 +24,8 @@ public:
     Vec3 velocity(int vertex) const override { return velocities_[vertex]; }
     Mat3 inverse_mass(int) const override { return Mat3::Identity() / mass_; }
 
-    void begin_trial() override { tried_velocities_ = velocities_; }
-    void try_impulse(int vertex, const Vec3& impulse) override
-    {
-        tried_velocities_[vertex] += impulse / mass_;
-    }
-    Vec3 tried_velocity(int vertex) const override { return tried_velocities_[vertex]; }
-
-    int part_count() const override { return static_cast<int>(velocities_.size()); }
-    std::span<const int> moved_parts(int vertex) const override
-    {
-        return std::span(numbers_).subspan(static_cast<std::size_t>(vertex), 1);
-    }
+    std::unique_ptr<Trial> begin_trial() const override;
+    const MassParts& mass_parts() const override { return parts_; }
 
     double mass() const override { return mass_ * static_cast<double>(velocities_.size()); }
     Energy energy(const Vec3& gravity) const override;
@@ -43,9 +33,23 @@ public:
     Vec3 angular_momentum(const Vec3& about) const override;
 
 private:
+    /// Each point is a part of its own.
+    class EachAlone final : public MassParts {
+    public:
+        explicit EachAlone(std::size_t points);
+        int count() const override { return static_cast<int>(numbers_.size()); }
+        std::span<const int> moved_by(int vertex) const override
+        {
+            return std::span(numbers_).subspan(static_cast<std::size_t>(vertex), 1);
+        }
+
+    private:
+        std::vector<int> numbers_;  ///< 0, 1, 2 ...
+    };
+
     double mass_;
-    std::vector<Vec3> velocities_, tried_velocities_;
-    std::vector<int> numbers_;  ///< 0, 1, 2 ...: each point is a part of its own
+    std::vector<Vec3> velocities_;
+    EachAlone parts_;
 };
 
 }  // namespace enduring

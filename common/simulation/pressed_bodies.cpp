@@ -40,7 +40,7 @@ std::vector<PressedBodies> pressed_bodies(const World& world, const Contacts& co
 {
     std::vector<PressedBodies> all;
     for (const Contact& contact : contacts) {
-        const double depth = contact.held() ? 0 : contact_geometry(world, contact, 1).depth;
+        const double depth = contact.is_spring() ? contact_geometry(world, contact, 1).depth : 0;
         if (depth < 0)
             add(all, contact, pair_stiffness(world, contact, stiffness), depth);
     }

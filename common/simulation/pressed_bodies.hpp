@@ -22,7 +22,7 @@ struct PressedBodies {
 std::vector<PressedBodies> pressed_bodies(const World& world, const Contacts& contacts, double stiffness);
 
 /// Those that pushed each other in the step just done, though its impulses may have parted them: the springs
-/// that the first chapter's limit is about. No energy is counted.
+/// that the limit on the step is about. No energy is counted.
 std::vector<PressedBodies> pushed_bodies(const World& world, const Contacts& contacts, double stiffness);
 
 /// "'cube' and 'ground'"

@@ -3,6 +3,35 @@
 #include <utility>
 
 namespace enduring {
+namespace {
+
+/// A copy of what an impulse changes, and what it takes to change it.
+class RigidTrial final : public Trial {
+public:
+    RigidTrial(const RigidMotion& motion, std::span<const Vec3> vertices)
+        : vertices_(vertices), centre_(motion.pose().position), mass_(motion.mass()),
+          inverse_inertia_(motion.inverse_inertia()), velocity_(motion.velocity()),
+          angular_velocity_(motion.angular_velocity())
+    {}
+
+    void push(int vertex, const Vec3& impulse) override
+    {
+        velocity_ += impulse / mass_;
+        angular_velocity_ += inverse_inertia_ * lever(vertex).cross(impulse);
+    }
+    Vec3 velocity(int vertex) override { return velocity_ + angular_velocity_.cross(lever(vertex)); }
+
+private:
+    Vec3 lever(int vertex) const { return vertices_[static_cast<std::size_t>(vertex)] - centre_; }
+
+    std::span<const Vec3> vertices_;  ///< at the start of the step
+    Vec3 centre_;
+    double mass_;
+    Mat3 inverse_inertia_;
+    Vec3 velocity_, angular_velocity_;
+};
+
+}  // namespace
 
 RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties,
                      const Vec3& velocity, const Vec3& angular_velocity)
@@ -76,21 +105,9 @@ void RigidBody::apply_contact_impulse(std::span<const int>, const Eigen::VectorX
     motion_.apply_momentum(impulse.head<3>(), impulse.tail<3>());
 }
 
-void RigidBody::begin_trial()
+std::unique_ptr<Trial> RigidBody::begin_trial() const
 {
-    trial_ = {motion_.pose().position, motion_.velocity(), motion_.angular_velocity(),
-              motion_.inverse_inertia()};
-}
-
-void RigidBody::try_impulse(int vertex, const Vec3& impulse)
-{
-    trial_.velocity += impulse / mass();
-    trial_.angular_velocity += trial_.inverse_inertia * (start_of(vertex) - trial_.centre).cross(impulse);
-}
-
-Vec3 RigidBody::tried_velocity(int vertex) const
-{
-    return trial_.velocity + trial_.angular_velocity.cross(start_of(vertex) - trial_.centre);
+    return std::make_unique<RigidTrial>(motion_, positions_t0_);
 }
 
 Energy RigidBody::energy(const Vec3& gravity) const

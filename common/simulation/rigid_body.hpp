@@ -31,9 +31,7 @@ public:
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
 
-    void begin_trial() override;
-    void try_impulse(int vertex, const Vec3& impulse) override;
-    Vec3 tried_velocity(int vertex) const override;
+    std::unique_ptr<Trial> begin_trial() const override;
 
     double mass() const override { return motion_.mass(); }
     Energy energy(const Vec3& gravity) const override;
@@ -43,16 +41,9 @@ public:
     const RigidMotion& motion() const { return motion_; }
 
 private:
-    /// A copy of what an impulse changes, and what it takes to change it.
-    struct Trial {
-        Vec3 centre, velocity, angular_velocity;
-        Mat3 inverse_inertia;
-    };
-
     const Vec3& start_of(int vertex) const { return positions_t0_[vertex]; }
 
     RigidMotion motion_;
-    Trial trial_{};
     Quaternion free_orientation_t1_ = Quaternion::Identity();  ///< at the end of the step, before any contact
     std::vector<Vec3> body_points_;                            ///< surface vertices in body coordinates [m]
 };

@@ -23,7 +23,6 @@ std::vector<int> elements_at(const ElasticMesh& mesh, int node)
 void VertexResponse::begin_step(double dt)
 {
     ++step_;
-    begin_trial();
     for (const int place : new_)
         vertices_[place].responses = {};
     new_.clear();
@@ -117,44 +116,41 @@ double VertexResponse::response_bound(int vertex, std::span<const Push> pushes)
     return sum;
 }
 
-void VertexResponse::begin_trial()
+ResponseTrial::OfVertex& ResponseTrial::at_place(int place)
 {
-    for (const int place : tried_) {
-        vertices_[place].tried.setZero();
-        vertices_[place].is_tried = false;
-    }
-    tried_.clear();
-    ++trial_state_;
+    if (static_cast<std::size_t>(place) >= vertices_.size())
+        vertices_.resize(response_.vertices_.size());
+    return vertices_[place];
 }
 
-void VertexResponse::try_impulse(int vertex, const Vec3& impulse)
+void ResponseTrial::push(int vertex, const Vec3& impulse)
 {
-    const int place = column_of(vertex);
-    Vertex& known = vertices_[place];
-    if (!known.is_tried)
-        tried_.push_back(place);
-    known.is_tried = true;
-    ++trial_state_;
-    known.tried += frame(known).transpose() * impulse;
+    const int place = response_.column_of(vertex);
+    OfVertex& own = at_place(place);
+    if (!own.is_pushed)
+        pushed_.push_back(place);
+    own.is_pushed = true;
+    own.impulse += response_.frame(response_.vertices_[place]).transpose() * impulse;
+    ++pushes_;
 }
 
-Vec3 VertexResponse::tried_change(int vertex)
+Vec3 ResponseTrial::change(int vertex)
 {
-    const int place = column_of(vertex);
-    Vertex& own = vertices_[place];
-    if (own.change_of == trial_state_)
+    const int place = response_.column_of(vertex);
+    OfVertex& own = at_place(place);
+    if (own.change_of == pushes_)
         return own.change;  // several pairs ask for the same vertex
     Vec3 local = Vec3::Zero();
-    for (const int other : tried_) {
-        const Mat3& block = stored(place, other).matrix;
-        const Vec3& impulse = vertices_[other].tried;
+    for (const int other : pushed_) {
+        const Mat3& block = response_.stored(place, other).matrix;
+        const Vec3& impulse = vertices_[other].impulse;
         if (place >= other)
             local.noalias() += block * impulse;
         else
             local.noalias() += block.transpose() * impulse;
     }
-    own.change = frame(own) * local;
-    own.change_of = trial_state_;
+    own.change = response_.frame(response_.vertices_[place]) * local;
+    own.change_of = pushes_;
     return own.change;
 }
 

@@ -2,7 +2,7 @@
 
 #include "common/fem/elastic_body.hpp"
 #include "common/fem/surface_embedding.hpp"
-#include "common/simulation/body.hpp"
+#include "common/simulation/mass_parts.hpp"
 
 #include <array>
 #include <vector>
@@ -32,13 +32,9 @@ public:
     /// eigenvalue above its largest such sum, this bounds what they do together.
     double response_bound(int vertex, std::span<const Push> pushes);
 
-    /// Impulses to be tried: forgets those before.
-    void begin_trial();
-    void try_impulse(int vertex, const Vec3& impulse);
-    /// What all impulses of the trial change at a vertex [m/s].
-    Vec3 tried_change(int vertex);
-
 private:
+    friend class ResponseTrial;
+
     /// Velocities of all nodes for a unit impulse along each axis [1/kg].
     using UnitResponses = std::array<NodalVectors, 3>;
     struct Block {
@@ -53,10 +49,6 @@ private:
         std::vector<Block> blocks;
         Mat3 frame = Mat3::Identity();
         int frame_of_step = -1;
-        bool is_tried = false;       ///< was pushed in this trial
-        Vec3 tried = Vec3::Zero();   ///< impulse of the trial, in its frame
-        Vec3 change = Vec3::Zero();  ///< what the trial changes here, in world axes
-        long change_of = -1;         ///< state of the trial that `change` is for
     };
     int column_of(int vertex);
     const Block& stored(int i, int j) const;
@@ -68,11 +60,35 @@ private:
     const SurfaceEmbedding& embedding_;
     double dt_ = 0;
     int step_ = 0;
-    long trial_state_ = 0;    ///< counts what is tried
     std::vector<int> place_;  ///< of each surface vertex among those computed, -1 before
     std::vector<Vertex> vertices_;
-    std::vector<int> tried_;  ///< places of vertices that were pushed in this trial
     std::vector<int> new_;    ///< places of those computed in this step
+};
+
+/// Impulses at surface vertices that are tried out, and what all of them change at a vertex.
+class ResponseTrial {
+public:
+    /// The response outlives it, and stays in the same step.
+    explicit ResponseTrial(VertexResponse& response) : response_(response) {}
+
+    /// [N s]
+    void push(int vertex, const Vec3& impulse);
+    /// By all impulses so far [m/s].
+    Vec3 change(int vertex);
+
+private:
+    struct OfVertex {
+        bool is_pushed = false;
+        Vec3 impulse = Vec3::Zero();  ///< in the vertex' frame
+        Vec3 change = Vec3::Zero();   ///< in world axes
+        long change_of = -1;          ///< number of pushes that `change` is for
+    };
+    OfVertex& at_place(int place);
+
+    VertexResponse& response_;
+    std::vector<OfVertex> vertices_;  ///< by their places in the response
+    std::vector<int> pushed_;         ///< places of those that are pushed, in their order
+    long pushes_ = 0;
 };
 
 }  // namespace enduring

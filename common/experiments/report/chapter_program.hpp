@@ -32,7 +32,7 @@ struct ChapterProgram {
     std::string title;
     std::vector<Experiment> experiments;
     /// Adds options of this chapter alone; a callback that returns true has
-    /// done the work (as --queries in chapter 2).
+    /// done the work.
     std::function<void(CLI::App&)> add_options = {};
     std::function<bool(const RunOptions&)> instead_of_experiments = {};
     /// What --scene FILE without a word means: to run that scene, into its own folder. Without this, as with

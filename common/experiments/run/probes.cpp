@@ -57,7 +57,7 @@ void PenetrationProbe::observe(const World& world, const Contacts& contacts, dou
     long inside = 0;
     for (const Contact& contact : contacts) {
         const double depth = -contact_geometry(world, contact, 1).depth;
-        if (depth <= 0 || contact.held())
+        if (depth <= 0 || !contact.is_spring())
             continue;
         sum += depth;
         deepest = std::max(deepest, depth);

@@ -230,9 +230,9 @@ TEST_CASE("deformable body: fixed nodes take no impulse, at once or within the s
                 const auto nodes = body->embedding().nodes_of(vertex);
                 const bool pinned = std::all_of(nodes.begin(), nodes.end(),
                                                 [](const NodeWeight& n) { return n.node < 3; });
-                body->begin_trial();
-                body->try_impulse(vertex, impulse);
-                const Vec3 tried = body->tried_velocity(vertex),
+                const std::unique_ptr<Trial> trial = body->begin_trial();
+                trial->push(vertex, impulse);
+                const Vec3 tried = trial->velocity(vertex),
                            answer = body->inverse_mass(vertex) * impulse;
                 body->apply_impulse(vertex, impulse);
                 body->update_prediction(0.02);

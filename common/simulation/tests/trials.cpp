@@ -42,15 +42,14 @@ TEST_CASE("trials: what is tried is what would happen, and nothing happens")
         const std::vector<std::pair<int, Vec3>> impulses{
             {0, {0.5, -1, 2}}, {3, {1, 0.2, 0}}, {7, {0, 0.4, -0.3}}, {3, {0, 0, 0.6}}};
         const std::vector<int> asked{0, 3, 7, 5};
-        body->begin_trial();
-        body->try_impulse(2, {5, 5, 5});
-        body->begin_trial();  // forgets
+        body->begin_trial()->push(2, {5, 5, 5});  // gone with its trial
+        const std::unique_ptr<Trial> trial = body->begin_trial();
         std::vector<Vec3> before, tried;
         for (const auto& [vertex, impulse] : impulses)
-            body->try_impulse(vertex, impulse);
+            trial->push(vertex, impulse);
         for (const int vertex : asked) {
             before.push_back(body->velocity(vertex));
-            tried.push_back(body->tried_velocity(vertex));
+            tried.push_back(trial->velocity(vertex));
         }
         body->update_prediction(dt);
         for (std::size_t i = 0; i < asked.size(); ++i)
@@ -79,10 +78,10 @@ TEST_CASE("trials: the inverse mass at a vertex is what a unit impulse tried the
             const Mat3 inverse_mass = body->inverse_mass(vertex);
             CHECK((inverse_mass - inverse_mass.transpose()).norm() < 1e-12 * inverse_mass.norm());
             for (int axis = 0; axis < 3; ++axis) {
-                body->begin_trial();
-                body->try_impulse(vertex, Vec3::Unit(axis));
+                const std::unique_ptr<Trial> trial = body->begin_trial();
+                trial->push(vertex, Vec3::Unit(axis));
                 CHECK(
-                    (body->tried_velocity(vertex) - body->velocity(vertex) - inverse_mass.col(axis)).norm() <
+                    (trial->velocity(vertex) - body->velocity(vertex) - inverse_mass.col(axis)).norm() <
                     1e-10 * inverse_mass.norm());
             }
         }
