@@ -1,6 +1,6 @@
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/cubic_roots.hpp"
-#include "chapters/03_penalty_impulses/contact_normal.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 #include "live/figures.hpp"
 
 namespace enduring::live {

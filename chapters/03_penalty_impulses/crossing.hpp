@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chapters/02_collision_detection/certified.hpp"
-#include "chapters/03_penalty_impulses/contact_normal.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 
 #include <optional>
 

@@ -2,6 +2,7 @@
 
 #include "chapters/02_collision_detection/candidate_search.hpp"
 #include "common/simulation/contact.hpp"
+#include "common/simulation/step.hpp"
 
 namespace enduring {
 
@@ -12,5 +13,8 @@ public:
     /// list yet. Call find_candidates for the same prediction before.
     void append_entries(const World& world, Contacts& contacts) const;
 };
+
+/// Resolution: removes the pairs of features whose depth is positive at the start of the step (thesis 5.2.1).
+void resolve_separated_pairs(const World& world, Contacts& contacts);
 
 }  // namespace enduring

@@ -1,6 +1,6 @@
 #include "chapters/05_categorisation/category.hpp"
 
-#include "chapters/03_penalty_impulses/contact_normal.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 
 namespace enduring {

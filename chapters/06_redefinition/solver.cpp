@@ -2,8 +2,7 @@
 
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/05_categorisation/solver.hpp"
-#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
-#include "chapters/06_redefinition/edge_pairs_of_redefinition.hpp"
+#include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/06_redefinition/new_pairs.hpp"
 #include "chapters/06_redefinition/resolution.hpp"
 

@@ -1,6 +1,6 @@
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 
-#include "chapters/03_penalty_impulses/penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {

@@ -1,7 +1,7 @@
 #include "exercises/03_penalty_impulses/4_depth_at_rest.hpp"
 
 #include "chapters/01_particle_plane/amplification.hpp"
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
+#include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/03_penalty_impulses/solver.hpp"
 #include "common/experiments/run/run.hpp"
 #include "exercises/not_implemented_yet.hpp"

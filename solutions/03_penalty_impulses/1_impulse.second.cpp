@@ -1,7 +1,7 @@
 // By quadrature: three points of Gauss are exact for degree 5, and need
 // neither the twelve numbers nor `restricted`.
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
-#include "chapters/03_penalty_impulses/penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 
 #include <cmath>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "exercises/03_penalty_impulses/2_length_of_the_normal.hpp"
 
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
-#include "chapters/03_penalty_impulses/penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "chapters/03_penalty_impulses/exact_impulse.hpp"
+#include "chapters/03_penalty_impulses/experiments/exact_impulse.hpp"
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
-#include "chapters/03_penalty_impulses/penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "chapters/03_penalty_impulses/exact_impulse.hpp"
+#include "chapters/03_penalty_impulses/experiments/exact_impulse.hpp"
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 

@@ -1,4 +1,4 @@
-#include "chapters/03_penalty_impulses/contact_normal.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 #include "chapters/03_penalty_impulses/tests/random_pairs.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,3 @@
-#include "chapters/03_penalty_impulses/penalty_contact.hpp"
 #include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"

@@ -1,6 +1,6 @@
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 #include "chapters/01_particle_plane/plane_impulse.hpp"
-#include "chapters/03_penalty_impulses/exact_impulse.hpp"
+#include "chapters/03_penalty_impulses/experiments/exact_impulse.hpp"
 #include "chapters/03_penalty_impulses/tests/random_pairs.hpp"
 
 #include <doctest/doctest.h>

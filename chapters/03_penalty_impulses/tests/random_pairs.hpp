@@ -1,6 +1,6 @@
 #pragma once
 
-#include "chapters/03_penalty_impulses/contact_normal.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 
 #include <random>
 #include <vector>

@@ -9,7 +9,7 @@
 #include "chapters/03_penalty_impulses/penalty_law.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/06_redefinition/vertex_face_redefinition.hpp"

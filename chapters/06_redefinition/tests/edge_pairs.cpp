@@ -1,6 +1,5 @@
+#include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/05_categorisation/category.hpp"
-#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
-#include "chapters/06_redefinition/edge_pairs_of_redefinition.hpp"
 #include "chapters/06_redefinition/new_pairs.hpp"
 #include "chapters/06_redefinition/tests/small_worlds.hpp"
 #include "common/simulation/contact_geometry.hpp"

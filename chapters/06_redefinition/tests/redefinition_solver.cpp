@@ -1,4 +1,4 @@
-#include "chapters/06_redefinition/edge_edge_dismissal.hpp"
+#include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/06_redefinition/resolution.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/06_redefinition/tests/small_worlds.hpp"

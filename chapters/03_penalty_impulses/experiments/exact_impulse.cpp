@@ -1,6 +1,6 @@
-#include "chapters/03_penalty_impulses/exact_impulse.hpp"
+#include "chapters/03_penalty_impulses/experiments/exact_impulse.hpp"
 
-#include "chapters/03_penalty_impulses/penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 
 #include <boost/math/quadrature/gauss.hpp>
 

@@ -1,4 +1,4 @@
-#include "chapters/03_penalty_impulses/penetration_interval.hpp"
+#include "chapters/03_penalty_impulses/penetration.hpp"
 
 #include <algorithm>
 #include <cmath>
