@@ -1,6 +1,5 @@
 #include "chapters/01_particle_plane/solver.hpp"
 
-#include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/01_particle_plane/plane_contact.hpp"
 
 namespace enduring {

@@ -1,7 +1,7 @@
 #include "chapters/02_collision_detection/solver.hpp"
 
 #include "chapters/01_particle_plane/solver.hpp"
-#include "chapters/02_collision_detection/append_pairs.hpp"
+#include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/impact_weights.hpp"
 

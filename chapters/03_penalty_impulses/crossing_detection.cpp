@@ -1,6 +1,6 @@
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 
-#include "chapters/02_collision_detection/append_pairs.hpp"
+#include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/03_penalty_impulses/crossing.hpp"
 #include "common/simulation/contact_geometry.hpp"
 

@@ -1,6 +1,6 @@
 #include "chapters/03_penalty_impulses/penalty_law.hpp"
 
-#include "chapters/01_particle_plane/normal_response.hpp"
+#include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 #include "chapters/03_penalty_impulses/solver.hpp"
 
-#include "chapters/01_particle_plane/normal_response.hpp"
+#include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/02_collision_detection/solver.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/03_penalty_impulses/penalty_law.hpp"

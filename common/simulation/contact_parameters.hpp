@@ -42,7 +42,17 @@ using FrictionParameters = std::variant<NoFriction, YamaneNakamura, MassSplittin
 inline constexpr std::array<std::string_view, 3> friction_words{"none", "yamane_nakamura", "mass_splitting"};
 
 /// The same model with other coefficients.
-FrictionParameters with_coefficients(FrictionParameters friction, double mu_s, double mu_d);
+inline FrictionParameters with_coefficients(FrictionParameters friction, double mu_s, double mu_d)
+{
+    const auto set = [&](auto& model) {
+        if constexpr (requires { model.mu_s; }) {
+            model.mu_s = mu_s;
+            model.mu_d = mu_d;
+        }
+    };
+    std::visit(set, friction);
+    return friction;
+}
 
 /// What a scene says about contact. A chapter reads what its layer knows and leaves the rest.
 struct ContactParameters {

@@ -1,5 +1,4 @@
 #include "chapters/01_particle_plane/plane_contact.hpp"
-#include "chapters/01_particle_plane/normal_response.hpp"
 #include "chapters/01_particle_plane/particle.hpp"
 #include "chapters/01_particle_plane/solver.hpp"
 #include "common/geometry/box_shapes.hpp"

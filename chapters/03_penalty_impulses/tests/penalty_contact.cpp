@@ -1,4 +1,4 @@
-#include "chapters/01_particle_plane/normal_response.hpp"
+#include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
 #include "chapters/03_penalty_impulses/penalty_law.hpp"

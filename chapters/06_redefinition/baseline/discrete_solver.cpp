@@ -1,6 +1,6 @@
 #include "chapters/06_redefinition/baseline/discrete_solver.hpp"
 
-#include "chapters/01_particle_plane/normal_response.hpp"
+#include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/01_particle_plane/solver.hpp"
 #include "chapters/06_redefinition/baseline/discrete_detection.hpp"
 #include "common/simulation/contact_geometry.hpp"

@@ -5,7 +5,7 @@
 // Mass-splitting friction solves all pairs together. With half of them taken away the cube no longer rests,
 // and it takes more rounds: "both" is the number to read there.
 
-#include "chapters/01_particle_plane/normal_response.hpp"
+#include "chapters/01_particle_plane/plane_contact.hpp"
 #include "chapters/03_penalty_impulses/penalty_law.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
 #include "chapters/05_categorisation/category.hpp"

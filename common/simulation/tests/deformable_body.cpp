@@ -232,8 +232,7 @@ TEST_CASE("deformable body: fixed nodes take no impulse, at once or within the s
                                                 [](const NodeWeight& n) { return n.node < 3; });
                 const std::unique_ptr<Trial> trial = body->begin_trial();
                 trial->push(vertex, impulse);
-                const Vec3 tried = trial->velocity(vertex),
-                           answer = body->inverse_mass(vertex) * impulse;
+                const Vec3 tried = trial->velocity(vertex), answer = body->inverse_mass(vertex) * impulse;
                 body->apply_impulse(vertex, impulse);
                 body->update_prediction(0.02);
                 const Vec3 after = body->velocity(vertex);

@@ -80,9 +80,8 @@ TEST_CASE("trials: the inverse mass at a vertex is what a unit impulse tried the
             for (int axis = 0; axis < 3; ++axis) {
                 const std::unique_ptr<Trial> trial = body->begin_trial();
                 trial->push(vertex, Vec3::Unit(axis));
-                CHECK(
-                    (trial->velocity(vertex) - body->velocity(vertex) - inverse_mass.col(axis)).norm() <
-                    1e-10 * inverse_mass.norm());
+                CHECK((trial->velocity(vertex) - body->velocity(vertex) - inverse_mass.col(axis)).norm() <
+                      1e-10 * inverse_mass.norm());
             }
         }
     }
