@@ -1,6 +1,7 @@
 #include "chapters/03_penalty_impulses/crossing.hpp"
 
 #include "chapters/02_collision_detection/impact_weights.hpp"
+#include "common/geometry/tolerances.hpp"
 
 namespace enduring {
 namespace {
@@ -21,9 +22,8 @@ PairVertices vertices_at(const PairVertices& t0, const PairVertices& t1, double 
 /// Sides closer to parallel than this have no normal that rounding leaves alone.
 bool has_normal(const PairInstant& pair)
 {
-    constexpr double smallest_sine = 1e-8;
     const double lengths = pair.side_1.norm() * pair.side_2.norm();
-    return pair.side_1.cross(pair.side_2).norm() > smallest_sine * lengths && lengths > 0;
+    return pair.side_1.cross(pair.side_2).norm() > tolerance::trusted_sine * lengths && lengths > 0;
 }
 
 /// The sign with which the depth leaves zero: 1 falling, -1 rising. The first Bernstein coefficient of the

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/02_collision_detection/surface_step.hpp"
+#include "common/geometry/tolerances.hpp"
 
 #include <span>
 #include <vector>
@@ -26,9 +27,6 @@ struct SurfaceMoment {
 
 inline SurfaceMoment surface_at(const Body& body, double tau) { return {surface_step(body), tau}; }
 
-/// Normals that cancel to less than this have no average: the two sides of a sheet without thickness.
-inline constexpr double cancelled = 1e-9;
-
 //! [any_in_span]
 /// Whether `test` holds for a unit normal of the span of a vertex or an edge: for one of its
 /// faces, or for their average (thesis 6.2.2). Asks them in turn, the average last, and
@@ -53,7 +51,7 @@ bool any_in_span(const SurfaceMoment& surface, std::span<const int> faces, Test&
         sum += normal;
     }
     const double length = sum.norm();
-    return length > cancelled && test(Vec3(sum / length));
+    return length > tolerance::cancelled && test(Vec3(sum / length));
 }
 //! [any_in_span]
 

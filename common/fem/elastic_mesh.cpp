@@ -1,5 +1,6 @@
 #include "common/fem/elastic_mesh.hpp"
 
+#include "common/geometry/tolerances.hpp"
 #include "common/input/input_error.hpp"
 
 #include <Eigen/Geometry>
@@ -11,9 +12,6 @@
 namespace enduring {
 namespace {
 
-/// A sliver this flat has lost its gradients to rounding; relative to the cube of its longest edge.
-constexpr double smallest_relative_volume = 1e-12;
-
 std::string named(std::size_t element) { return "element " + std::to_string(element) + " (counted from 0)"; }
 
 ElasticElement make_element(const std::array<Vec3, 4>& corner, std::size_t index)
@@ -24,7 +22,7 @@ ElasticElement make_element(const std::array<Vec3, 4>& corner, std::size_t index
                                     std::max((corner[2] - corner[1]).norm(), (corner[3] - corner[2]).norm()));
     ElasticElement element;
     element.volume = edges.determinant() / 6;
-    if (!(element.volume > smallest_relative_volume * longest * longest * longest))
+    if (!(element.volume > tolerance::least_volume * longest * longest * longest))
         throw InputError(named(index) + (element.volume < 0 ? " is inverted" : " has no volume") +
                          ": its volume must be positive, not " + std::to_string(element.volume) + " m^3");
     element.gradients.rightCols<3>() = edges.inverse().transpose();
@@ -40,7 +38,7 @@ void demand_straight_edges(const QuadraticTetrahedralMesh& mesh, std::size_t ind
         const Vec3 &a = mesh.nodes[nodes[tetrahedron_edges[e][0]]],
                    &b = mesh.nodes[nodes[tetrahedron_edges[e][1]]];
         const double off = (mesh.nodes[nodes[4 + e]] - 0.5 * (a + b)).norm();
-        if (!(off <= 1e-6 * (b - a).norm()))
+        if (!(off <= tolerance::straight_edge * (b - a).norm()))
             throw InputError(named(index) + " is curved at rest: node " + std::to_string(nodes[4 + e]) +
                              " must be in the middle of its edge");
     }

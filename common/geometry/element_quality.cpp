@@ -1,6 +1,7 @@
 #include "common/geometry/element_quality.hpp"
 
 #include "common/geometry/meshes.hpp"
+#include "common/geometry/tolerances.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ std::string element_fault(const std::array<Vec3, 4>& nodes)
     const double volume = signed_volume(nodes);
     if (!std::isfinite(volume) || !std::isfinite(longest * longest * longest))
         return "is too large for its volume to be a finite number";
-    if (std::abs(volume) <= 1e-12 * longest * longest * longest)
+    if (std::abs(volume) <= tolerance::least_volume * longest * longest * longest)
         return describe("is flat: its volume is", volume);
     return volume < 0 ? describe("is inverted: its volume is", volume) : "";
 }

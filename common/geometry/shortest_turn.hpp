@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/geometry/tolerances.hpp"
 #include "common/geometry/vector.hpp"
 
 #include <cmath>
@@ -16,7 +17,7 @@ inline Quaternion shortest_turn(const Vec3& from, const Vec3& to)
 {
     const Vec3 a = from.normalized(), b = to.normalized();
     const double cosine = b.dot(a);
-    if (cosine < -1 + 1e-12)
+    if (cosine < -1 + tolerance::opposite)
         return Quaternion(Eigen::AngleAxisd(std::acos(-1.0), a.unitOrthogonal()));
     const double s = std::sqrt((1 + cosine) * 2);  // twice the cosine of half the angle
     Quaternion turn;

@@ -1,5 +1,6 @@
 #include "common/geometry/surface_checks.hpp"
 
+#include "common/geometry/tolerances.hpp"
 #include "common/input/input_error.hpp"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ void check_areas(const SurfaceMesh& mesh, const Complaint& complain)
         const auto corner = [&](std::size_t i) { return mesh.vertices[mesh.faces[f][i]]; };
         const Vec3 a = corner(1) - corner(0), b = corner(2) - corner(0), c = b - a;
         const double longest = std::max({a.squaredNorm(), b.squaredNorm(), c.squaredNorm()});
-        if (!(a.cross(b).norm() > 1e-12 * longest))
+        if (!(a.cross(b).norm() > tolerance::least_area * longest))
             complain("face " + std::to_string(f) + " has no area");
     }
 }

@@ -1,6 +1,7 @@
 #include "common/rigid/mass_properties.hpp"
 
 #include "common/geometry/surface_topology.hpp"
+#include "common/geometry/tolerances.hpp"
 #include "common/input/input_error.hpp"
 
 #include <cmath>
@@ -74,7 +75,7 @@ MassProperties mass_properties(const SurfaceMesh& mesh, double density)
     // cancel and leave their rounding errors.
     const Vec3 origin = mesh.vertices[mesh.faces.front()[0]];
     const Moments moments = integrate(mesh, origin);
-    if (!(moments.volume > 1e-12 * std::pow(extent(mesh), 3)))
+    if (!(moments.volume > tolerance::least_volume * std::pow(extent(mesh), 3)))
         throw InputError("mass properties: the mesh encloses a volume of " + std::to_string(moments.volume) +
                          " m^3; it has to be positive (faces counter-clockwise seen from outside)");
 

@@ -62,7 +62,7 @@ private:
     int step_ = 0;
     std::vector<int> place_;  ///< of each surface vertex among those computed, -1 before
     std::vector<Vertex> vertices_;
-    std::vector<int> new_;    ///< places of those computed in this step
+    std::vector<int> new_;  ///< places of those computed in this step
 };
 
 /// Impulses at surface vertices that are tried out, and what all of them change at a vertex.

@@ -2,6 +2,7 @@
 
 #include "chapters/03_penalty_impulses/penetration.hpp"
 #include "chapters/04_friction/friction_contact.hpp"
+#include "common/geometry/tolerances.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
 namespace enduring {
@@ -12,9 +13,8 @@ const Body& body(const World& world, int index) { return *world.bodies[index]; }
 /// Two sides whose angle is lost in rounding span no normal.
 bool has_normal(const PairInstant& pair, const Vec3& normal)
 {
-    constexpr double smallest_sine = 1e-12;
-    return normal.squaredNorm() >
-           smallest_sine * smallest_sine * pair.side_1.squaredNorm() * pair.side_2.squaredNorm();
+    return normal.squaredNorm() > tolerance::least_sine * tolerance::least_sine * pair.side_1.squaredNorm() *
+                                      pair.side_2.squaredNorm();
 }
 
 ContactCategory hooked_or_regular(bool hooked)

@@ -164,13 +164,15 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("energy budget: the stretch of friction's springs counts, and the depth of a held or a resolved pair does not")
+TEST_CASE(
+    "energy budget: the stretch of friction's springs counts, and the depth of a held or a resolved pair does not")
 {
     Scene scene = points_above_ground(-0.1, 1000, 0.01);
     scene.world.gravity.setZero();
     scene.contact.friction = MassSplitting{.spring = 500};
     EnergyBudget budget(scene);
-    Contact pressed{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}, held = pressed, resolved = pressed;
+    Contact pressed{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}},
+        held = pressed, resolved = pressed;
     pressed.stretch = {0.2, 0, 0};
     held.hold(true);
     resolved.resolved = true;
