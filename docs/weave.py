@@ -246,7 +246,7 @@ def test_names(root):
     """The names of all tests, as CTest shows them."""
     sources = [path for top in ("common", "chapters") for path in sorted((root / top).rglob("tests/*.cpp"))]
     return {name.replace('\\"', '"') for path in sources
-            for name in re.findall(r'TEST_CASE\("((?:[^"\\]|\\.)+)"', path.read_text(encoding="utf-8"))}
+            for name in re.findall(r'TEST_CASE\(\s*"((?:[^"\\]|\\.)+)"', path.read_text(encoding="utf-8"))}
 
 
 # ------------------------------------------------------------------------------------------------------------ weaving
