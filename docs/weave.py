@@ -19,6 +19,7 @@ import changes
 import checks
 import course_map
 import exercise_pages
+import formulas
 import teaching
 from concordance import KINDS, Concordance, heading_of
 
@@ -46,6 +47,7 @@ class Page:
     about: str = ""     # one line for lists of pages
     lines: list = field(default_factory=list)      # of the body
     first_line: int = 2
+    faults: list = field(default_factory=list)     # of its formulas
     figures: dict = field(default_factory=dict)    # by file name
     tables: dict = field(default_factory=dict)
 
@@ -104,7 +106,9 @@ def without_chapter(name):
 # ------------------------------------------------------------------------------------------------- reading the pages
 def read_page(path, folder=""):
     page = Page(path, folder)
-    lines = path.read_text(encoding="utf-8").splitlines()
+    text = path.read_text(encoding="utf-8")
+    page.faults = [f"{path}:{line}: {told}" for line, told in formulas.faults(text)]
+    lines = formulas.for_doxygen(text).splitlines()
     title = re.match(r"#\s+(?:Chapter\s+)?(?:\d+[.:]?\s+)?(.+?)\s*(?:\{#(\w+)\})?$", lines[0] if lines else "")
     if not title:
         raise Mistake(f"{path}:1: a page begins with its title: # Title")
@@ -122,7 +126,7 @@ def all_pages(root):
     pages += [read_page(path) for folder in ("common/*", "docs") for path in sorted(root.glob(f"{folder}/*.md"))
               if path.name != "README.md"]
     for label, title, lines in exercise_pages.pages(root):
-        pages.append(Page(root / f"exercises/{label}.md", "", label, title, lines="\n".join(lines).split("\n"), first_line=1))
+        pages.append(Page(root / f"exercises/{label}.md", "", label, title, lines=formulas.for_doxygen("\n".join(lines)).split("\n"), first_line=1))
     for page, other in itertools.combinations(pages, 2):
         if page.label == other.label:
             raise Mistake(f"{other.path}:1: {page.path} has the label {{#{page.label}}} already")
@@ -351,7 +355,7 @@ def what_nothing_explains(root, pages):
     for name, check in (("notation", checks.symbol_faults), ("glossary", checks.abbreviation_faults)):
         table = root / f"docs/{name}.md"
         if table.is_file():
-            found += check(own, table.read_text(encoding="utf-8"))
+            found += check(own, formulas.for_doxygen(table.read_text(encoding="utf-8")))
     return found
 
 
@@ -360,6 +364,7 @@ def weave(root, results_root, out, quick, live=False):
     results = Results(results_root)
     pages = all_pages(root)
     mistakes = [mistake for page in pages for mistake in number_figures(page, results)]
+    mistakes += [fault for page in pages for fault in page.faults]
     weaver, texts = Weaver(root, pages, results, live), {}
     mistakes += unlisted_errata(root, weaver.tests)
     mistakes += weaver.orphans
