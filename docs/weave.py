@@ -27,6 +27,9 @@ from concordance import KINDS, Concordance, heading_of
 QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run (`./course docs --quick`)."
 
 
+LONG_TABLE = 30  # rows; more are folded: the text says what they come to
+
+
 class Mistake(Exception):
     """Something a page asks for that the build does not have."""
 
@@ -200,6 +203,8 @@ def live_block(figure, name, caption, live):
 def table_block(page, name, caption, results):
     rows = results.file(page, "table", name + ".md").read_text(encoding="utf-8").strip()
     box = '<div class="data wide">' if rows.splitlines()[0].count("|") > 9 else '<div class="data">'
+    if (length := len(rows.splitlines()) - 2) > LONG_TABLE:
+        rows = f"{exercise_pages.opened(f'All {length} rows')}\n\n{rows}\n\n{exercise_pages.CLOSED}"
     if not caption:
         return f'{box}\n\n{rows}\n\n</div>'
     number, anchor = page.tables[name]

@@ -82,6 +82,13 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("| 0.14 |", page)
         self.assertIn('"Table 1.1"', page)
 
+    def test_a_table_of_many_rows_is_folded(self):
+        book = Book("# The drop\n@table{steps, Steps}\n")
+        for rows, folded in ((30, False), (31, True)):
+            book.write("build/results/01_drop/steps.md", "| dt |\n|---:|\n" + "| 0.14 |\n" * rows)
+            self.assertEqual(book.weave().returncode, 0)
+            self.assertEqual(f"<summary>All {rows} rows</summary>" in book.page(), folded)
+
     def test_a_snippet_names_its_file_from_the_top(self):
         self.assertIn("\\snippet chapters/01_drop/depth.hpp depth\n", self.woven("[depth.hpp: depth](depth.hpp)\n"))
 
