@@ -94,6 +94,17 @@ def search_faults(driver, book):
         yield f"index.html: the search does not find continuous_impulse ({driver.execute_script(found)[:60]!r})"
 
 
+def sidebar_faults(driver, book):
+    """The first thing that the sidebar offers is chapter 1."""
+    screen(driver, DESKTOP)
+    open_page(driver, book / "chapter_03.html")
+    shown = "return [...document.querySelectorAll('#nav-tree .item .label a')].filter(a => a.innerText.trim() && a.offsetParent).map(a => a.innerText)"
+    entries = WebDriverWait(driver, 20).until(lambda d: (found := d.execute_script(shown)) and len(found) > 5 and found)
+    above = entries[:next((i for i, entry in enumerate(entries) if entry.startswith("Chapter 1")), None)]
+    if set(above) != {"Enduring Contacts"}:
+        yield f"chapter_03.html: the sidebar shows {', '.join(above)} above chapter 1"
+
+
 def print_faults(driver, book, out):
     """A chapter prints: its first and its last heading are there, on several pages, and the navigation is not."""
     screen(driver, DESKTOP)
@@ -143,7 +154,7 @@ def main():
     if (book / "index.html").is_file():
         driver = browser()
         with tempfile.TemporaryDirectory() as scratch:
-            faults += [*search_faults(driver, book), *print_faults(driver, book, options.pdf or Path(scratch))]
+            faults += [*search_faults(driver, book), *sidebar_faults(driver, book), *print_faults(driver, book, options.pdf or Path(scratch))]
         driver.quit()
     tell(reports, faults)
     return 1 if faults else 0

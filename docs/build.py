@@ -92,7 +92,7 @@ def mend_member_lists(book):
             page.write_text(re.sub(r'<a href="#nested-classes">Classes</a>(\s*&#124;)?', "", text), encoding="utf-8")
 
 
-HELD = {"listings": r"^\\snippet ", "measured numbers": r"@fact\{", "figures": r"^@(?:figure|live)\{", "live ones among them": r"^@live\{",
+HELD = {"listings": r"^ *\[\S+: .+\]\(\S+\)$", "measured numbers": r"<!--(?:\w+/)?\w+\.\w+-->", "figures": r"^@(?:figure|live)\{", "live ones among them": r"^@live\{",
         "tables": r"^@table\{", "tests named": r"@test\{"}
 
 

@@ -19,10 +19,15 @@ import changes
 import checks
 import course_map
 import exercise_pages
+import formulas
+import measured
 import teaching
 from concordance import KINDS, Concordance, heading_of
 
 QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run (`./course docs --quick`)."
+
+
+LONG_TABLE = 30  # rows; more are folded: the text says what they come to
 
 
 class Mistake(Exception):
@@ -46,6 +51,7 @@ class Page:
     about: str = ""     # one line for lists of pages
     lines: list = field(default_factory=list)      # of the body
     first_line: int = 2
+    faults: list = field(default_factory=list)     # of its formulas
     figures: dict = field(default_factory=dict)    # by file name
     tables: dict = field(default_factory=dict)
 
@@ -104,7 +110,9 @@ def without_chapter(name):
 # ------------------------------------------------------------------------------------------------- reading the pages
 def read_page(path, folder=""):
     page = Page(path, folder)
-    lines = path.read_text(encoding="utf-8").splitlines()
+    text = path.read_text(encoding="utf-8")
+    page.faults = [f"{path}:{line}: {told}" for line, told in formulas.faults(text)]
+    lines = formulas.for_doxygen(text).splitlines()
     title = re.match(r"#\s+(?:Chapter\s+)?(?:\d+[.:]?\s+)?(.+?)\s*(?:\{#(\w+)\})?$", lines[0] if lines else "")
     if not title:
         raise Mistake(f"{path}:1: a page begins with its title: # Title")
@@ -122,7 +130,7 @@ def all_pages(root):
     pages += [read_page(path) for folder in ("common/*", "docs") for path in sorted(root.glob(f"{folder}/*.md"))
               if path.name != "README.md"]
     for label, title, lines in exercise_pages.pages(root):
-        pages.append(Page(root / f"exercises/{label}.md", "", label, title, lines="\n".join(lines).split("\n"), first_line=1))
+        pages.append(Page(root / f"exercises/{label}.md", "", label, title, lines=formulas.for_doxygen("\n".join(lines)).split("\n"), first_line=1))
     for page, other in itertools.combinations(pages, 2):
         if page.label == other.label:
             raise Mistake(f"{other.path}:1: {page.path} has the label {{#{page.label}}} already")
@@ -195,6 +203,8 @@ def live_block(figure, name, caption, live):
 def table_block(page, name, caption, results):
     rows = results.file(page, "table", name + ".md").read_text(encoding="utf-8").strip()
     box = '<div class="data wide">' if rows.splitlines()[0].count("|") > 9 else '<div class="data">'
+    if (length := len(rows.splitlines()) - 2) > LONG_TABLE:
+        rows = f"{exercise_pages.opened(f'All {length} rows')}\n\n{rows}\n\n{exercise_pages.CLOSED}"
     if not caption:
         return f'{box}\n\n{rows}\n\n</div>'
     number, anchor = page.tables[name]
@@ -202,19 +212,24 @@ def table_block(page, name, caption, results):
             f'{rows}\n\n</div>')
 
 
-def snippet_block(root, page, option, name, region):
-    """A listing of the compiled code; Doxygen reads it, we make sure that there is something to read."""
-    file = next((path for path in (page.path.parent / name, root / name) if path.is_file()), None)
-    if file is None:
-        raise Mistake(f"\\snippet {name}: no such file")
+LISTING = re.compile(r"^\s*\[(\S+): (.+)\]\((\S+)\)\s*$")
+
+
+def listing_block(root, page, name, region, link):
+    """A listing of the compiled code, which the page links; Doxygen reads it, we make sure that there is something to read."""
+    file = (page.path.parent / link).resolve()
+    if not file.is_file():
+        raise Mistake(f"the listing {name}: {link} is no file")
+    shown = file.relative_to(root).as_posix()
+    if not f"/{shown}".endswith(f"/{name}"):
+        raise Mistake(f"the listing {name} leads to {shown}")
     lines = file.read_text(encoding="utf-8").splitlines()
     marks = [number for number, line in enumerate(lines) if f"[{region}]" in line]
-    shown = file.relative_to(root).as_posix()
     if len(marks) != 2:
-        raise Mistake(f"\\snippet {name}: the mark [{region}] stands {len(marks)} times in {shown}, not twice")
+        raise Mistake(f"the listing {name}: the mark [{region}] stands {len(marks)} times in {shown}, not twice")
     if not any(line.strip() for line in lines[marks[0] + 1:marks[1]]):
-        raise Mistake(f"\\snippet {name}: the region [{region}] of {shown} is empty")
-    return f'<div class="listing">{shown}</div>\n\\snippet{option} {shown} {region}'
+        raise Mistake(f"the listing {name}: the region [{region}] of {shown} is empty")
+    return f'<div class="listing">{shown}</div>\n\\snippet {shown} {region}'
 
 
 def first_sentence(page):
@@ -263,17 +278,18 @@ class Weaver:
             raise Mistake(f"no test is called '{name}'")
         return '<code class="test">' + html.escape(name, quote=False).replace("|", "\\|") + "</code>"
 
+    def numbers(self, page, text):
+        return measured.woven(text, lambda name: self.results.fact(page, name))
+
     def inline(self, page, text):
-        """Facts and references, everywhere but in `code`."""
+        """Measured numbers and references, everywhere but in `code`."""
         def replaced(match):
-            if match[1] == "fact":
-                return self.results.fact(page, match[2].strip())
             if match[1] == "test":
                 return self.test(match[2].strip())
             return reference(self.pages, page, match[1], match[2].strip())
-        parts = re.split(r"(`[^`]*`)", text)
-        parts[::2] = [re.sub(r"@(fact|test|figref|tabref)\{([^}]*)\}", replaced, part) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|map|api|changes|minutes|goals|local)\b.*", part)),
+        parts = measured.CODE.split(text)
+        parts[::2] = [re.sub(r"@(test|figref|tabref)\{([^}]*)\}", replaced, self.numbers(page, part)) for part in parts[::2]]
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|map|api|changes|minutes|goals|local)\b.*|<!--(?:(?:\w+/)?\w+\.\w+)?-->.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")
@@ -307,8 +323,8 @@ class Weaver:
             return "" if self.orphans else self.concordance.table(match[1], self.by_label, self.test)
         if anchor := self.concordance.anchors(page.label).get(heading_of(line)):
             return line if "{#" in line else f"{line} {{#{anchor}}}"
-        if match := re.match(r"^\s*[\\@]snippet(\{\w+\})?\s+(\S+)\s+(.+?)\s*$", line):
-            return snippet_block(self.root, page, match[1] or "", match[2], match[3])
+        if match := LISTING.match(line):
+            return listing_block(self.root, page, *match.groups())
         return self.inline(page, line)
 
     def page(self, page, quick):
@@ -351,8 +367,30 @@ def what_nothing_explains(root, pages):
     for name, check in (("notation", checks.symbol_faults), ("glossary", checks.abbreviation_faults)):
         table = root / f"docs/{name}.md"
         if table.is_file():
-            found += check(own, table.read_text(encoding="utf-8"))
+            found += check(own, formulas.for_doxygen(table.read_text(encoding="utf-8")))
     return found
+
+
+def written_numbers(pages, results, quick):
+    """Notes, and mistakes, about the numbers that stand in the pages' sources."""
+    notes, mistakes = [], []
+    for page in pages:
+        try:
+            told, wrong = measured.compare(prose(page), lambda name, page=page: results.fact(page, name), quick)
+        except Mistake:
+            continue  # a number that no run left is told when it is woven
+        notes += [f"{page.path}:{line}: {text}" for line, text in told]
+        mistakes += [f"{page.path}:{line}: {text}" for line, text in wrong]
+    return notes, mistakes
+
+
+def renew(root, results_root):
+    """Writes the numbers of this run into the sources of the pages."""
+    results = Results(results_root)
+    for page in all_pages(root):
+        if page.path.is_file():
+            text = page.path.read_text(encoding="utf-8")
+            page.path.write_text(measured.renewed(text, lambda name, page=page: results.fact(page, name)), encoding="utf-8")
 
 
 def weave(root, results_root, out, quick, live=False):
@@ -360,10 +398,14 @@ def weave(root, results_root, out, quick, live=False):
     results = Results(results_root)
     pages = all_pages(root)
     mistakes = [mistake for page in pages for mistake in number_figures(page, results)]
+    mistakes += [fault for page in pages for fault in page.faults]
     weaver, texts = Weaver(root, pages, results, live), {}
     mistakes += unlisted_errata(root, weaver.tests)
     mistakes += weaver.orphans
     mistakes += what_nothing_explains(root, pages)
+    notes, wrong = written_numbers(pages, results, quick)
+    mistakes += wrong
+    print("".join(f"{note}\n" for note in notes).replace(f"{root}/", ""), end="", file=sys.stderr)
     for page in pages:
         texts[page.label], found = weaver.page(page, quick)
         mistakes += found
@@ -390,10 +432,14 @@ def main():
     parser.add_argument("--out", type=Path, default=root / "build/docs", help="where pages/ and figures/ go")
     parser.add_argument("--quick", action="store_true", help="say on each page that the run was a quick one")
     parser.add_argument("--programs", type=Path, help="where the chapters' programs are: results of others are refused")
+    parser.add_argument("--renew", action="store_true", help="write the measured numbers into the pages' sources, and weave nothing")
     parser.add_argument("--live", action="store_true", help="with figures that move: live/ stands beside the pages")
     options = parser.parse_args()
     try:
         mistakes = list(checks.stale_results(options.results, options.programs)) if options.programs else []
+        if options.renew and not mistakes:
+            renew(options.root.resolve(), options.results.resolve())
+            return 0
         mistakes = mistakes or weave(options.root.resolve(), options.results.resolve(), options.out, options.quick, options.live)
     except (Mistake, teaching.TeachingError, exercise_pages.catalogue.CatalogueError) as mistake:
         mistakes = [str(mistake)]

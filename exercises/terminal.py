@@ -16,8 +16,8 @@ ALONE_BEHIND, ALONE_BEFORE = "=+(,≤", "=+-),.≤"
 
 def plain(text):
     """The text of an exercise as a terminal shows it."""
-    text = re.sub(r"[ \n]*\\f\[(.*?)\\f\][ \n]*", lambda found: f"\n\n    {formula(found[1])}\n\n", text.strip(), flags=re.S)
-    text = re.sub(r"\\f\$(.*?)\\f\$", lambda found: formula(found[1]), text, flags=re.S)
+    text = re.sub(r"[ \n]*\$\$(.*?)\$\$[ \n]*", lambda found: f"\n\n    {formula(found[1])}\n\n", text.strip(), flags=re.S)
+    text = re.sub(r"\$(.*?)\$", lambda found: formula(found[1]), text, flags=re.S)
     return readable_here(re.sub(r'\\ref \w+(?: "([^"]*)")?', lambda found: found[1] or "the book", text))
 
 

@@ -2,7 +2,7 @@
 Live.add("circle", (figure, chapters) => {
   figure.aspect = 0.62;
   figure.slider({ name: "opening", label: "opening of the wedge", from: 10, to: 180, value: 60, unit: "°", digits: 0 });
-  figure.slider({ name: "lean", label: "the floor leans by", from: -180, to: 179, value: 70, unit: "°", digits: 0 });
+  const leaning = figure.slider({ name: "lean", label: "the floor leans by", from: -180, to: 179, value: 70, unit: "°", digits: 0 });
   let centre = null;
   figure.draw = (g, width, height, c, { opening, lean }) => {
     const marks = chapters.circle(opening), [cx, cy] = [width / 2, height / 2], r = Math.min(width, height) * 0.46;
@@ -36,5 +36,5 @@ Live.add("circle", (figure, chapters) => {
     if (!centre) return [-99, -99];
     const a = figure.values.lean * Math.PI / 180, r = Math.min(figure.element.clientWidth, figure.canvas.clientHeight) * 0.46 * 0.56;
     return [centre[0] + r * Math.sin(a), centre[1] + r * Math.cos(a)];
-  }, (x, y) => { figure.values.lean = Math.atan2(x - centre[0], y - centre[1]) * 180 / Math.PI; });
+  }, (x, y) => { leaning.set(Math.atan2(x - centre[0], y - centre[1]) * 180 / Math.PI); });
 });

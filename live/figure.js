@@ -45,7 +45,7 @@ const Live = (() => {
       const shown = document.createElement("output");
       row.append(document.createTextNode(label), input, shown);
       const take = () => {
-        this.values[name] = read(Number(input.value));
+        this.values[name] = Number(read(Number(input.value)).toFixed(digits)); // what is shown is what is used
         shown.textContent = `${this.values[name].toFixed(digits)} ${unit}`.trim();
       };
       input.addEventListener("input", () => { take(); this.change(name); });
@@ -75,7 +75,10 @@ const Live = (() => {
 
     listen() {
       let held = null;
-      const place = event => { const box = this.canvas.getBoundingClientRect(); return [event.clientX - box.left, event.clientY - box.top]; };
+      const place = event => { // on the canvas, which a slide shows larger or smaller
+        const box = this.canvas.getBoundingClientRect(), larger = box.width / this.canvas.clientWidth;
+        return [(event.clientX - box.left) / larger, (event.clientY - box.top) / larger];
+      };
       const near = (x, y) => this.handles.find(({ where }) => Math.hypot(where()[0] - x, where()[1] - y) < 22);
       this.canvas.addEventListener("pointerdown", event => {
         held = near(...place(event));
@@ -101,7 +104,9 @@ const Live = (() => {
     }
 
     paint() {
-      const width = this.element.clientWidth, height = Math.round(width * (width < 500 ? this.onPhone ?? 1.5 * this.aspect : this.aspect));
+      const width = this.element.clientWidth;
+      if (!width) return; // not shown; when it is, its size changes, and it is painted
+      const height = Math.round(width * (width < 500 ? this.onPhone ?? 1.5 * this.aspect : this.aspect));
       const scale = window.devicePixelRatio || 1;
       Object.assign(this.canvas, { width: width * scale, height: height * scale });
       this.canvas.style.height = `${height}px`;

@@ -15,16 +15,18 @@ Live.add("sliding", (figure, chapters) => {
   figure.slider({ name: "speed", label: "speed at the start", from: 0.5, to: 2, value: 1.5, unit: "m/s", digits: 1 });
   figure.choice({ name: "solver", label: "solver", options: [["6", "chapter 6: pairs are redefined"], ["5", "chapter 5: pairs stay as they were found"]] });
   figure.changed = () => { begin(); };
+  const place = () => [0, 1, 2, 3, 4, 5, 6, 7].reduce((sum, i) => sum + state[3 + 3 * i] / 8, 0);
+  const over = () => state[0] > 3 || Math.abs(place()) > 3.4;  // or the cube comes to an end of the drawing
   let rest = 0;
   const motion = figure.animate(seconds => {
     rest += seconds;
     const steps = Math.floor(rest / 0.01);
     rest -= steps * 0.01;
     if (steps) take(steps);
-    if (state[0] > 3) motion.stop();
+    if (over()) motion.stop();
   });
-  figure.button("run", () => { if (state[0] > 3) begin(); motion.start(); });
-  figure.button("one step", () => { motion.stop(); take(1); figure.redraw(); });
+  figure.button("run", () => { if (over()) begin(); motion.start(); });
+  figure.button("one step", () => { motion.stop(); if (!over()) take(1); figure.redraw(); });
   figure.button("again", () => { motion.stop(); begin(); figure.redraw(); });
 
   figure.draw = (g, width, height, c, values) => {
@@ -46,8 +48,8 @@ Live.add("sliding", (figure, chapters) => {
       const kind = state[i + 3];
       Live.dot(g, MARK[kind](c), view([state[i], state[i + 1], state[i + 2]]), kind === 2 ? 5.5 : 4, kind === 3);
     }
-    const at = Live.axes(g, c, [48, stage + 24, width - 64, height - stage - 68], { x: [0, 3], y: [0, 2.2], xlabel: "time [s]", ylabel: "speed [m/s]", yticks: 3 });
-    Live.line(g, c.blue, 2.2, history.map(([t, v]) => [at.x(Math.min(t, 3)), at.y(Math.max(0, Math.min(2.2, v)))]));
+    const at = Live.axes(g, c, [48, stage + 24, width - 64, height - stage - 68], { x: [0, 3], y: [-1, 2.2], xlabel: "time [s]", ylabel: "speed [m/s]", yticks: 3 });
+    Live.line(g, c.blue, 2.2, history.map(([t, v]) => [at.x(Math.min(t, 3)), at.y(Math.max(-1, Math.min(2.2, v)))]));
     return `Chapter ${values.solver}'s solver, t = ${time.toFixed(2)} s: the cube slides with ${speed.toFixed(4)} m/s on ${pairs} pairs. Blue pairs are regular, orange ones hooked, hollow ones held.`;
   };
   begin();

@@ -63,15 +63,15 @@ class WhatArrives(unittest.TestCase):
         self.assertTrue(self.woven("Why?").startswith("# Chapter 1: The drop {#chapter_01}\n"))
 
     def test_a_fact_is_the_text_of_the_run(self):
-        self.assertIn("It falls 0.1 m, about.", self.woven("It falls @fact{drop.height}."))
+        self.assertIn("It falls 0.1 m, about.", self.woven("It falls 0.1<!--drop.height-->."))
 
     def test_code_is_left_as_it_is(self):
-        page = self.woven("`@fact{drop.height}`\n\n```\n@fact{no.such}\n```\n")
-        self.assertIn("`@fact{drop.height}`", page)
-        self.assertIn("@fact{no.such}", page)
+        page = self.woven("`0.1<!--drop.height-->`\n\n```\n1<!--no.such-->\n```\n")
+        self.assertIn("`0.1<!--drop.height-->`", page)
+        self.assertIn("1<!--no.such-->", page)
 
     def test_figures_are_numbered_copied_and_linked(self):
-        book = Book("# The drop\nSee @figref{drop.svg} and @figref{fall.mp4}.\n\n@figure{drop.svg, Up}\n@figure{fall.mp4, Down @fact{drop.height}}\n")
+        book = Book("# The drop\nSee @figref{drop.svg} and @figref{fall.mp4}.\n\n@figure{drop.svg, Up}\n@figure{fall.mp4, Down 0.1<!--drop.height-->}\n")
         self.assertEqual(book.weave().returncode, 0)
         self.assertIn('and \\ref fig_chapter_01_fall_mp4 "Figure 1.2".', book.page())
         self.assertIn("<b>Figure 1.2.</b> Down 0.1 m, about", book.page())
@@ -82,11 +82,18 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("| 0.14 |", page)
         self.assertIn('"Table 1.1"', page)
 
+    def test_a_table_of_many_rows_is_folded(self):
+        book = Book("# The drop\n@table{steps, Steps}\n")
+        for rows, folded in ((30, False), (31, True)):
+            book.write("build/results/01_drop/steps.md", "| dt |\n|---:|\n" + "| 0.14 |\n" * rows)
+            self.assertEqual(book.weave().returncode, 0)
+            self.assertEqual(f"<summary>All {rows} rows</summary>" in book.page(), folded)
+
     def test_a_snippet_names_its_file_from_the_top(self):
-        self.assertIn("\\snippet chapters/01_drop/depth.hpp depth\n", self.woven("\\snippet depth.hpp depth\n"))
+        self.assertIn("\\snippet chapters/01_drop/depth.hpp depth\n", self.woven("[depth.hpp: depth](depth.hpp)\n"))
 
     def test_a_list_of_pages_says_what_each_is_about(self):
-        book = Book("# The drop\n@about{A drop, @fact{drop.height} high.}\n\nWhy? Because.")
+        book = Book("# The drop\n@about{A drop, 0.1<!--drop.height--> high.}\n\nWhy? Because.")
         self.assertEqual(book.weave().returncode, 0)
         self.assertIn("\\subpage chapter_01 <br>A drop, 0.1 m, about high.", book.page("mainpage"))
         self.assertNotIn("about{", book.page())
@@ -98,7 +105,7 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("\\subpage chapter_01 <br>Why?\n", book.page("mainpage"))
 
     def test_mistakes_below_it_are_named_with_their_line(self):
-        done = Book("# The drop\n@about{A drop.}\n\n@fact{drop.depth}").weave()
+        done = Book("# The drop\n@about{A drop.}\n\n1<!--drop.depth-->").weave()
         self.assertEqual(done.returncode, 2)
         self.assertIn("chapter.md:4: ", done.stderr)
 
@@ -115,13 +122,13 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("- \\subpage chapter_01 <br>How deep does it fall?\n", book.page("mainpage"))
 
     def test_a_chapter_takes_its_own_fact(self):
-        book = Book("# A\n@fact{drop.height}\n", "# B\n@fact{drop.height}\n")
+        book = Book("# A\n0.1<!--drop.height-->\n", "# B\n0.2<!--drop.height-->\n")
         self.assertEqual(book.weave().returncode, 0)
         self.assertIn("\n0.2 m\n", book.page("chapter_02"))
 
 
     def test_a_page_tells_what_changed_before_a_later_chapter_or_the_ledger_has_run(self):
-        book = Book("# A\n@fact{drop.height}\n\n@changes\n", "# B\n@changes\n")
+        book = Book("# A\n0.1<!--drop.height-->\n\n@changes\n", "# B\n@changes\n")
         shutil.rmtree(book.root / "build/results/02_more")
         self.assertIn("solvers/passes.csv is not there", book.weave().stderr)
         book.write("build/results/solvers/passes.csv", "chapter,stage,pass\n1,detect,planes\n2,detect,planes\n2,detect,faces\n")
@@ -138,7 +145,7 @@ class WhatArrives(unittest.TestCase):
     def test_a_chapters_number_before_a_name_decides(self):
         book = Book("# A\n", "# B\n")
         book.write("build/results/02_more/drop.svg", "<svg>2</svg>")
-        book.write("docs/page.md", "# Page\n@fact{2/drop.height} @fact{1/drop.height}\n\n@figure{2/drop.svg, Up}\n@figref{2/drop.svg}\n")
+        book.write("docs/page.md", "# Page\n0.2<!--2/drop.height--> 0.1<!--1/drop.height-->\n\n@figure{2/drop.svg, Up}\n@figref{2/drop.svg}\n")
         done = book.weave()
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("\n0.2 m 0.1 m, about\n", book.page("page_page"))
@@ -163,7 +170,7 @@ class WhatStopsTheBook(unittest.TestCase):
         self.assertFalse((book.root / "out").exists(), "nothing is written")
 
     def test_an_unknown_fact(self):
-        self.refused("# The drop\n\nIt falls @fact{drop.depth}.", "chapters/01_drop/chapter.md:3: no run left the fact 'drop.depth'")
+        self.refused("# The drop\n\nIt falls 1<!--drop.depth-->.", "chapters/01_drop/chapter.md:3: no run left the fact 'drop.depth'")
 
     def test_an_unknown_table(self):
         self.refused("# The drop\n@table{stops}", "chapter.md:2: no run left the table 'stops.md'")
@@ -178,23 +185,26 @@ class WhatStopsTheBook(unittest.TestCase):
         self.refused("# The drop\n@figref{drop.svg}", "chapter.md:2: @figref{drop.svg}: no page shows it")
 
     def test_a_snippet_of_no_file(self):
-        self.refused("# The drop\n\\snippet height.hpp depth", "chapter.md:2: \\snippet height.hpp: no such file")
+        self.refused("# The drop\n[height.hpp: depth](height.hpp)", "chapter.md:2: the listing height.hpp: height.hpp is no file")
+
+    def test_a_snippet_that_leads_to_another_file(self):
+        self.refused("# The drop\n[height.hpp: depth](depth.hpp)", "the listing height.hpp leads to chapters/01_drop/depth.hpp")
 
     def test_the_name_of_no_test(self):
         self.refused("# The drop\n@test{drop: v < 1}", "chapter.md:2: no test is called 'drop: v < 1'")
 
     def test_an_empty_snippet(self):
-        self.refused("# The drop\n\\snippet depth.hpp nothing", "the region [nothing] of chapters/01_drop/depth.hpp is empty")
+        self.refused("# The drop\n[depth.hpp: nothing](depth.hpp)", "the region [nothing] of chapters/01_drop/depth.hpp is empty")
 
     def test_a_snippet_whose_mark_is_left_open(self):
-        self.refused("# The drop\n\\snippet depth.hpp once", "the mark [once] stands 1 times")
+        self.refused("# The drop\n[depth.hpp: once](depth.hpp)", "the mark [once] stands 1 times")
 
     def test_a_snippet_without_a_mark(self):
-        self.refused("# The drop\n\\snippet depth.hpp width", "the mark [width] stands 0 times")
+        self.refused("# The drop\n[depth.hpp: width](depth.hpp)", "the mark [width] stands 0 times")
 
     def test_a_fact_that_two_other_chapters_have(self):
         book = Book("# A\n", "# B\n")
-        book.write("docs/page.md", "# Page\n@fact{drop.height}")
+        book.write("docs/page.md", "# Page\n1<!--drop.height-->")
         done = book.weave()
         self.assertEqual(done.returncode, 2)
         self.assertIn("docs/page.md:2: the fact 'drop.height' is in several chapters: 01_drop, 02_more", done.stderr)
@@ -217,7 +227,7 @@ class WhatStopsTheBook(unittest.TestCase):
         self.assertIn("has the label {#mainpage} already", done.stderr)
 
     def test_every_mistake_is_reported_at_once(self):
-        done = Book("# The drop\n@fact{a.b}\n@fact{c.d}\n").weave()
+        done = Book("# The drop\n1<!--a.b-->\n1<!--c.d-->\n").weave()
         self.assertEqual(done.stderr.count("no run left"), 2)
 
 

@@ -29,12 +29,12 @@ class Formulas(unittest.TestCase):
             self.assertEqual(re.findall(r"\\[a-zA-Z\[\]$]+|<<|>>|[{}]\\", text), [], exercise.number)
 
     def test_a_formula_of_its_own_line_stays_one(self):
-        self.assertEqual(terminal.plain("Then\n\\f[ a = b . \\f]\nholds: \\ref base_step \"the step\"."), "Then\n\n    a = b.\n\nholds: the step.")
+        self.assertEqual(terminal.plain("Then\n$$ a = b . $$\nholds: \\ref base_step \"the step\"."), "Then\n\n    a = b.\n\nholds: the step.")
 
     def test_another_encoding_gets_names(self):
         for encoding, text in (("utf-8", "δ ≤ √(2)"), ("latin-1", "delta <= sqrt(2)"), ("ascii", "delta <= sqrt(2)")):
             with mock.patch("sys.stdout", io.TextIOWrapper(io.BytesIO(), encoding)):
-                self.assertEqual(terminal.plain(r"\f$\delta \le \sqrt{2}\f$"), text)
+                self.assertEqual(terminal.plain(r"$\delta \le \sqrt{2}$"), text)
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ set boxwidth 0.7
 set xlabel "wrong answers of the textbook, tolerances 0"
 set ylabel ""
 set xrange [0:21]
-set key at graph 0.97,0.72
+set key outside top center horizontal
 set grid noytics
 data = folder."/degenerate_categories.csv"  # columns: 1 category, 4 "missed + invented" with tolerances 0
 missed(row) = real(word(strcol(4), 1))
