@@ -9,13 +9,17 @@ namespace enduring {
 Solver bullet_solver(Scene& scene)
 {
     const auto bullet = std::make_shared<bullet::BulletWorld>(scene);
-    const int version = btGetVersion();
     Solver solver;
-    solver.name = "Bullet " + std::to_string(version / 100) + "." + std::to_string(version % 100);
+    solver.name = "Bullet " + bullet_version();
     solver.append(StepStage::refresh, "Bullet's step", [bullet](World& world, Contacts& contacts, double dt) {
         bullet->step(world, contacts, dt);
     });
     return solver;
+}
+
+std::string bullet_version()
+{
+    return std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100);
 }
 
 }  // namespace enduring

@@ -19,4 +19,7 @@ namespace enduring {
 /// @throws InputError  Bullet cannot take the scene; names the scene, the body and why
 Solver bullet_solver(Scene& scene);
 
+/// Of the library, as "3.24".
+std::string bullet_version();
+
 }  // namespace enduring

@@ -74,6 +74,18 @@ std::vector<StripPicture> pictures_of(const std::vector<LedgerCell>& cells)
     return pictures;
 }
 
+/// What the page says of Bullet: its version, the rows that it has, and how many of them it passes.
+void report_bullet(const std::vector<LedgerCell>& cells, Report& report)
+{
+    const auto of_bullet = [](const LedgerCell& cell) { return cell.column == bullet_column; };
+    const auto rows = std::count_if(cells.begin(), cells.end(), of_bullet);
+    const auto passed = std::count_if(
+        cells.begin(), cells.end(), [&](const LedgerCell& cell) { return of_bullet(cell) && cell.passed(); });
+    report.fact("ledger", "bullet_version", bullet_version());
+    report.fact("ledger", "bullet_rows", static_cast<double>(rows));
+    report.fact("ledger", "bullet_passes", static_cast<double>(passed));
+}
+
 }  // namespace
 
 char expectation(const MotivatingScene& scene, int column)
@@ -145,6 +157,7 @@ void ledger(const RunOptions& options, Report& report)
     write_png(strip(pictures_of(cells), 4), report.file("ledger.png"));
     report.fact("ledger", "scenes", static_cast<double>(motivating_scenes().size()));
     report.fact("ledger", "cells", static_cast<double>(cells.size()));
+    report_bullet(cells, report);
 
     std::string message;
     for (const std::string& line : surprises(cells))
