@@ -61,7 +61,7 @@ def verdicts(ledger, chapter):
     """The scenes on which this chapter's solver and the one before disagree."""
     lines = []
     for scene in dict.fromkeys(row["scene"] for row in ledger):
-        cells = {int(row["chapter"]): row for row in ledger if row["scene"] == scene}
+        cells = {int(row["chapter"]): row for row in ledger if row["scene"] == scene and row["chapter"].isdigit()}  # not Bullet's
         before = [number for number in cells if number < chapter]
         if chapter in cells and before and cells[max(before)]["passes"] != cells[chapter]["passes"]:
             old, new = cells[max(before)], cells[chapter]

@@ -35,7 +35,14 @@ std::string bound_text(const MotivatingScene& scene)
            scene.unit;
 }
 
-Outcome try_scene(const MotivatingScene& motivating, const MakeSolver& make, const RunLimits& limits,
+Outcome try_scene(const MotivatingScene& scene, const MakeSolver& make, const RunLimits& limits,
+                  bool with_picture)
+{
+    const PrepareScene prepare = [&make](Scene& prepared) { return make(prepared.contact); };
+    return try_scene(scene, prepare, limits, with_picture);
+}
+
+Outcome try_scene(const MotivatingScene& motivating, const PrepareScene& prepare, const RunLimits& limits,
                   bool with_picture)
 {
     Scene scene = load_scene(scene_file(motivating.file), motivating.patch);
@@ -55,7 +62,8 @@ Outcome try_scene(const MotivatingScene& motivating, const MakeSolver& make, con
         probes.push_back(&camera);
     }
     try {
-        run(scene, make(scene.contact), probes, limits);
+        const Solver solver = prepare(scene);
+        run(scene, solver, probes, limits);
         outcome.value = gauge.value();
     } catch (const std::runtime_error& error) {
         outcome.broken = error.what();

@@ -45,6 +45,7 @@ struct MotivatingScene {
     double limit;
     std::string reason;    ///< why the line is there
     std::string expected;  ///< of the chapters 1 to 7 in order: 'p' passes, 'f' fails
+    char with_bullet;      ///< the same of the Bullet library; '-': the question does not apply to it
     Gauge::Reading reading;
     std::vector<double> moments;  ///< worth a picture [s], ascending; the ledger shows the last
 };
@@ -72,11 +73,15 @@ struct Outcome {
 };
 
 using MakeSolver = std::function<Solver(const ContactParameters&)>;
+/// A solver that takes over more of a scene than its contact parameters.
+using PrepareScene = std::function<Solver(Scene&)>;
 
 /// Runs a scene under a solver.
 /// @param limits        see limits_of
 /// @param with_picture  takes one at the last of the scene's moments, the pairs marked
 Outcome try_scene(const MotivatingScene& scene, const MakeSolver& make, const RunLimits& limits = {},
+                  bool with_picture = false);
+Outcome try_scene(const MotivatingScene& scene, const PrepareScene& prepare, const RunLimits& limits = {},
                   bool with_picture = false);
 
 /// Surfaces with their triangles, and the pairs in the thesis' colours.

@@ -1,19 +1,29 @@
 #pragma once
 
 #include "chapters/motivating_scenes/motivating_scene.hpp"
+#include "chapters/solvers/chapter_solver.hpp"
 
 namespace enduring::solvers {
 
 using namespace motivating;
 
-/// One cell of the failure ledger: a scene under one chapter's solver.
+/// The ledger's column behind those of the chapters: the Bullet library, to compare with.
+constexpr int bullet_column = chapters + 1;
+
+/// What is expected of a scene in a column: 'p' passes, 'f' fails, '-' the question does not apply.
+char expectation(const MotivatingScene& scene, int column);
+
+/// "chapter 3", or "Bullet"
+std::string solver_name(int column);
+
+/// One cell of the failure ledger: a scene under one solver.
 struct LedgerCell {
     const MotivatingScene* scene;
-    int chapter;  ///< 1 to 7
+    int column;  ///< the chapter, 1 to 7, or bullet_column
     Outcome outcome;
 
     bool passed() const { return passes(*scene, outcome.value); }
-    bool expected_to_pass() const { return scene->expected[chapter - 1] == 'p'; }
+    bool expected_to_pass() const { return expectation(*scene, column) == 'p'; }
 };
 
 /// Whether a scene's expectation changes between this chapter and a neighbour: what is worth a picture. Where
@@ -28,9 +38,12 @@ std::vector<std::string> surprises(const std::vector<LedgerCell>& cells);
 /// A scene under one chapter's solver.
 Outcome try_chapter(const MotivatingScene& scene, int chapter, bool with_picture = false);
 
-/// Runs scenes under all solvers.
-/// @param borders_only   only those at_border
-/// @param with_pictures  of those
+/// A scene under Bullet.
+Outcome try_bullet(const MotivatingScene& scene, bool with_picture = false);
+
+/// Runs scenes under all solvers, and under Bullet where the question applies.
+/// @param borders_only   of the chapters only those at_border
+/// @param with_pictures  of those, and of Bullet
 std::vector<LedgerCell> fill_ledger(const std::vector<MotivatingScene>& scenes, bool borders_only,
                                     bool with_pictures);
 

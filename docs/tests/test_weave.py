@@ -138,7 +138,7 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("| detection | planes, **faces** |", book.page("chapter_02"))
         self.assertNotIn("Behaviour", book.page("chapter_02"))
         book.write("build/results/solvers/ledger.csv", "scene,chapter,quantity,unit,bound,value,passes\n"
-                   "fall,1,way,m,at most 1 m,3,0\nfall,2,way,m,at most 1 m,0.5,1\n")
+                   "fall,1,way,m,at most 1 m,3,0\nfall,2,way,m,at most 1 m,0.5,1\nfall,Bullet,way,m,at most 1 m,9,0\n")
         self.assertEqual(book.weave().returncode, 0)
         self.assertIn("**0.5 m** with chapter 2, which holds", book.page("chapter_02"))
 

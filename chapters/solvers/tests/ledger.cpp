@@ -32,6 +32,25 @@ TEST_CASE("failure ledger: a cell that passes against expectation is told, and o
     CHECK(lines[1].find("expected to fail") != std::string::npos);
 }
 
+TEST_CASE(
+    "failure ledger: Bullet has a cell in every row that it answers, and its surprises are told by name")
+{
+    for (const MotivatingScene& scene : motivating_scenes()) {
+        CAPTURE(scene.name);
+        CHECK(std::string("pf-").find(expectation(scene, bullet_column)) != std::string::npos);
+    }
+    std::vector<MotivatingScene> scenes{motivating_scene("fast_plate"), motivating_scene("labels")};
+    scenes[0].with_bullet = 'f';
+    scenes[0].expected = scenes[1].expected = "fffffff";
+    const std::vector<LedgerCell> cells = fill_ledger(scenes, true, false);
+    REQUIRE(cells.size() == 5);  // chapters 1 and 7 of both, and Bullet in the first
+    CHECK(cells[2].column == bullet_column);
+    const std::vector<std::string> lines = surprises(cells);
+    CHECK(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+        return line.find("fast_plate under Bullet passes") == 0;
+    }));
+}
+
 TEST_CASE("failure ledger: nothing to measure is a failure, whichever side the bound is on")
 {
     MotivatingScene scene = motivating_scene("shifted");

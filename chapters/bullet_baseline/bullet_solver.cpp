@@ -1,0 +1,25 @@
+#include "chapters/bullet_baseline/bullet_solver.hpp"
+
+#include "chapters/bullet_baseline/bullet_world.hpp"
+
+#include <LinearMath/btScalar.h>
+
+namespace enduring {
+
+Solver bullet_solver(Scene& scene)
+{
+    const auto bullet = std::make_shared<bullet::BulletWorld>(scene);
+    Solver solver;
+    solver.name = "Bullet " + bullet_version();
+    solver.append(StepStage::refresh, "Bullet's step", [bullet](World& world, Contacts& contacts, double dt) {
+        bullet->step(world, contacts, dt);
+    });
+    return solver;
+}
+
+std::string bullet_version()
+{
+    return std::to_string(btGetVersion() / 100) + "." + std::to_string(btGetVersion() % 100);
+}
+
+}  // namespace enduring
