@@ -24,6 +24,9 @@ enum class LinearSolverKind {
     supernodal,  ///< CHOLMOD's factor, block by block, applied in single precision: fast, for a preconditioner
 };
 
+/// Whether this was built with CHOLMOD. Without it every solver is the simplicial one.
+bool has_supernodal_solver();
+
 /// Orders the unknowns and finds where the factor has entries.
 /// @param pattern  lower triangle of the matrices to come; only where its entries are counts
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const Eigen::SparseMatrix<double>& pattern);

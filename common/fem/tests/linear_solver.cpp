@@ -157,7 +157,7 @@ TEST_CASE("linear solvers: a body moves the same by either, within its tolerance
         body.respond(impulses, 0.008);
         const NodalVectors response = body.velocities() - before;
         const double error = (near - response).norm() / response.norm();
-        CHECK((error <= 1e-8) == (kind == LinearSolverKind::simplicial));
+        CHECK((error <= 1e-8) == (kind == LinearSolverKind::simplicial || !has_supernodal_solver()));
         CHECK(error <= 1e-4);
     }
     CHECK((positions[0] - positions[1]).norm() <= 1e-8 * positions[0].norm());
