@@ -101,5 +101,6 @@ found_since() { # BUILD-FOLDER
     [[ -s $1/left_out.txt ]] || return 1
     has_apt || return 0 # CMake looks
     mapfile -t without <"$1/left_out.txt"
-    dpkg-query -W -f '${db:Status-Status}\n' "${without[@]}" 2>/dev/null | grep -qx installed
+    { dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${without[@]}" 2>/dev/null || true; } |
+        grep -qxF -f <(printf 'installed %s\n' "${without[@]}")
 }
