@@ -11,10 +11,13 @@ endforeach()
 find_program(BASH bash)
 find_package(Python3 QUIET COMPONENTS Interpreter)
 if(BASH AND NOT ENDURING_SANITIZE AND NOT ENDURING_FUZZ)
-  add_test(NAME "course: what it refuses, what it lists and what it installs"
-           COMMAND ${BASH} ${PROJECT_SOURCE_DIR}/docs/tests/test_course.sh)
-  set_tests_properties("course: what it refuses, what it lists and what it installs" PROPERTIES
-    LABELS course ENVIRONMENT "ENDURING_BUILD=${CMAKE_BINARY_DIR}")
+  set(test_course "course: what it refuses, and what it lists")
+  set(test_packages "course: each command asks for its own packages, says before what they cost, and goes on without pictures")
+  set(test_results "course: results hold while the program and what it reads are the same, also in a folder with a space")
+  foreach(script test_course test_packages test_results)
+    add_test(NAME "${${script}}" COMMAND ${BASH} ${PROJECT_SOURCE_DIR}/docs/tests/${script}.sh)
+    set_tests_properties("${${script}}" PROPERTIES LABELS course ENVIRONMENT "ENDURING_BUILD=${CMAKE_BINARY_DIR}")
+  endforeach()
   if(Python3_FOUND)
     add_test(NAME "book: what the weaver brings and what stops it"
              COMMAND ${Python3_EXECUTABLE} -m unittest discover -s ${PROJECT_SOURCE_DIR}/docs/tests)

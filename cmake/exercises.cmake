@@ -28,7 +28,7 @@ function(enduring_exercises)
       # An attempt may leave arguments unused; an index out of range says so.
       enduring_reuse_precompiled(${target} exercise_headers)
       target_compile_options(${target} PRIVATE -O1 -Wno-unused-parameter -Werror=return-type -UNDEBUG -D_GLIBCXX_ASSERTIONS
-        "SHELL:-iquote ${PROJECT_SOURCE_DIR}/chapters/${chapter}" "SHELL:-iquote ${PROJECT_SOURCE_DIR}/exercises/${chapter}")
+        "SHELL:-iquote \"${PROJECT_SOURCE_DIR}/chapters/${chapter}\"" "SHELL:-iquote \"${PROJECT_SOURCE_DIR}/exercises/${chapter}\"")
     endforeach()
   endforeach()
 endfunction()

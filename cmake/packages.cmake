@@ -1,14 +1,33 @@
-# Finds the outside libraries. What is missing is told with its line of packages.txt, the one list of packages.
+# Finds the outside libraries. What is missing is told with its line of packages.txt, the one list of packages. A program that cannot be
+# built without stops here; what misses of the rest costs only itself, and stands in left_out.txt of the build folder.
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/packages.txt ENDURING_PACKAGES)
+set(ENDURING_LEFT_OUT "")
 
-function(enduring_need found package)  # one more argument: a way to do without
+function(enduring_purpose package what)  # what the list says that a package is for
   set(lines ${ENDURING_PACKAGES})
-  list(FILTER lines INCLUDE REGEX " ${package} ")
+  string(REPLACE "+" "[+]" pattern ${package})
+  list(FILTER lines INCLUDE REGEX "^${pattern} ")
   if(NOT lines)
     message(FATAL_ERROR "cmake/packages.txt does not name ${package}")
-  elseif(NOT ${found})
-    string(REGEX REPLACE "^[a-z]+ +[^ ]+ +" "" what "${lines}")
-    message(FATAL_ERROR "${package} was not found: ${what}. On Debian: ./course setup, or apt-get install ${package} ${ARGN}")
+  endif()
+  string(REGEX REPLACE "^[^ ]+ +(.*)$" "\\1" purpose "${lines}")
+  set(${what} "${purpose}" PARENT_SCOPE)
+endfunction()
+
+function(enduring_need found package)
+  enduring_purpose(${package} what)
+  if(NOT ${found})
+    message(FATAL_ERROR "${package} was not found: ${what}. On Debian: ./course setup start, or apt-get install ${package}")
+  endif()
+endfunction()
+
+function(enduring_want found package costs)  # where it is missing, the variable FOUND is OFF, and a line says what that costs
+  enduring_purpose(${package} what)
+  if(NOT ${found})
+    message(STATUS "${package} was not found (${what}): ${costs}. On Debian: apt-get install ${package}")
+    list(APPEND ENDURING_LEFT_OUT ${package})
+    set(ENDURING_LEFT_OUT ${ENDURING_LEFT_OUT} PARENT_SCOPE)
+    set(${found} OFF PARENT_SCOPE)
   endif()
 endfunction()
 
@@ -30,7 +49,11 @@ enduring_need(Boost_FOUND libboost-dev)
 
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
-enduring_need(CHOLMOD_LIBRARY libsuitesparse-dev)
+set(ENDURING_CHOLMOD ON)
+if(NOT CHOLMOD_INCLUDE OR NOT CHOLMOD_LIBRARY)
+  set(ENDURING_CHOLMOD OFF)
+endif()
+enduring_want(ENDURING_CHOLMOD libsuitesparse-dev "soft bodies take Eigen's solver, and numbers differ in their last digits")
 
 if(NOT PROJECT_NAME STREQUAL EnduringContacts OR NOT PROJECT_IS_TOP_LEVEL)
   return()  # what follows is for the course itself: tests, command lines, pictures
@@ -58,14 +81,26 @@ if(ENDURING_RENDER)
   if(EGL_LIBRARY AND OPENGL_LIBRARY)
     list(APPEND ENDURING_CONTEXTS egl)
   endif()
-  enduring_need(ENDURING_CONTEXTS libosmesa6-dev "or libegl-dev (or configure with -DENDURING_RENDER=OFF)")
+  set(ENDURING_RENDER_CONTEXT ${ENDURING_CONTEXTS})
+  enduring_want(ENDURING_RENDER_CONTEXT libegl-dev "no pictures (libosmesa6-dev draws them as well)")
   find_path(STB_INCLUDE stb/stb_image_write.h)
-  enduring_need(STB_INCLUDE libstb-dev)
+  enduring_want(STB_INCLUDE libstb-dev "no pictures")
   find_file(DEJAVU_FONT DejaVuSans.ttf PATHS /usr/share/fonts/truetype/dejavu /usr/share/fonts/dejavu-sans-fonts)
-  enduring_need(DEJAVU_FONT fonts-dejavu-core)
+  enduring_want(DEJAVU_FONT fonts-dejavu-core "no pictures")
+  if(NOT ENDURING_RENDER_CONTEXT OR NOT STB_INCLUDE OR NOT DEJAVU_FONT)
+    set(ENDURING_RENDER OFF)
+  endif()
+  if(NOT ENDURING_RENDER_CONTEXT)
+    list(APPEND ENDURING_LEFT_OUT libosmesa6-dev)  # either will do
+  endif()
 endif()
 
 if(ENDURING_BENCHMARKS)
   find_package(benchmark QUIET)
-  enduring_need(benchmark_FOUND libbenchmark-dev)
+  enduring_want(benchmark_FOUND libbenchmark-dev "no benchmarks")
+  if(NOT benchmark_FOUND)
+    set(ENDURING_BENCHMARKS OFF)
+  endif()
 endif()
+list(JOIN ENDURING_LEFT_OUT "\n" lines)
+file(WRITE ${CMAKE_BINARY_DIR}/left_out.txt "${lines}")

@@ -59,7 +59,7 @@ def abbreviation_faults(pages, glossary):
             yield f"{path}: not in docs/glossary.md: {', '.join(missing)}"
 
 
-COMMON = set("TU IGD ACM IEEE SIAM CPU SI HTML PDF PNG SVG CSV MIT OK OBJ TOC XML JSON II III IV VI SIGGRAPH CAGD DOI API GPU IMA TVCG RFC VTK".split())
+COMMON = set("TU IGD ACM IEEE SIAM CPU SI HTML PDF PNG SVG CSV MIT OK OBJ TOC XML JSON II III IV VI SIGGRAPH CAGD DOI API GPU IMA TVCG RFC VTK MB".split())
 
 
 def figure_faults(pages):

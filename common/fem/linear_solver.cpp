@@ -1,16 +1,29 @@
 #include "common/fem/linear_solver.hpp"
 
 #include "common/fem/simplicial_solver.hpp"
+#ifdef ENDURING_CHOLMOD
 #include "common/fem/supernodal_solver.hpp"
+#endif
 
 namespace enduring {
 
-std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
+std::unique_ptr<LinearSolver> make_linear_solver([[maybe_unused]] LinearSolverKind kind,
                                                  const Eigen::SparseMatrix<double>& pattern)
 {
-    if (kind == LinearSolverKind::simplicial)
-        return std::make_unique<SimplicialSolver>(pattern);
-    return std::make_unique<SupernodalSolver>(pattern);
+#ifdef ENDURING_CHOLMOD
+    if (kind == LinearSolverKind::supernodal)
+        return std::make_unique<SupernodalSolver>(pattern);
+#endif
+    return std::make_unique<SimplicialSolver>(pattern);
+}
+
+bool has_supernodal_solver()
+{
+#ifdef ENDURING_CHOLMOD
+    return true;
+#else
+    return false;
+#endif
 }
 
 }  // namespace enduring

@@ -25,6 +25,9 @@ enum class LinearSolverKind {
     supernodal,
 };
 
+/// Whether this was built with CHOLMOD. Without it every solver is the simplicial one.
+bool has_supernodal_solver();
+
 /// Orders the unknowns and finds where the factor has entries.
 /// @param pattern  lower triangle of the matrices to come; only where its entries are counts
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,

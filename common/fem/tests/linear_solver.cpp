@@ -166,7 +166,7 @@ TEST_CASE(
         body.respond(impulses, 0.008);
         const NodalVectors response = body.velocities() - before;
         const double error = (near - response).norm() / response.norm();
-        CHECK((error <= 1e-8) == (kind == LinearSolverKind::simplicial));
+        CHECK((error <= 1e-8) == (kind == LinearSolverKind::simplicial || !has_supernodal_solver()));
         CHECK(error <= 1e-4);
     }
     CHECK((positions[0] - positions[1]).norm() <= 1e-8 * positions[0].norm());
