@@ -1,8 +1,10 @@
 #include "common/experiments/report/subprocess.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <spawn.h>
+#include <sstream>
 #include <stdexcept>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -26,6 +28,16 @@ std::vector<char*> environment()
 }
 
 }  // namespace
+
+bool is_installed(const std::string& program)
+{
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (::access((folder + '/' + program).c_str(), X_OK) == 0)
+            return true;
+    return false;
+}
 
 Subprocess::Subprocess(const std::vector<std::string>& words, const std::string& package) : name_(words.at(0))
 {
