@@ -2,6 +2,7 @@
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"
 
+#include <CLI/CLI.hpp>
 #include <doctest/doctest.h>
 
 #include <iostream>
