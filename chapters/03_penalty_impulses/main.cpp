@@ -1,5 +1,9 @@
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
 int main(int argc, char** argv)
 {
     using namespace enduring;

@@ -10,6 +10,8 @@
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <exception>
 #include <iostream>

@@ -3,6 +3,8 @@
 #include "common/input/input_error.hpp"
 #include "common/input/json_value.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <fstream>
 #include <set>

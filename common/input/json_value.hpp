@@ -3,7 +3,7 @@
 #include "common/geometry/vector.hpp"
 #include "common/input/input_error.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <initializer_list>
 #include <optional>

@@ -8,6 +8,8 @@
 #include "common/scenes/friction_reader.hpp"
 #include "common/scenes/scene_warnings.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <set>
 

@@ -4,6 +4,8 @@
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <iostream>
 
 namespace enduring::chapter02 {

@@ -2,6 +2,7 @@
 
 #include "common/experiments/report/pending_file.hpp"
 #include "common/experiments/report/subprocess.hpp"
+#include "common/experiments/report/warn_once.hpp"
 #include "common/input/input_error.hpp"
 
 #include <string_view>
@@ -73,6 +74,11 @@ void Clip::add(const Picture& frame)
         return;
     if (frame.width % 2 != 0 || frame.height % 2 != 0)
         throw InputError(path_.string() + ": frames must be even in both directions");
+    if (!encoder_ && !is_installed("ffmpeg")) {
+        warn_once("films are left out: ffmpeg is not installed. On Debian: apt-get install ffmpeg");
+        std::filesystem::remove(path_);
+        return;
+    }
     if (!encoder_)
         encoder_ = std::make_unique<Encoder>(path_, frame.width, frame.height, frames_per_second_);
     if (frame.width != encoder_->frame_width || frame.height != encoder_->frame_height)

@@ -7,7 +7,8 @@
 
 namespace enduring {
 
-/// A short looping film of a run, written by ffmpeg beside its place and renamed at the end.
+/// A short looping film of a run, written by ffmpeg beside its place and renamed at the end. Without ffmpeg
+/// there is no film, not an old one either, and stderr says so once.
 class Clip {
 public:
     /// @param path               .webp loops by itself wherever a picture
@@ -18,7 +19,7 @@ public:
     ~Clip();
 
     /// All frames have the size of the first, even in both directions.
-    /// @throws std::runtime_error  ffmpeg is missing or failed
+    /// @throws std::runtime_error  ffmpeg failed
     void add(const Picture& frame);
     /// Without frames nothing is written; without finish() neither.
     void finish();

@@ -4,6 +4,8 @@
 #include "common/input/input_error.hpp"
 #include "common/input/source_directory.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <iomanip>
 #include <iostream>

@@ -2,13 +2,15 @@
 
 #include "common/experiments/report/report.hpp"
 
-#include <CLI/CLI.hpp>
-
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;  // of CLI11, which takes two seconds to read: who adds options reads it
+}
 
 namespace enduring {
 

@@ -3,6 +3,7 @@
 #include "common/experiments/report/pending_file.hpp"
 #include "common/experiments/report/subprocess.hpp"
 #include "common/experiments/report/table.hpp"
+#include "common/experiments/report/warn_once.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
 #include "common/input/source_directory.hpp"
@@ -82,7 +83,13 @@ void Report::plot(const std::filesystem::path& script_in_sources, const std::str
     const std::filesystem::path sources = source_directory(), script = sources / script_in_sources;
     if (!std::filesystem::is_regular_file(script))
         throw InputError(script.string() + ": no such gnuplot script");
-    PendingFile picture(file((name.empty() ? script.stem().string() : name) + ".svg"));
+    const std::filesystem::path place = file((name.empty() ? script.stem().string() : name) + ".svg");
+    if (!is_installed("gnuplot")) {
+        warn_once("plots are left out: gnuplot is not installed. On Debian: apt-get install gnuplot-nox");
+        std::filesystem::remove(place);
+        return;
+    }
+    PendingFile picture(place);
     const std::string variables = "folder=" + gnuplot_quoted(folder_) + "; style=" +
                                   gnuplot_quoted(sources / "common/experiments/report/plot_style.gp") +
                                   "; output=" + gnuplot_quoted(picture.neighbour());

@@ -33,11 +33,12 @@ public:
     /// A fact without a number: its value is empty.
     void fact(const std::string& experiment, const std::string& name, const std::string& text);
     /// Runs a gnuplot script that writes NAME.svg. The script reads the tables in `folder` and begins with
-    /// `load style` (plot_style.gp: the common look, and the picture's place from `output`).
+    /// `load style` (plot_style.gp: the common look, and the picture's place from `output`). Without gnuplot
+    /// there is no plot, not an old one either, and stderr says so once.
     /// @param script  seen from the root of the sources, e.g. "chapters/04_friction/plots/slope.gp"
     /// @param name    of the picture; as the script when empty
     /// @throws InputError          there is no such script
-    /// @throws std::runtime_error  gnuplot is missing, failed, or drew nothing
+    /// @throws std::runtime_error  gnuplot failed, or drew nothing
     void plot(const std::filesystem::path& script, const std::string& name = "");
     /// Where a file that somebody else writes belongs:
     /// file("ground.png"). It counts as written by this report.

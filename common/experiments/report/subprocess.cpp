@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 
 extern char** environ;
@@ -27,6 +29,16 @@ std::vector<char*> environment()
 }
 
 }  // namespace
+
+bool is_installed(const std::string& program)
+{
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (::access((folder + '/' + program).c_str(), X_OK) == 0)
+            return true;
+    return false;
+}
 
 Subprocess::Subprocess(const std::vector<std::string>& words, const std::string& package) : name_(words.at(0))
 {

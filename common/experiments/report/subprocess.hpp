@@ -8,6 +8,9 @@
 
 namespace enduring {
 
+/// Whether a program of this name lies on PATH.
+bool is_installed(const std::string& program);
+
 /// Another program, started without a shell, whose standard input we write.
 class Subprocess {
 public:

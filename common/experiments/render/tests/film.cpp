@@ -1,12 +1,15 @@
 #include "common/experiments/render/clip.hpp"
 #include "common/experiments/render/strip.hpp"
 #include "common/experiments/render/text.hpp"
+#include "common/experiments/report/report.hpp"
+#include "common/experiments/report/subprocess.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 using namespace enduring;
 
@@ -58,7 +61,7 @@ TEST_CASE("text: a line is dark where it stands, as wide as it says, and cut at 
 }
 
 TEST_CASE("clip: every frame arrives, the film loops, and an unfinished one leaves nothing" *
-          doctest::skip(!pictures_are_on))
+          doctest::skip(!is_installed("ffmpeg")))
 {
     const TemporaryFolder folder;
     {
@@ -79,7 +82,7 @@ TEST_CASE("clip: every frame arrives, the film loops, and an unfinished one leav
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("clip: the same frames give the same bytes, as .mp4 too" * doctest::skip(!pictures_are_on))
+TEST_CASE("clip: the same frames give the same bytes, as .mp4 too" * doctest::skip(!is_installed("ffmpeg")))
 {
     const TemporaryFolder folder;
     for (const std::string name : {"a.mp4", "b.mp4", "a.webp", "b.webp"}) {
@@ -93,7 +96,21 @@ TEST_CASE("clip: the same frames give the same bytes, as .mp4 too" * doctest::sk
     CHECK(content(folder.path / "a.mp4").find("ftyp") != std::string::npos);
 }
 
-TEST_CASE("clip: what cannot become a film is refused")
+TEST_CASE("clip: without ffmpeg there is no film, not an old one either, and the run goes on")
+{
+    const TemporaryFolder folder;
+    write_file(folder.path / "run.mp4", "of an earlier run");
+    const std::string path = std::getenv("PATH");
+    ::setenv("PATH", folder.path.c_str(), 1);
+    Clip clip(folder.path / "run.mp4");
+    CHECK_NOTHROW(clip.add(Picture(64, 48)));
+    CHECK_NOTHROW(clip.add(Picture(64, 48)));
+    CHECK_NOTHROW(clip.finish());
+    ::setenv("PATH", path.c_str(), 1);
+    CHECK(folder.count() == 0);
+}
+
+TEST_CASE("clip: what cannot become a film is refused" * doctest::skip(!is_installed("ffmpeg")))
 {
     const TemporaryFolder folder;
     CHECK_THROWS_AS(Clip(folder.path / "run.avi"), InputError);

@@ -3,6 +3,7 @@
 #include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
+#include <CLI/CLI.hpp>
 
 #include <iostream>
 #include <sstream>

@@ -20,7 +20,8 @@ std::filesystem::path script(const TemporaryFolder& folder, const std::string& t
 
 }  // namespace
 
-TEST_CASE("plots: a script reads a table of the report and leaves an SVG without a background")
+TEST_CASE("plots: a script reads a table of the report and leaves an SVG without a background" *
+          doctest::skip(!is_installed("gnuplot")))
 {
     const TemporaryFolder folder;
     Report report(folder.path / "it's here");
@@ -38,7 +39,8 @@ TEST_CASE("plots: a script reads a table of the report and leaves an SVG without
     CHECK(report.written().size() == 2);
 }
 
-TEST_CASE("plots: a script that fails or draws nothing leaves no picture")
+TEST_CASE("plots: a script that fails or draws nothing leaves no picture" *
+          doctest::skip(!is_installed("gnuplot")))
 {
     const TemporaryFolder folder, results;
     Report report(results.path);
@@ -49,7 +51,8 @@ TEST_CASE("plots: a script that fails or draws nothing leaves no picture")
     CHECK(results.count() == 0);
 }
 
-TEST_CASE("plots: gnuplot has nothing to complain about where the reader's locale knows no degree sign")
+TEST_CASE("plots: gnuplot has nothing to complain about where the reader's locale knows no degree sign" *
+          doctest::skip(!is_installed("gnuplot")))
 {
     const TemporaryFolder folder;
     const std::string said = (folder.path / "said").string();
@@ -62,6 +65,21 @@ TEST_CASE("plots: gnuplot has nothing to complain about where the reader's local
     CHECK(content(said) == "");
 }
 
+TEST_CASE("plots: without gnuplot the tables stay, an old plot does not, and the run goes on")
+{
+    const TemporaryFolder folder, results;
+    const std::string path = std::getenv("PATH");
+    write_file(results.path / "a.svg", "of an earlier run");
+    Report report(results.path);
+    report.table("radius", Table({"dt_s", "radius"}));
+    ::setenv("PATH", folder.path.c_str(), 1);
+    CHECK_NOTHROW(report.plot(script(folder, "load style\nplot folder.'/radius.csv' using 1:2\n"), "a"));
+    CHECK_THROWS_AS(report.plot(folder.path / "none.gp", "a"), InputError);
+    ::setenv("PATH", path.c_str(), 1);
+    CHECK_FALSE(std::filesystem::exists(results.path / "a.svg"));
+    CHECK(std::filesystem::exists(results.path / "radius.csv"));
+}
+
 TEST_CASE("plots: a missing program is named with the package that brings it")
 {
     try {
@@ -71,6 +89,18 @@ TEST_CASE("plots: a missing program is named with the package that brings it")
         CHECK(std::string(error.what()).find("no-such-program-here") != std::string::npos);
         CHECK(std::string(error.what()).find("apt-get install its-package") != std::string::npos);
     }
+}
+
+TEST_CASE("subprocess: a program on PATH is installed, what is none is not")
+{
+    const TemporaryFolder folder;
+    CHECK(is_installed("sh"));
+    CHECK_FALSE(is_installed("no-such-program-here"));
+    const std::string path = std::getenv("PATH");
+    write_file(folder.path / "sh", "not a program");
+    ::setenv("PATH", folder.path.c_str(), 1);
+    CHECK_FALSE(is_installed("sh"));
+    ::setenv("PATH", path.c_str(), 1);
 }
 
 TEST_CASE("subprocess: all that is written arrives, and a program that stops reading is an error")
