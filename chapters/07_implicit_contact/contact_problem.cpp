@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
@@ -139,19 +140,24 @@ void PairRow::add_impulse(const Vec3& impulse, VectorXd& sum) const
     }
 }
 
-Mat3 PairRow::response(const std::vector<BodyBlock>& blocks, int size) const
+Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
 {
-    Mat3 response;
-    for (int axis = 0; axis < 3; ++axis) {
-        VectorXd momentum = VectorXd::Zero(size);
-        add_impulse(Vec3::Unit(axis), momentum);
-        for (const BodyBlock& block : blocks) {
-            auto part = momentum.segment(block.first, block.mass.rows());
-            part = block.factor.solve(part).eval();
-        }
-        response.col(axis) = rate_of(momentum);
+    Mat3 sum = Mat3::Zero();
+    for (const BodyBlock& block : blocks) {
+        Eigen::MatrixXd impulses = Eigen::MatrixXd::Zero(block.mass.rows(), 3);
+        const auto belongs = [&](const VertexMotion& part) {
+            return part.first >= block.first && part.first < block.first + block.mass.rows();
+        };
+        bool any = false;
+        for (int i = 0; i < part_count; ++i)
+            if (const VertexMotion& part = parts[static_cast<std::size_t>(i)]; belongs(part)) {
+                impulses.middleRows(part.first - block.first, part.rate.cols()) += part.rate.transpose();
+                any = true;
+            }
+        if (any)
+            sum += impulses.transpose() * block.factor.solve(impulses);
     }
-    return response;
+    return sum;
 }
 
 double residual_of(const ContactProblem& problem, const VectorXd& change, double least_speed)
@@ -182,5 +188,15 @@ ProblemSolution solve(const ContactProblem& problem, double tolerance, double le
     }
 }
 //! [solve]
+
+//! [newton_step]
+VectorXd newton_step(const ContactProblem& problem)
+{
+    const VectorXd none = VectorXd::Zero(problem.size);
+    // the coupling makes it unsymmetric
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factor(hessian(problem, none));
+    return factor.info() == Eigen::Success ? VectorXd(factor.solve(answers_to(problem, none).missing)) : none;
+}
+//! [newton_step]
 
 }  // namespace enduring

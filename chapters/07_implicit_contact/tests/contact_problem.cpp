@@ -30,7 +30,8 @@ ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiff
         row.law.normal = vector().normalized();
         row.law.depth_t0 = 0.01 * normal(random);
         row.law.stiffness = stiffness * std::exp(normal(random));
-        row.law.friction_limit = std::abs(normal(random));
+        row.law.mu = 0.5;
+        row.law.pressing = std::abs(normal(random));
         row.velocity = vector();
         const int one = static_cast<int>(random() % static_cast<unsigned>(bodies)),
                   other = (one + 1) % bodies;
