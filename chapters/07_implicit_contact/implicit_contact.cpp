@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 
 #include "chapters/04_friction/surface_turn.hpp"
+#include "chapters/07_implicit_contact/newton_matrix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,15 +50,15 @@ bool first_of_the_step(const Contacts& contacts)
 //! [next_change]
 /// Far away the convex problem leads on safely, with limits of friction from the last round. Near the answer
 /// Newton's method on the real one doubles its digits.
-Eigen::VectorXd next_change(ContactProblem& problem, bool is_near, double tolerance, double least,
-                            SolveRecord& record)
+Eigen::VectorXd next_change(ContactProblem& problem, NewtonMatrix& matrix, bool is_near, double tolerance,
+                            double least, SolveRecord& record)
 {
     if (is_near) {
         ++record.newton_steps;
-        return newton_step(problem);
+        return newton_step(problem, matrix);
     }
     problem.step.limit = FrictionLimit::lagged;
-    const ProblemSolution solution = solve(problem, 0.1 * tolerance, least);
+    const ProblemSolution solution = solve(problem, matrix, 0.1 * tolerance, least);
     record.newton_steps += solution.newton_steps;
     return solution.change;
 }
@@ -84,6 +85,7 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
     SolveRecord record{world.step, static_cast<int>(step.problem.rows.size())};
     const double least = least_speed(world, dt);
     Trust trust;
+    NewtonMatrix matrix;
     for (;; ++record.rounds) {
         look_again(world, step);
         step.problem.step.limit = FrictionLimit::coupled;
@@ -91,7 +93,7 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         record.converged = record.residual <= settings.tolerance;
         if (record.converged || record.rounds == settings.most_rounds)
             break;
-        const Eigen::VectorXd change = next_change(step.problem, trust.in(record.residual),
+        const Eigen::VectorXd change = next_change(step.problem, matrix, trust.in(record.residual),
                                                    settings.tolerance, least, record);
         apply_change(world, step, change);
     }

@@ -118,8 +118,8 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         if (row.part_count == 0 || row.law.normal.isZero(0))
             continue;
         if (first || contact.stiffness == 0) {
-            adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass_of(row, step.problem), choice,
-                            step_law.dt);
+            const double mass = contact.stiffness == 0 ? mass_of(row, step.problem) : 0;
+            adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, choice, step_law.dt);
             look_at(world, contact, step_law, row);
         }
         row.law.stiffness = contact.stiffness;

@@ -2,6 +2,8 @@
 
 #include "common/fem/polar_rotation.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 
 namespace enduring {
@@ -30,6 +32,7 @@ void VertexResponse::begin_step(double dt)
     if (dt != dt_) {
         vertices_.clear();
         place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
+        massive_.clear();
     }
     dt_ = dt;
 }
@@ -157,5 +160,43 @@ Vec3 VertexResponse::tried_change(int vertex)
     own.change_of = trial_state_;
     return own.change;
 }
+
+Eigen::MatrixXd VertexResponse::local_mass_of(std::span<const int> vertices)
+{
+    constexpr double softening = 0.05;
+    const auto size = static_cast<Eigen::Index>(3 * vertices.size());
+    Eigen::MatrixXd response(size, size);
+    for (std::size_t u = 0; u < vertices.size(); ++u)
+        for (std::size_t v = 0; v <= u; ++v) {
+            const int i = column_of(vertices[u]), j = column_of(vertices[v]);
+            const Mat3& local = stored(i, j).matrix;
+            // the lower half is all that the factorisation looks at
+            response.block<3, 3>(static_cast<Eigen::Index>(3 * u),
+                                 static_cast<Eigen::Index>(3 * v)) = i >= j ? local : Mat3(local.transpose());
+        }
+    response.diagonal() *= 1 + softening;
+    return response.llt().solve(Eigen::MatrixXd::Identity(size, size));
+}
+
+//! [mass_of]
+Eigen::MatrixXd VertexResponse::mass_of(std::span<const int> vertices)
+{
+    if (!std::equal(vertices.begin(), vertices.end(), massive_.begin(), massive_.end())) {
+        local_mass_ = local_mass_of(vertices);
+        massive_.assign(vertices.begin(), vertices.end());
+    }
+    Eigen::MatrixXd mass(local_mass_.rows(), local_mass_.cols());
+    std::vector<Mat3> frames;
+    for (const int vertex : vertices)
+        frames.push_back(frame(vertices_[column_of(vertex)]));
+    for (std::size_t u = 0; u < vertices.size(); ++u)
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            const auto row = static_cast<Eigen::Index>(3 * u), column = static_cast<Eigen::Index>(3 * v);
+            mass.block<3, 3>(row, column) = frames[u] * local_mass_.block<3, 3>(row, column) *
+                                            frames[v].transpose();
+        }
+    return mass;
+}
+//! [mass_of]
 
 }  // namespace enduring

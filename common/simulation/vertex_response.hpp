@@ -38,6 +38,10 @@ public:
     /// What all impulses of the trial change at a vertex [m/s].
     Vec3 tried_change(int vertex);
 
+    /// The inverse of the blocks of these vertices, as one matrix [kg]. Learned in other positions of the
+    /// elements, they need not belong to a positive matrix: a part of their diagonal on top makes it one.
+    Eigen::MatrixXd mass_of(std::span<const int> vertices);
+
 private:
     /// Velocities of all nodes for a unit impulse along each axis [1/kg].
     using UnitResponses = std::array<NodalVectors, 3>;
@@ -63,6 +67,7 @@ private:
     UnitResponses unit_responses(int vertex) const;
     Mat3 block_to(const UnitResponses& responses, int vertex) const;
     const Mat3& frame(Vertex& vertex);
+    Eigen::MatrixXd local_mass_of(std::span<const int> vertices);
 
     const ElasticBody& body_;
     const SurfaceEmbedding& embedding_;
@@ -71,8 +76,10 @@ private:
     long trial_state_ = 0;    ///< counts what is tried
     std::vector<int> place_;  ///< of each surface vertex among those computed, -1 before
     std::vector<Vertex> vertices_;
-    std::vector<int> tried_;  ///< places of vertices that were pushed in this trial
-    std::vector<int> new_;    ///< places of those computed in this step
+    std::vector<int> tried_;      ///< places of vertices that were pushed in this trial
+    std::vector<int> new_;        ///< places of those computed in this step
+    std::vector<int> massive_;    ///< vertices that were asked for their mass
+    Eigen::MatrixXd local_mass_;  ///< theirs, in their frames, where it is the same in every step
 };
 
 }  // namespace enduring
