@@ -20,6 +20,22 @@ std::vector<int> elements_at(const ElasticMesh& mesh, int node)
     return found;
 }
 
+//! [softened_inverse]
+/// Ten times the part of the diagonal that makes it positive keeps it off the border.
+Eigen::MatrixXd softened_inverse(const Eigen::MatrixXd& response)
+{
+    const auto softened = [&](double part) {
+        Eigen::MatrixXd matrix = response;
+        matrix.diagonal() *= 1 + part;
+        return matrix;
+    };
+    double part = 1e-5;
+    while (softened(part).llt().info() != Eigen::Success && part < 1)
+        part *= 10;
+    return softened(10 * part).llt().solve(Eigen::MatrixXd::Identity(response.rows(), response.cols()));
+}
+//! [softened_inverse]
+
 }  // namespace
 
 void VertexResponse::begin_step(double dt)
@@ -163,7 +179,6 @@ Vec3 VertexResponse::tried_change(int vertex)
 
 Eigen::MatrixXd VertexResponse::local_mass_of(std::span<const int> vertices)
 {
-    constexpr double softening = 0.05;
     const auto size = static_cast<Eigen::Index>(3 * vertices.size());
     Eigen::MatrixXd response(size, size);
     for (std::size_t u = 0; u < vertices.size(); ++u)
@@ -174,8 +189,7 @@ Eigen::MatrixXd VertexResponse::local_mass_of(std::span<const int> vertices)
             response.block<3, 3>(static_cast<Eigen::Index>(3 * u),
                                  static_cast<Eigen::Index>(3 * v)) = i >= j ? local : Mat3(local.transpose());
         }
-    response.diagonal() *= 1 + softening;
-    return response.llt().solve(Eigen::MatrixXd::Identity(size, size));
+    return softened_inverse(response);
 }
 
 //! [mass_of]
