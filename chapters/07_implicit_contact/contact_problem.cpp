@@ -1,6 +1,6 @@
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 
-#include <Eigen/SparseCholesky>
+#include "chapters/07_implicit_contact/newton_matrix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,33 +51,6 @@ double residual_from(const ContactProblem& problem, const VectorXd& gradient, co
 {
     return speed_of(problem, gradient) / std::max(least_speed, speed_of(problem, total));
 }
-
-//! [hessian]
-/// A + J^T S J, S the stiffening of each pair.
-Eigen::SparseMatrix<double> hessian(const ContactProblem& problem, const VectorXd& change)
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&](int row, int column, const auto& block) {
-        for (Eigen::Index j = 0; j < block.cols(); ++j)
-            for (Eigen::Index i = 0; i < block.rows(); ++i)
-                entries.emplace_back(row + static_cast<int>(i), column + static_cast<int>(j), block(i, j));
-    };
-    for (const BodyBlock& block : problem.blocks)
-        add(block.first, block.first, block.mass);
-    for (const PairRow& row : problem.rows) {
-        const Mat3 stiffening = answer(row.law, row.velocity_after(change), problem.step).stiffening;
-        for (int i = 0; i < row.part_count; ++i)
-            for (int j = 0; j < row.part_count; ++j) {
-                const VertexMotion &one = row.parts[static_cast<std::size_t>(i)],
-                                   &other = row.parts[static_cast<std::size_t>(j)];
-                add(one.first, other.first, (one.rate.transpose() * stiffening * other.rate).eval());
-            }
-    }
-    Eigen::SparseMatrix<double> matrix(problem.size, problem.size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
-//! [hessian]
 
 //! [line_search]
 /// How far to go along a direction: to where the slope of the objective,
@@ -139,19 +112,24 @@ void PairRow::add_impulse(const Vec3& impulse, VectorXd& sum) const
     }
 }
 
-Mat3 PairRow::response(const std::vector<BodyBlock>& blocks, int size) const
+Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
 {
-    Mat3 response;
-    for (int axis = 0; axis < 3; ++axis) {
-        VectorXd momentum = VectorXd::Zero(size);
-        add_impulse(Vec3::Unit(axis), momentum);
-        for (const BodyBlock& block : blocks) {
-            auto part = momentum.segment(block.first, block.mass.rows());
-            part = block.factor.solve(part).eval();
-        }
-        response.col(axis) = rate_of(momentum);
+    Mat3 sum = Mat3::Zero();
+    for (const BodyBlock& block : blocks) {
+        Eigen::MatrixXd impulses = Eigen::MatrixXd::Zero(block.mass.rows(), 3);
+        const auto belongs = [&](const VertexMotion& part) {
+            return part.first >= block.first && part.first < block.first + block.mass.rows();
+        };
+        bool any = false;
+        for (int i = 0; i < part_count; ++i)
+            if (const VertexMotion& part = parts[static_cast<std::size_t>(i)]; belongs(part)) {
+                impulses.middleRows(part.first - block.first, part.rate.cols()) += part.rate.transpose();
+                any = true;
+            }
+        if (any)
+            sum += impulses.transpose() * block.factor.solve(impulses);
     }
-    return response;
+    return sum;
 }
 
 double residual_of(const ContactProblem& problem, const VectorXd& change, double least_speed)
@@ -161,11 +139,11 @@ double residual_of(const ContactProblem& problem, const VectorXd& change, double
 }
 
 //! [solve]
-ProblemSolution solve(const ContactProblem& problem, double tolerance, double least_speed, int most_steps)
+ProblemSolution solve(const ContactProblem& problem, NewtonMatrix& matrix, double tolerance,
+                      double least_speed, int most_steps)
 {
     ProblemSolution solution;
     solution.change = VectorXd::Zero(problem.size);
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor;
     for (;; ++solution.newton_steps) {
         const Answers answers = answers_to(problem, solution.change);
         const VectorXd gradient = times_mass(problem, solution.change) - answers.missing;
@@ -173,14 +151,16 @@ ProblemSolution solve(const ContactProblem& problem, double tolerance, double le
         solution.converged = solution.residual <= tolerance;
         if (solution.converged || solution.newton_steps == most_steps)
             return solution;
-        const Eigen::SparseMatrix<double> matrix = hessian(problem, solution.change);
-        if (solution.newton_steps == 0)
-            factor.analyzePattern(matrix);
-        factor.factorize(matrix);
-        const VectorXd direction = factor.solve(-gradient);
+        const VectorXd direction = matrix.solve(problem, solution.change, -gradient);
         solution.change += step_length(problem, solution.change, direction) * direction;
     }
 }
 //! [solve]
+
+VectorXd newton_step(const ContactProblem& problem, NewtonMatrix& matrix)
+{
+    const VectorXd none = VectorXd::Zero(problem.size);
+    return matrix.solve(problem, none, answers_to(problem, none).missing);
+}
 
 }  // namespace enduring

@@ -33,10 +33,12 @@ struct PairRow {
     /// what an impulse on p does to the coordinates
     void add_impulse(const Vec3& impulse, Eigen::VectorXd& sum) const;
     /// change of its velocity per impulse on p [1/kg]
-    Mat3 response(const std::vector<BodyBlock>& blocks, int size) const;
+    Mat3 response(const std::vector<BodyBlock>& blocks) const;
 };
 
-/// One step of all bodies in touch as one convex problem: find the change
+class NewtonMatrix;
+
+/// One step of all bodies in touch as one problem, convex while friction's limits are lagged: find the change
 /// x of their predicted velocities that makes
 ///   1/2 x^T A x  +  sum over pairs of (potential(velocity + J x) + acting . J x)
 /// least. Where it is least, A x is what the pairs answer to the
@@ -63,9 +65,14 @@ struct ProblemSolution {
 double residual_of(const ContactProblem& problem, const Eigen::VectorXd& change, double least_speed);
 
 /// Newton's method with the exact Hessian and a line search, from x = 0.
+/// @param matrix       of the step's problems, kept from one to the next
 /// @param tolerance    of the residual
 /// @param least_speed  sqrt(kg) m/s: what counts as a momentum at all
-ProblemSolution solve(const ContactProblem& problem, double tolerance, double least_speed,
-                      int most_steps = 100);
+ProblemSolution solve(const ContactProblem& problem, NewtonMatrix& matrix, double tolerance,
+                      double least_speed, int most_steps = 100);
+
+/// One full step of Newton's method from x = 0, for a problem that is nearly
+/// solved, with limits that need not be lagged.
+Eigen::VectorXd newton_step(const ContactProblem& problem, NewtonMatrix& matrix);
 
 }  // namespace enduring

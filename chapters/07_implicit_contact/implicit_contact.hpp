@@ -1,8 +1,6 @@
 #pragma once
 
-#include "chapters/07_implicit_contact/pair_memory.hpp"
-#include "common/simulation/contact_parameters.hpp"
-#include "common/simulation/step.hpp"
+#include "chapters/07_implicit_contact/step_problem.hpp"
 
 #include <functional>
 
@@ -11,21 +9,25 @@ namespace enduring {
 /// How the one problem of a step was solved.
 struct SolveRecord {
     int step = 0;
+    int pairs = 0;
     int rounds = 0;        ///< how often the problem was set up anew from the motion that its answer made
     int newton_steps = 0;  ///< of all rounds
-    int pairs = 0;
-    /// of the last problem, with its friction limits and normals as the answer made them
+    /// of the last problem, with friction's limits and the normals as its answer made them
     double residual = 0;
     bool converged = false;
 };
 
+/// Says on the standard error stream which step is not solved, and how well it is.
+void tell_unconverged(const SolveRecord& record);
+
+/// The same for all scenes but for the coefficients of friction, which are the scene's.
 struct ImplicitSettings {
     StiffnessChoice stiffness;
-    double centre = 1;  ///< of the weight over the step
-    double mu_s = 0, mu_d = 0;
+    Coefficients friction;
+    double centre = 1;        ///< of the weight over the step
     double tolerance = 1e-6;  ///< of the residual
     int most_rounds = 30;
-    std::function<void(const SolveRecord&)> record = [](const SolveRecord&) {};
+    std::function<void(const SolveRecord&)> record = tell_unconverged;
 };
 
 /// Response: finds the impulses of all pairs together, from the motion that they make, and applies them.

@@ -19,6 +19,10 @@ int main(int argc, char** argv)
                 {"stack", "stacks of cubes, equal and 1000 : 1, with nothing to choose", chapter07::stack},
                 {"slope", "a cube on a slope: from which coefficient it holds, and how fast it slides",
                  chapter07::slope},
+                {"rolling", "a ball on a slope: how fast it rolls", chapter07::rolling},
+                {"heap", "cubes dropped on a heap", chapter07::heap},
+                {"creep", "a soft cube on a slope of triangles, over its mesh, stiffness, step and mass",
+                 chapter07::creep},
             },
         });
 }

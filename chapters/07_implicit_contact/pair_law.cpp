@@ -12,23 +12,26 @@ PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step
     const auto [impulse, slope] = weighted_impulse(pair.depth_t0, pair.depth_t0 + dt * n.dot(velocity),
                                                    step.centre, k, dt);
     PairAnswer result{impulse * n, Vec3::Zero(), -dt * slope * n * n.transpose()};
-    if (pair.friction_limit <= 0)
+    const bool coupled = step.limit == FrictionLimit::coupled;
+    const double limit = pair.mu * (coupled ? impulse : pair.pressing);
+    if (limit <= 0)
         return result;
 
     // A spring that gives: its end moves with p, its impulse never exceeds the limit.
     const Mat3 along = Mat3::Identity() - n * n.transpose();
     const Vec3 wanted = -k * dt * (along * (pair.stretch + dt * velocity));
     const double size = wanted.norm();
-    result.slips = size > pair.friction_limit;
+    result.slips = size > limit;
     if (!result.slips) {
         result.friction = wanted;
         result.stiffening += k * dt * dt * along;
-    } else {
-        const double share = pair.friction_limit / size;
-        const Vec3 direction = wanted / size;
-        result.friction = share * wanted;
-        result.stiffening += share * k * dt * dt * (along - direction * direction.transpose());
+        return result;
     }
+    const Vec3 direction = wanted / size;
+    result.friction = limit * direction;
+    result.stiffening += limit / size * k * dt * dt * (along - direction * direction.transpose());
+    if (coupled)
+        result.stiffening -= pair.mu * dt * slope * direction * n.transpose();
     return result;
 }
 //! [answer]

@@ -4,25 +4,32 @@
 
 namespace enduring {
 
-/// What a pair answers to its motion in one step. Its normal stands still, and the limit of its friction is
-/// known beforehand, so its impulse is the slope of a convex potential of the velocity of p against q.
+/// What decides what a pair answers to its motion in one step. Its normal stands still.
 struct PairLaw {
     Vec3 normal = Vec3::UnitY();  ///< unit length, out of B
     double depth_t0 = 0;          ///< at the start of the step, from where its spring is slack [m]
     double stiffness = 0;         ///< k, along the normal and along the surface [N/m]
     Vec3 stretch = Vec3::Zero();  ///< of its friction at the start of the step, along the surface [m]
-    double friction_limit = 0;    ///< largest impulse along the surface [N s]
+    double mu = 0;                ///< coefficient of friction
+    /// normal impulse that friction's limit is taken from while it is lagged [N s]
+    double pressing = 0;
 };
+
+/// Where the limit of friction comes from: a normal impulse that is known, then the
+/// impulse is the slope of a convex potential of the velocity; or the one that the same
+/// motion makes, as it should be, then there is no potential.
+enum class FrictionLimit { lagged, coupled };
 
 /// What all pairs share.
 struct StepLaw {
     double centre = 1;  ///< of the weight over the step, in [1/2, 1]
     double dt = 0.01;   ///< [s]
+    FrictionLimit limit = FrictionLimit::lagged;
 };
 
 struct PairAnswer {
     Vec3 normal_impulse, friction;  ///< on p [N s]
-    /// minus the derivative of their sum by the velocity, positive semidefinite [kg]
+    /// minus the derivative of their sum by the velocity [kg]; symmetric, never negative if lagged
     Mat3 stiffening;
     bool slips = false;
 };

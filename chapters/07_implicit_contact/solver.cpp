@@ -9,10 +9,8 @@ void take_coefficients(const FrictionParameters& friction, ImplicitSettings& set
 {
     std::visit(
         [&](const auto& model) {
-            if constexpr (requires { model.mu_s; }) {
-                settings.mu_s = model.mu_s;
-                settings.mu_d = model.mu_d;
-            }
+            if constexpr (requires { model.mu_s; })
+                settings.friction = {model.mu_s, model.mu_d};
         },
         friction);
 }
@@ -27,11 +25,12 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     frictionless.friction = NoFriction{};
     Solver solver = chapter06_solver(frictionless);
     solver.name = "chapter 7";
-    solver.replace("impulses", "answer all pairs", [settings](World& world, Contacts& contacts, double dt) {
-        answer_all_pairs(world, contacts, settings, dt);
-    });
-    solver.append(StepStage::finish, "remember pairs",
-                  [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
+    solver.replace("impulses", {"answer all pairs", [settings](World& world, Contacts& contacts, double dt) {
+                                    answer_all_pairs(world, contacts, settings, dt);
+                                }});
+    solver.append(StepStage::finish, {"remember pairs", [](World& world, Contacts& contacts, double dt) {
+                                          remember_pairs(world, contacts, dt);
+                                      }});
     return solver;
 }
 //! [solver]

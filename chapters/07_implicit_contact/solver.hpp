@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
+#include "common/simulation/contact_parameters.hpp"
 
 namespace enduring {
 

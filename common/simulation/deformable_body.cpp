@@ -154,31 +154,35 @@ Mat3 DeformableBody::inverse_mass(int vertex) const
     return embedding_.inverse_mass(vertex, elastic_.inverse_masses()) * Mat3::Identity();
 }
 
-/// Velocity change at u per impulse at v [1/kg].
-Mat3 DeformableBody::response_between(int u, int v) const
+/// Velocity change at u per impulse at v [1/kg], by the nodes that both have.
+double DeformableBody::shared_response(int u, int v) const
 {
-    if (impulse_response_ == ImpulseResponse::implicit)
-        return vertex_response_.block(u, v);
     double shared = 0;
     for (const auto& [node, weight] : embedding_.nodes_of(u))
         for (const auto& [other, other_weight] : embedding_.nodes_of(v))
             shared += node == other ? weight * other_weight * elastic_.inverse_masses()[node] : 0;
-    return shared * Mat3::Identity();
+    return shared;
 }
 
 Eigen::MatrixXd DeformableBody::contact_mass(std::span<const int> touched) const
 {
-    // Learned in other positions of the elements, the blocks need not belong to a positive matrix: a part of
-    // the diagonal on top makes it one, and the vertices a little softer than they are.
+    if (impulse_response_ == ImpulseResponse::implicit)
+        return vertex_response_.mass_of(touched);
+    // Where there are more vertices than nodes, only a part of the diagonal on top makes it positive.
     constexpr double softening = 0.05;
-    const auto size = static_cast<Eigen::Index>(3 * touched.size());
-    Eigen::MatrixXd response(size, size);
-    for (std::size_t i = 0; i < touched.size(); ++i)
-        for (std::size_t j = 0; j < touched.size(); ++j)
-            response.block<3, 3>(static_cast<Eigen::Index>(3 * i),
-                                 static_cast<Eigen::Index>(3 * j)) = response_between(touched[i], touched[j]);
+    const auto count = static_cast<Eigen::Index>(touched.size());
+    Eigen::MatrixXd response(count, count);  // the same along every axis
+    for (Eigen::Index i = 0; i < count; ++i)
+        for (Eigen::Index j = 0; j < count; ++j)
+            response(i, j) = shared_response(touched[static_cast<std::size_t>(i)],
+                                             touched[static_cast<std::size_t>(j)]);
     response.diagonal() *= 1 + softening;
-    return response.llt().solve(Eigen::MatrixXd::Identity(size, size));
+    const Eigen::MatrixXd along_axis = response.llt().solve(Eigen::MatrixXd::Identity(count, count));
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+    for (Eigen::Index i = 0; i < count; ++i)
+        for (Eigen::Index j = 0; j < count; ++j)
+            mass.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(along_axis(i, j));
+    return mass;
 }
 
 VertexMotion DeformableBody::contact_motion(std::span<const int>, std::size_t index, double) const

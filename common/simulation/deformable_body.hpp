@@ -74,7 +74,7 @@ private:
     DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh, SurfaceEmbedding embedding,
                    const DeformableSettings& settings);
 
-    Mat3 response_between(int u, int v) const;
+    double shared_response(int u, int v) const;
 
     ElasticBody elastic_;
     SurfaceEmbedding embedding_;

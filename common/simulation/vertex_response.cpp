@@ -2,6 +2,8 @@
 
 #include "common/fem/polar_rotation.hpp"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
 
 namespace enduring {
@@ -18,6 +20,22 @@ std::vector<int> elements_at(const ElasticMesh& mesh, int node)
     return found;
 }
 
+//! [softened_inverse]
+/// Ten times the part of the diagonal that makes it positive keeps it off the border.
+Eigen::MatrixXd softened_inverse(const Eigen::MatrixXd& response)
+{
+    const auto softened = [&](double part) {
+        Eigen::MatrixXd matrix = response;
+        matrix.diagonal() *= 1 + part;
+        return matrix;
+    };
+    double part = 1e-5;
+    while (softened(part).llt().info() != Eigen::Success && part < 1)
+        part *= 10;
+    return softened(10 * part).llt().solve(Eigen::MatrixXd::Identity(response.rows(), response.cols()));
+}
+//! [softened_inverse]
+
 }  // namespace
 
 void VertexResponse::begin_step(double dt)
@@ -29,6 +47,7 @@ void VertexResponse::begin_step(double dt)
     if (dt != dt_) {
         vertices_.clear();
         place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
+        massive_.clear();
     }
     dt_ = dt;
 }
@@ -153,5 +172,41 @@ Vec3 ResponseTrial::change(int vertex)
     own.change_of = pushes_;
     return own.change;
 }
+
+Eigen::MatrixXd VertexResponse::local_mass_of(std::span<const int> vertices)
+{
+    const auto size = static_cast<Eigen::Index>(3 * vertices.size());
+    Eigen::MatrixXd response(size, size);
+    for (std::size_t u = 0; u < vertices.size(); ++u)
+        for (std::size_t v = 0; v <= u; ++v) {
+            const int i = column_of(vertices[u]), j = column_of(vertices[v]);
+            const Mat3& local = stored(i, j).matrix;
+            // the lower half is all that the factorisation looks at
+            response.block<3, 3>(static_cast<Eigen::Index>(3 * u),
+                                 static_cast<Eigen::Index>(3 * v)) = i >= j ? local : Mat3(local.transpose());
+        }
+    return softened_inverse(response);
+}
+
+//! [mass_of]
+Eigen::MatrixXd VertexResponse::mass_of(std::span<const int> vertices)
+{
+    if (!std::equal(vertices.begin(), vertices.end(), massive_.begin(), massive_.end())) {
+        local_mass_ = local_mass_of(vertices);
+        massive_.assign(vertices.begin(), vertices.end());
+    }
+    Eigen::MatrixXd mass(local_mass_.rows(), local_mass_.cols());
+    std::vector<Mat3> frames;
+    for (const int vertex : vertices)
+        frames.push_back(frame(vertices_[column_of(vertex)]));
+    for (std::size_t u = 0; u < vertices.size(); ++u)
+        for (std::size_t v = 0; v < vertices.size(); ++v) {
+            const auto row = static_cast<Eigen::Index>(3 * u), column = static_cast<Eigen::Index>(3 * v);
+            mass.block<3, 3>(row, column) = frames[u] * local_mass_.block<3, 3>(row, column) *
+                                            frames[v].transpose();
+        }
+    return mass;
+}
+//! [mass_of]
 
 }  // namespace enduring

@@ -32,6 +32,10 @@ public:
     /// eigenvalue above its largest such sum, this bounds what they do together.
     double response_bound(int vertex, std::span<const Push> pushes);
 
+    /// The inverse of the blocks of these vertices, as one matrix [kg]. Learned in other positions of the
+    /// elements, they need not belong to a positive matrix: a part of their diagonal on top makes it one.
+    Eigen::MatrixXd mass_of(std::span<const int> vertices);
+
 private:
     friend class ResponseTrial;
 
@@ -55,6 +59,7 @@ private:
     UnitResponses unit_responses(int vertex) const;
     Mat3 block_to(const UnitResponses& responses, int vertex) const;
     const Mat3& frame(Vertex& vertex);
+    Eigen::MatrixXd local_mass_of(std::span<const int> vertices);
 
     const ElasticBody& body_;
     const SurfaceEmbedding& embedding_;
@@ -62,7 +67,9 @@ private:
     int step_ = 0;
     std::vector<int> place_;  ///< of each surface vertex among those computed, -1 before
     std::vector<Vertex> vertices_;
-    std::vector<int> new_;  ///< places of those computed in this step
+    std::vector<int> new_;        ///< places of those computed in this step
+    std::vector<int> massive_;    ///< vertices that were asked for their mass
+    Eigen::MatrixXd local_mass_;  ///< theirs, in their frames, where it is the same in every step
 };
 
 /// Impulses at surface vertices that are tried out, and what all of them change at a vertex.

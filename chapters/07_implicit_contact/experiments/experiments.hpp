@@ -9,5 +9,8 @@ void ring(const RunOptions& options, Report& report);
 void free_bounce(const RunOptions& options, Report& report);
 void stack(const RunOptions& options, Report& report);
 void slope(const RunOptions& options, Report& report);
+void rolling(const RunOptions& options, Report& report);
+void heap(const RunOptions& options, Report& report);
+void creep(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter07

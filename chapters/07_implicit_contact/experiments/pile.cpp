@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace enduring::chapter07 {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 std::unique_ptr<Body> body_of(const Box& box, const std::string& name)
 {
     SurfaceMesh mesh = enduring::box(Vec3::Ones());
-    const Eigen::AngleAxisd turn(box.turn_deg * std::numbers::pi / 180, Vec3::UnitY());
+    const Eigen::AngleAxisd turn(box.turn_deg * std::numbers::pi / 180, box.axis);
     for (Vec3& vertex : mesh.vertices)
         vertex = box.centre + turn * vertex;
     return std::make_unique<RigidBody>(name, mesh, with_mass(mass_properties(mesh, 1000), box.mass));
@@ -57,6 +58,20 @@ std::vector<Box> stack_of(int n, double first_mass, double last_mass, double tur
     return boxes;
 }
 
+std::vector<Box> loose_cubes(int n, int side, unsigned seed)
+{
+    std::mt19937 random(seed);
+    const auto number = [&] { return static_cast<double>(random()) / std::mt19937::max(); };  // 0 to 1
+    std::vector<Box> boxes;
+    for (int i = 0; i < n; ++i) {
+        const int layer = i / (side * side), place = i % (side * side);
+        const Vec3 at(place % side - 0.5 * (side - 1), 0.6 + layer, place / side - 0.5 * (side - 1));
+        const double x = number(), y = number(), z = number(), turn_deg = 180 * number();
+        boxes.push_back({10, 1.8 * at, turn_deg, (Vec3(x, y, z) - Vec3::Constant(0.5)).normalized()});
+    }
+    return boxes;
+}
+
 void SolveStatistics::add(const SolveRecord& record)
 {
     ++solves;
@@ -65,7 +80,7 @@ void SolveStatistics::add(const SolveRecord& record)
     worst_residual = std::max(worst_residual, record.residual);
 }
 
-PileOutcome watch(Scene& scene, double duration)
+PileOutcome watch(Scene& scene, double duration, Probe* observer)
 {
     PileOutcome outcome;
     ImplicitSettings settings;
@@ -79,14 +94,19 @@ PileOutcome watch(Scene& scene, double duration)
     const double first = total_energy(world).total();
     const int steps = static_cast<int>(std::lround(duration / scene.dt));
     std::vector<Vec3> at_half_time;
+    if (observer)
+        observer->observe(world, contacts, scene.dt);
     for (int i = 0; i < steps; ++i) {
         if (i == steps / 2)
             for (const auto& body : world.bodies)
                 at_half_time.push_back(body->centre());
         advance(world, contacts, solver, scene.dt);
         outcome.energy_gain_j = std::max(outcome.energy_gain_j, total_energy(world).total() - first);
+        outcome.deepest_mm = 1000 * deepest(world, contacts);
+        outcome.deepest_ever_mm = std::max(outcome.deepest_ever_mm, outcome.deepest_mm);
+        if (observer)
+            observer->observe(world, contacts, scene.dt);
     }
-    outcome.deepest_mm = 1000 * deepest(world, contacts);
     for (std::size_t body = 0; body < at_half_time.size(); ++body)
         outcome.drift_um_per_s = std::max(
             outcome.drift_um_per_s,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
+#include "common/experiments/run/probes.hpp"
 #include "common/scenes/scene.hpp"
 
 #include <string>
@@ -12,7 +13,8 @@ namespace enduring::chapter07 {
 struct Box {
     double mass = 10;  ///< [kg]
     Vec3 centre = Vec3::Zero();
-    double turn_deg = 0;  ///< about y
+    double turn_deg = 0;  ///< about the axis
+    Vec3 axis = Vec3::UnitY();
 };
 
 /// Rigid cubes of 1 m on the plane y = 0 or on a slope: gravity is turned, not
@@ -24,6 +26,11 @@ Scene scene_of(const std::vector<Box>& boxes, double dt, double slope_deg = 0, d
 /// n cubes on one another, each turned by 7 degrees against the one below,
 /// the first and the last of other masses if asked.
 std::vector<Box> stack_of(int n, double first_mass = 10, double last_mass = 10, double turn_deg = 7);
+
+/// n cubes of 10 kg in square layers above the ground, each turned at random, far enough from one another
+/// not to touch.
+/// @param side  cubes along each side of a layer
+std::vector<Box> loose_cubes(int n, int side, unsigned seed);
 
 /// How well the steps of a run were solved.
 struct SolveStatistics {
@@ -37,13 +44,14 @@ struct SolveStatistics {
 /// What is left of a pile when it has come to rest.
 struct PileOutcome {
     double deepest_mm = 0;          ///< deepest pair at the end
+    double deepest_ever_mm = 0;     ///< and in any step
     double drift_um_per_s = 0;      ///< fastest body, by where it is at half time and at the end
     double energy_gain_j = 0;       ///< most that the energy rose above the first
     long newton_steps_at_rest = 0;  ///< of the last step
     SolveStatistics solves;
 };
 
-/// Runs a scene with this chapter's solver.
-PileOutcome watch(Scene& scene, double duration);
+/// Runs a scene with this chapter's solver; the observer, if any, sees the first state and each step.
+PileOutcome watch(Scene& scene, double duration, Probe* observer = nullptr);
 
 }  // namespace enduring::chapter07

@@ -1,5 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/experiments/render/film_probes.hpp"
 
 #include <algorithm>
 
@@ -35,7 +36,14 @@ void stack(const RunOptions& options, Report& report)
     double deepest = 0, drift = 0;
     for (const Case& c : all_cases()) {
         Scene scene = scene_of(c.boxes, c.dt);
-        const PileOutcome outcome = watch(scene, options.quick ? 2 : 20);
+        const double duration = options.quick ? 2 : 20;
+        scene.camera = {Vec3(9, 9, 24), Vec3(0, 9, 0), 50};
+        StripProbe strip(
+            scene, {0, duration - c.dt}, [](auto&&...) {}, 320, 480);
+        const bool drawn = c.boxes.size() == 20 && c.dt == 0.01;
+        const PileOutcome outcome = watch(scene, duration, drawn ? &strip : nullptr);
+        if (drawn)
+            write_png(strip.all(2), report.file("stack.png"));
         table.add({c.name, c.dt, outcome.deepest_mm, outcome.drift_um_per_s, outcome.energy_gain_j,
                    static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,
                    outcome.solves.unconverged, outcome.solves.solves});

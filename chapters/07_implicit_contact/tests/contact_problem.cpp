@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 
 #include "chapters/07_implicit_contact/implicit_particle.hpp"
+#include "chapters/07_implicit_contact/newton_matrix.hpp"
 
 #include <doctest/doctest.h>
 
@@ -30,7 +31,8 @@ ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiff
         row.law.normal = vector().normalized();
         row.law.depth_t0 = 0.01 * normal(random);
         row.law.stiffness = stiffness * std::exp(normal(random));
-        row.law.friction_limit = std::abs(normal(random));
+        row.law.mu = 0.5;
+        row.law.pressing = std::abs(normal(random));
         row.velocity = vector();
         const int one = static_cast<int>(random() % static_cast<unsigned>(bodies)),
                   other = (one + 1) % bodies;
@@ -40,6 +42,12 @@ ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiff
         problem.rows.push_back(row);
     }
     return problem;
+}
+
+ProblemSolution solved(const ContactProblem& problem, double tolerance)
+{
+    NewtonMatrix matrix;
+    return solve(problem, matrix, tolerance, 1e-9);
 }
 
 }  // namespace
@@ -65,7 +73,7 @@ TEST_CASE("contact problem: one particle on a plane moves as the implicit partic
             row.parts[0] = {0, Mat3::Identity()};
             row.part_count = 1;
             problem.rows.push_back(row);
-            const ProblemSolution solution = solve(problem, 1e-12, 1e-9);
+            const ProblemSolution solution = solved(problem, 1e-12);
             CHECK(solution.converged);
             CHECK(row.velocity_after(solution.change).y() ==
                   doctest::Approx(expected.velocity).epsilon(1e-9));
@@ -78,7 +86,7 @@ TEST_CASE("contact problem: every random one is solved, whatever the stiffness a
         for (const double stiffness : {1e2, 1e5, 1e8}) {
             const ContactProblem problem = random_problem(seed, 3 + static_cast<int>(seed % 10),
                                                           20 + static_cast<int>(seed), stiffness);
-            const ProblemSolution solution = solve(problem, 1e-8, 1e-9);
+            const ProblemSolution solution = solved(problem, 1e-8);
             CAPTURE(seed);
             CAPTURE(stiffness);
             CHECK(solution.converged);
@@ -90,12 +98,38 @@ TEST_CASE("contact problem: every random one is solved, whatever the stiffness a
 TEST_CASE("contact problem: impulses that act already are not given twice")
 {
     ContactProblem problem = random_problem(4, 5, 20, 1e4);
-    const ProblemSolution first = solve(problem, 1e-12, 1e-9);
+    const ProblemSolution first = solved(problem, 1e-12);
     for (PairRow& row : problem.rows) {
         const PairAnswer made = answer(row.law, row.velocity_after(first.change), problem.step);
         row.acting = made.normal_impulse + made.friction;
         row.velocity = row.velocity_after(first.change);
     }
     CHECK(residual_of(problem, Eigen::VectorXd::Zero(problem.size), 1e-9) <= 1e-10);
-    CHECK(solve(problem, 1e-9, 1e-9).newton_steps == 0);
+    CHECK(solved(problem, 1e-9).newton_steps == 0);
+}
+
+TEST_CASE(
+    "newton matrix: dense or sparse, symmetric or not, it solves with A + J^T S J of the present change")
+{
+    for (unsigned seed = 0; seed < 20; ++seed)
+        for (const int bodies :
+             {4, 40})  // their blocks fill a quarter of the matrix, and less than an eighth
+            for (const FrictionLimit limit : {FrictionLimit::lagged, FrictionLimit::coupled}) {
+                ContactProblem problem = random_problem(seed, bodies, 20, 1e5);
+                problem.step.limit = limit;
+                NewtonMatrix matrix;
+                for (int round = 0; round < 2; ++round) {
+                    const Eigen::VectorXd at = round * Eigen::VectorXd::Ones(problem.size),
+                                          b = Eigen::VectorXd::LinSpaced(problem.size, -1, 1),
+                                          x = matrix.solve(problem, at, b);
+                    Eigen::VectorXd product = Eigen::VectorXd::Zero(problem.size);
+                    for (const BodyBlock& block : problem.blocks)
+                        product.segment<3>(block.first) = block.mass * x.segment<3>(block.first);
+                    for (const PairRow& row : problem.rows)
+                        row.add_impulse(
+                            answer(row.law, row.velocity_after(at), problem.step).stiffening * row.rate_of(x),
+                            product);
+                    CHECK((product - b).norm() <= 1e-2 * b.norm());
+                }
+            }
 }

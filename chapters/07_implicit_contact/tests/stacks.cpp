@@ -94,3 +94,17 @@ TEST_CASE(
                                      motion.rate.transpose();
     CHECK((response - mine.inverse_mass(3)).norm() <= 1e-12);
 }
+
+TEST_CASE("slope: a cube that slides does so with g (sin - mu_d cos), whatever held it before")
+{
+    Scene scene = scene_of({{10, Vec3(0, 0.5, 0), 0}}, 0.01, 20, 0.3, 0.1);
+    const Solver solver = chapter07_solver(scene.contact);
+    Contacts contacts;
+    const auto speed_after = [&](int steps) {
+        for (int i = 0; i < steps; ++i)
+            advance(scene.world, contacts, solver, scene.dt);
+        return -scene.world.bodies[0]->mean_velocity().x();
+    };
+    const double first = speed_after(50), second = speed_after(100), angle = 20 * 3.14159265358979 / 180;
+    CHECK(second - first == doctest::Approx(9.81 * (std::sin(angle) - 0.1 * std::cos(angle))).epsilon(0.002));
+}

@@ -152,3 +152,59 @@ TEST_CASE("impulse response: the implicit inverse mass turns with the body")
         CHECK((body->inverse_mass(1) - solved).norm() < 0.02 * solved.norm());
     }
 }
+
+namespace {
+
+/// Largest part by which the velocities of the touched vertices differ from what the contact mass says, for
+/// an impulse on all of them.
+double departure_from_mass(DeformableBody& body, const std::vector<int>& touched, double dt)
+{
+    body.predict(Vec3::Zero(), dt);
+    const Eigen::VectorXd impulse = Eigen::VectorXd::LinSpaced(static_cast<Eigen::Index>(3 * touched.size()),
+                                                               -1, 2),
+                          expected = body.contact_mass(touched).llt().solve(impulse);
+    Eigen::VectorXd before(impulse.size()), after(impulse.size());
+    const auto read = [&](Eigen::VectorXd& velocities) {
+        for (std::size_t i = 0; i < touched.size(); ++i)
+            velocities.segment<3>(static_cast<Eigen::Index>(3 * i)) = body.velocity(touched[i]);
+    };
+    read(before);
+    body.apply_contact_impulse(touched, impulse);
+    body.update_prediction(dt);
+    read(after);
+    return (after - before - expected).norm() / expected.norm();
+}
+
+}  // namespace
+
+TEST_CASE("contact mass: it tells what impulses do, for other vertices and another step too")
+{
+    for (const ImpulseResponse response : {ImpulseResponse::lumped, ImpulseResponse::implicit}) {
+        const auto body = soft_bar(response, true);
+        const double allowed = response == ImpulseResponse::lumped ? 0.06 : 1e-3;
+        CHECK(departure_from_mass(*body, {0, 3, 5}, 0.01) < allowed);
+        CHECK(departure_from_mass(*body, {0, 4, 5}, 0.01) < allowed);
+        CHECK(departure_from_mass(*body, {0, 4, 5}, 0.1) < allowed);
+    }
+}
+
+TEST_CASE("contact mass: it turns with the body, without being found anew")
+{
+    const std::vector<int> touched{0, 3, 5};
+    DeformableSettings settings;
+    settings.impulse_response = ImpulseResponse::implicit;
+    settings.angular_velocity = Vec3(0, 0, 100);
+    DeformableBody body("bar", bar({1, 0.2, 0.2}, {4, 1, 1}), settings);
+    body.predict(Vec3::Zero(), 0.001);
+    const Eigen::MatrixXd first = body.contact_mass(touched);
+    body.commit(0.001);
+    body.predict(Vec3::Zero(), 0.001);
+    const Eigen::MatrixXd second = body.contact_mass(touched);
+    const Mat3 turn(Eigen::AngleAxisd(std::atan(0.1), Vec3::UnitZ()));  // straight along the tangent
+    Eigen::MatrixXd turned = first;
+    for (int i = 0; i < 9; i += 3)
+        for (int j = 0; j < 9; j += 3)
+            turned.block<3, 3>(i, j) = turn * first.block<3, 3>(i, j) * turn.transpose();
+    CHECK((second - turned).norm() <= 1e-6 * first.norm());
+    CHECK((second - first).norm() > 1e-3 * first.norm());
+}

@@ -1,0 +1,84 @@
+#include "chapters/07_implicit_contact/experiments/experiments.hpp"
+#include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/simulation/deformable_body.hpp"
+#include "common/simulation/static_body.hpp"
+
+#include <algorithm>
+
+namespace enduring::chapter07 {
+namespace {
+
+struct SoftCube {
+    int cells;  ///< along each edge of 1 m
+    double young, dt, mass;
+};
+
+/// It lies on triangles that fall by 10 degrees, with mu 0.3.
+Scene on_triangles(const SoftCube& cube)
+{
+    Scene scene = scene_of(std::vector<Box>{}, cube.dt, 10, 0.3, 0.3);
+    scene.world.planes.clear();
+    SurfaceMesh ground = plane_grid(6, 6, {12, 12});
+    for (Vec3& x : ground.vertices)
+        x += Vec3(0.13, 0, 0.11);  // no vertex upon an edge
+    scene.world.bodies.push_back(std::make_unique<StaticBody>(
+        "ground", SurfaceTopology(static_cast<int>(ground.vertices.size()), ground.faces), ground.vertices));
+    DeformableSettings settings;
+    settings.material.density = cube.mass;  // its volume is 1 m^3
+    settings.material.young = cube.young;
+    settings.material.poisson = 0.3;
+    settings.material.stiffness_damping = 0.01;
+    settings.position = Vec3(0, 0.5 + 1e-4, 0);
+    settings.impulse_response = ImpulseResponse::implicit;
+    scene.world.bodies.push_back(std::make_unique<DeformableBody>(
+        "cube", bar(Vec3::Ones(), {cube.cells, cube.cells, cube.cells}), settings));
+    return scene;
+}
+
+std::vector<SoftCube> all_cubes(bool quick)
+{
+    std::vector<SoftCube> cubes;
+    for (const int cells : {2, 3, 5, 8})
+        for (const double young : {1e4, 1e5, 1e6, 1e7, 1e8})
+            for (const double dt : {0.001, 0.002, 0.005, 0.01})
+                for (const double mass : {1.0, 10.0, 100.0, 1000.0})
+                    if (!quick || (cells < 5 && dt > 0.002 && (mass == 10 || mass == 100) &&
+                                   (young == 1e5 || young == 1e7)))
+                        cubes.push_back({cells, young, dt, mass});
+    return cubes;
+}
+
+}  // namespace
+
+/// Does a soft cube creep where it should hold, whatever its mesh, stiffness, mass and step are?
+void creep(const RunOptions& options, Report& report)
+{
+    Table table({"cells", "young_pa", "dt_s", "mass_kg", "creep_um_per_s", "deepest_mm", "energy_gain_j",
+                 "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"});
+    double fastest = 0, deepest = 0;
+    long still = 0, shallow = 0, unconverged = 0;
+    for (const SoftCube& cube : all_cubes(options.quick)) {
+        Scene scene = on_triangles(cube);
+        const PileOutcome outcome = watch(scene, 4);
+        table.add({static_cast<long>(cube.cells), cube.young, cube.dt, cube.mass, outcome.drift_um_per_s,
+                   outcome.deepest_mm, outcome.energy_gain_j,
+                   static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,
+                   outcome.solves.unconverged, outcome.solves.solves});
+        fastest = std::max(fastest, outcome.drift_um_per_s);
+        deepest = std::max(deepest, outcome.deepest_mm);
+        still += outcome.drift_um_per_s < 1;
+        shallow += outcome.deepest_mm < 5;
+        unconverged += outcome.solves.unconverged;
+    }
+    report.table("creep", table);
+    report.fact("creep", "runs", static_cast<double>(table.rows().size()));
+    report.fact("creep", "still", static_cast<double>(still));
+    report.fact("creep", "shallow", static_cast<double>(shallow));
+    report.fact("creep", "fastest_um_per_s", fastest, 2);
+    report.fact("creep", "deepest_mm", deepest, 2);
+    report.fact("creep", "unconverged", static_cast<double>(unconverged));
+}
+
+}  // namespace enduring::chapter07

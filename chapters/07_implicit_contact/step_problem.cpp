@@ -1,0 +1,191 @@
+#include "chapters/07_implicit_contact/step_problem.hpp"
+
+#include "common/simulation/contact_geometry.hpp"
+
+#include <algorithm>
+
+namespace enduring {
+namespace {
+
+bool takes_part(const Contact& contact) { return !contact.held() && !contact.resolved; }
+
+std::size_t body_index(const Contact& contact, int i)
+{
+    return static_cast<std::size_t>(i < contact.vertices_of_a() ? contact.body_a : contact.body_b);
+}
+
+/// The vertices of each body that are in touch, each once and in their order.
+std::vector<std::vector<int>> touched_vertices(const World& world, const Contacts& contacts)
+{
+    std::vector<std::vector<int>> vertices(world.bodies.size());
+    for (const Contact& contact : contacts)
+        for (int i = 0; takes_part(contact) && i < contact.vertex_count(); ++i)
+            vertices[body_index(contact, i)].push_back(contact.vertices[static_cast<std::size_t>(i)]);
+    for (std::vector<int>& of_body : vertices) {
+        std::sort(of_body.begin(), of_body.end());
+        of_body.erase(std::unique(of_body.begin(), of_body.end()), of_body.end());
+    }
+    return vertices;
+}
+
+void add_blocks(const World& world, StepProblem& step)
+{
+    step.block.assign(world.bodies.size(), -1);
+    for (std::size_t body = 0; body < world.bodies.size(); ++body) {
+        if (step.vertices[body].empty())
+            continue;
+        BodyBlock block{step.problem.size, world.bodies[body]->contact_mass(step.vertices[body])};
+        if (block.mass.rows() == 0)
+            continue;
+        block.factor.compute(block.mass);
+        step.block[body] = static_cast<int>(step.problem.blocks.size());
+        step.problem.size += static_cast<int>(block.mass.rows());
+        step.problem.blocks.push_back(std::move(block));
+    }
+}
+
+void add_parts(const World& world, const Contact& contact, const StepProblem& step, PairRow& row)
+{
+    for (int i = 0; i < contact.vertex_count(); ++i) {
+        const std::size_t body = body_index(contact, i);
+        if (step.block[body] < 0)
+            continue;
+        const std::vector<int>& vertices = step.vertices[body];
+        const int vertex = contact.vertices[static_cast<std::size_t>(i)];
+        const auto index = static_cast<std::size_t>(
+            std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
+        VertexMotion part = world.bodies[body]->contact_motion(vertices, index, step.problem.step.centre);
+        part.rate *= contact.weights[static_cast<std::size_t>(i)];
+        part.first += step.problem.blocks[static_cast<std::size_t>(step.block[body])].first;
+        row.parts[static_cast<std::size_t>(row.part_count++)] = part;
+    }
+}
+
+//! [pair_motion]
+/// A pair's normal where its force acts; zero where its features have none.
+Vec3 normal_of(const PairStep& step, double tau)
+{
+    if (step.plane_normal)
+        return *step.plane_normal;
+    return lerp(step.t0.side_1, step.t1.side_1, tau)
+        .cross(lerp(step.t0.side_2, step.t1.side_2, tau))
+        .stableNormalized();
+}
+
+/// p - q at tau, for a plane from any of its points [m].
+Vec3 apart(const World& world, const Contact& contact, double tau)
+{
+    if (contact.kind == ContactKind::vertex_plane)
+        return contact_vertex(world, contact, 0, tau) -
+               world.planes[static_cast<std::size_t>(contact.body_b)].point;
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < contact.vertex_count(); ++i)
+        sum += contact.weights[static_cast<std::size_t>(i)] * contact_vertex(world, contact, i, tau);
+    return sum;
+}
+
+void look_at(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
+{
+    row.law.normal = normal_of(pair_step(world, contact), step.centre);
+    const Vec3 start = apart(world, contact, 0), end = apart(world, contact, 1);
+    row.law.depth_t0 = row.law.normal.dot(start) - contact.slack;
+    row.velocity = (end - start) / step.dt;
+    row.acting = contact.impulse + contact.friction;
+}
+//! [pair_motion]
+
+double mass_of(const PairRow& row, const ContactProblem& problem)
+{
+    const double response = row.law.normal.dot(row.response(problem.blocks) * row.law.normal);
+    return response > 0 ? 1 / response : 0;
+}
+
+}  // namespace
+
+StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
+                   const Coefficients& friction, const StepLaw& step_law, bool first)
+{
+    StepProblem step;
+    step.problem.step = step_law;
+    step.vertices = touched_vertices(world, contacts);
+    add_blocks(world, step);
+    for (Contact& contact : contacts) {
+        if (!takes_part(contact))
+            continue;
+        PairRow row;
+        add_parts(world, contact, step, row);
+        look_at(world, contact, step_law, row);
+        if (row.part_count == 0 || row.law.normal.isZero(0))
+            continue;
+        if (first || contact.stiffness == 0) {
+            const double mass = contact.stiffness == 0 ? mass_of(row, step.problem) : 0;
+            adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, choice, step_law.dt);
+            look_at(world, contact, step_law, row);
+        }
+        row.law.stiffness = contact.stiffness;
+        row.law.stretch = contact.stretch;
+        row.law.mu = contact.slip > 0 ? friction.mu_d : friction.mu_s;
+        row.law.pressing = contact.waiting() ? contact.load * step_law.dt : contact.impulse.norm();
+        step.problem.rows.push_back(row);
+        step.of_row.push_back(&contact);
+    }
+    return step;
+}
+
+void look_again(const World& world, StepProblem& step)
+{
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        look_at(world, *step.of_row[i], step.problem.step, step.problem.rows[i]);
+        step.problem.rows[i].law.pressing = step.of_row[i]->impulse.norm();
+    }
+}
+
+namespace {
+
+/// The bodies take what their pairs' impulses have become.
+void bring(World& world, const StepProblem& step, const Eigen::VectorXd& momentum)
+{
+    for (std::size_t body = 0; body < world.bodies.size(); ++body) {
+        if (step.block[body] < 0)
+            continue;
+        const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[body])];
+        world.bodies[body]->apply_contact_impulse(step.vertices[body],
+                                                  momentum.segment(block.first, block.mass.rows()));
+        world.bodies[body]->update_prediction(step.problem.step.dt);
+    }
+}
+
+}  // namespace
+
+//! [apply_change]
+void apply_change(World& world, StepProblem& step, const Eigen::VectorXd& change)
+{
+    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        const PairRow& row = step.problem.rows[i];
+        const Vec3 velocity = row.velocity_after(change);
+        const PairAnswer made = answer(row.law, velocity, step.problem.step);
+        row.add_impulse(made.normal_impulse + made.friction - row.acting, momentum);
+        Contact& contact = *step.of_row[i];
+        contact.impulse = made.normal_impulse;
+        contact.friction = made.friction;
+        contact.slip = made.slips ? (velocity - row.law.normal.dot(velocity) * row.law.normal).norm() : 0;
+    }
+    bring(world, step, momentum);
+}
+//! [apply_change]
+
+void apply_last_impulses(World& world, StepProblem& step)
+{
+    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        const PairRow& row = step.problem.rows[i];
+        Contact& contact = *step.of_row[i];
+        contact.impulse = row.law.pressing * row.law.normal;
+        contact.friction = -contact.stiffness * step.problem.step.dt * contact.stretch;
+        row.add_impulse(contact.impulse + contact.friction, momentum);
+    }
+    bring(world, step, momentum);
+}
+
+}  // namespace enduring

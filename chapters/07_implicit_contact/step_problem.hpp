@@ -1,0 +1,37 @@
+#pragma once
+
+#include "chapters/07_implicit_contact/contact_problem.hpp"
+#include "chapters/07_implicit_contact/pair_memory.hpp"
+#include "common/simulation/step.hpp"
+
+namespace enduring {
+
+struct Coefficients {
+    double mu_s = 0, mu_d = 0;  ///< of a pair that held in the last step, and of one that slipped
+};
+
+/// The problem of one step, and where it comes from. Masses and levers are those of
+/// the step; the rest of its rows follows the prediction.
+struct StepProblem {
+    ContactProblem problem;
+    std::vector<Contact*> of_row;            ///< the contact of each row
+    std::vector<std::vector<int>> vertices;  ///< of each body, those in touch
+    std::vector<int> block;                  ///< of each body among the problem's, -1 without coordinates
+};
+
+/// Sets up all pairs that are not held; enduring and new ones get their stiffness for the step.
+/// @param first  the step's first problem: enduring pairs get their stiffness once a step
+StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
+                   const Coefficients& friction, const StepLaw& step, bool first);
+
+/// Brings normals, velocities and pressing impulses of all rows to the present prediction.
+void look_again(const World& world, StepProblem& step);
+
+/// Makes each pair's impulse what it answers to this change, and brings the
+/// difference to the bodies and their prediction.
+void apply_change(World& world, StepProblem& step, const Eigen::VectorXd& change);
+
+/// Gives every enduring pair the impulses of the last step to begin with: at rest they are the answer.
+void apply_last_impulses(World& world, StepProblem& step);
+
+}  // namespace enduring
