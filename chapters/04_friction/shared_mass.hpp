@@ -30,8 +30,8 @@ public:
     /// directions of the plane [1/kg]; zero where nothing can move.
     ///
     /// A bound: the largest eigenvalue of sum_i |w_i| n_i K_i, with K_i the inverse mass at vertex i and n_i
-    /// the pairs that share it, or MassParts::response_bound() in the place of n_i K_i if that is less. At a point
-    /// between vertices the true one is smaller, for an inverse mass is a convex function of the place.
+    /// the pairs that share it, or MassParts::response_bound() in the place of n_i K_i if that is less. At a
+    /// point between vertices the true one is smaller, for an inverse mass is a convex function of the place.
     double inverse_mass(const World& world, const Contact& contact, const TangentPlane& plane);
 
 private:

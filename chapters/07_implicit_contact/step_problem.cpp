@@ -9,11 +9,6 @@ namespace {
 
 bool takes_part(const Contact& contact) { return !contact.held() && !contact.resolved; }
 
-std::size_t body_index(const Contact& contact, int i)
-{
-    return static_cast<std::size_t>(i < contact.vertices_of_a() ? contact.body_a : contact.body_b);
-}
-
 /// The vertices of each body that are in touch, each once and in their order.
 std::vector<std::vector<int>> touched_vertices(const World& world, const Contacts& contacts)
 {

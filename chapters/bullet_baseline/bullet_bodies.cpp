@@ -20,7 +20,8 @@ std::vector<int> corners_of(const ElasticMesh& mesh)
     return corners;
 }
 
-/// A quarter of each element's mass to each of its corners [kg]; 0, which Bullet takes for fixed, for fixed nodes.
+/// A quarter of each element's mass to each of its corners [kg]; 0,
+/// which Bullet takes for fixed, for fixed nodes.
 std::vector<double> corner_masses(const ElasticBody& body)
 {
     std::vector<double> masses(static_cast<std::size_t>(body.node_count()), 0);

@@ -10,9 +10,9 @@
 
 namespace enduring::bullet {
 
-/// A body that Bullet moves, as probes and pictures see any other. Between predict() and commit() Bullet steps
-/// its whole world and read_back() takes the new places over. Nothing but Bullet pushes it: passes of ours have
-/// no business with it.
+/// A body that Bullet moves, as probes and pictures see any other. Between predict() and commit() Bullet
+/// steps its whole world and read_back() takes the new places over. Nothing but Bullet pushes it: passes of
+/// ours have no business with it.
 class BulletBody : public Body {
 public:
     using Body::Body;

@@ -8,8 +8,8 @@ namespace enduring::bullet {
 
 constexpr int no_body = -1;  ///< user index of what is not in World::bodies, or does not answer
 
-/// While it lives, Bullet asks its edge utility about each new contact with static triangles: on an edge inside a
-/// flat side the normal is that of the side. Bullet has one such hook for all its worlds.
+/// While it lives, Bullet asks its edge utility about each new contact with static triangles: on an edge
+/// inside a flat side the normal is that of the side. Bullet has one such hook for all its worlds.
 class InnerEdges {
 public:
     InnerEdges();

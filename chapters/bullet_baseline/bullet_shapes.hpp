@@ -36,8 +36,8 @@ struct TriangleShape {
     std::unique_ptr<btCollisionShape> shape;
 };
 
-/// A surface that stays where it is, without a margin of its own: the other body has one. Bullet is told which of its
-/// edges lie inside a flat side, so that bodies that slide over them are not pushed along it.
+/// A surface that stays where it is, without a margin of its own: the other body has one. Bullet is told
+/// which of its edges lie inside a flat side, so that bodies that slide over them are not pushed along it.
 std::unique_ptr<TriangleShape> static_triangles(std::span<const Vec3> points, std::span<const Face> faces);
 
 /// A surface of any form that moves.
@@ -45,8 +45,8 @@ std::unique_ptr<TriangleShape> moving_triangles(std::span<const Vec3> points, st
 
 /// The half space below a plane through the origin.
 std::unique_ptr<btCollisionShape> half_space(const Vec3& normal);
-/// A box of 100 m whose upper side, turned to y, lies at the origin: what a plane is for Bullet's soft bodies, which
-/// meet convex shapes only.
+/// A box of 100 m whose upper side, turned to y, lies at the origin: what a plane is for Bullet's soft
+/// bodies, which meet convex shapes only.
 std::unique_ptr<btCollisionShape> large_box();
 constexpr double large_box_size = 100;  ///< [m]
 

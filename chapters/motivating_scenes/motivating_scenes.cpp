@@ -39,7 +39,7 @@ void most_pairs(Value& value, const World&, const Contacts& contacts, double)
 }
 
 /// Height of a body's middle at the end [m].
-Gauge::Reading height_of(std::string body)
+Gauge::Reading height_of(const std::string& body)
 {
     return [body](Value& value, const World& world, const Contacts&, double) {
         value = body_named(world, body).centre().y();
@@ -47,7 +47,7 @@ Gauge::Reading height_of(std::string body)
 }
 
 /// The same for a body that has to be held up at first: none if it is below a height [m] before a time [s].
-Gauge::Reading height_after_being_held(std::string body, double above, double until)
+Gauge::Reading height_after_being_held(const std::string& body, double above, double until)
 {
     return [body, above, until, fell = false](Value& value, const World& world, const Contacts&,
                                               double) mutable {
@@ -85,7 +85,7 @@ void longest_of_levers(Value& value, const World& world, const Contacts& contact
 }
 
 /// Deepest vertex over the run that nothing pushes out [mm].
-Gauge::Reading deepest_unpushed(std::string of, std::string in)
+Gauge::Reading deepest_unpushed(const std::string& of, const std::string& in)
 {
     return [of, in](Value& value, const World& world, const Contacts& contacts, double) {
         const double depth = deepest_without_pair(world, contacts, index_of(world, of), index_of(world, in));
@@ -94,7 +94,7 @@ Gauge::Reading deepest_unpushed(std::string of, std::string in)
 }
 
 /// A body's speed along x at the end [m/s], unless it has fallen through the floor.
-Gauge::Reading speed_on_floor(std::string body)
+Gauge::Reading speed_on_floor(const std::string& body)
 {
     return [body](Value& value, const World& world, const Contacts&, double) {
         value.reset();
@@ -104,7 +104,7 @@ Gauge::Reading speed_on_floor(std::string body)
 }
 
 /// Kinetic energy at the end over that at the start, once it has bounced back.
-Gauge::Reading energy_after_bounce(std::string body)
+Gauge::Reading energy_after_bounce(const std::string& body)
 {
     return [body, before = 0.0](Value& value, const World& world, const Contacts&, double) mutable {
         const Body& mover = body_named(world, body);
@@ -117,7 +117,7 @@ Gauge::Reading energy_after_bounce(std::string body)
 }
 
 /// How far a body moves in the last second [mm].
-Gauge::Reading drift_after(std::string body, double time)
+Gauge::Reading drift_after(const std::string& body, double time)
 {
     return [body, time, place = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&,
                                                double) mutable {
@@ -130,7 +130,7 @@ Gauge::Reading drift_after(std::string body, double time)
 
 /// How far the way that a block comes up a slope departs from v^2 / (2 g
 /// (sin + mu_d cos)) [%], once it lies still.
-Gauge::Reading error_of_way(std::string body, double exact)
+Gauge::Reading error_of_way(const std::string& body, double exact)
 {
     return [body, exact, start = Vec3(0, 0, 0)](Value& value, const World& world, const Contacts&,
                                                 double) mutable {

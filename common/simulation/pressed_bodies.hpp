@@ -30,7 +30,7 @@ std::string names_of(const World& world, const PressedBodies& pressed);
 
 /// What h = n k dt^2 / m has to stay below for a contact to be stable: 4 / (1 + 2a),
 /// where a is the place in the step at which the depth is found; 1 for discrete and
-/// 1/2 for continuous forces (the book's first chapter).
+/// 1/2 for continuous forces.
 constexpr double largest_stable_h(PenaltyMethod method)
 {
     return method == PenaltyMethod::discrete ? 4.0 / 3.0 : 2.0;

@@ -26,10 +26,10 @@ WorkedStep worked_step();
 /// 1 alone, and integrate exactly only while the face rests. A chapter puts its own
 /// passes in their place and must get the same numbers.
 Pass stand_in_resolve();  ///< drops pairs whose depth is positive
-/// moves a vertex that has left its face on to the neighbour (chapter 6)
+/// moves a vertex that has left its face on to the neighbour
 Pass stand_in_redefine();
-Pass stand_in_detect();  ///< finds vertices that pass through a face from outside (chapter 2)
-Pass stand_in_respond(double stiffness);  ///< normal impulses from the mean depth (chapter 3)
+Pass stand_in_detect();                   ///< finds vertices that pass through a face from outside
+Pass stand_in_respond(double stiffness);  ///< normal impulses from the mean depth
 Solver worked_step_solver(double stiffness);
 
 }  // namespace enduring

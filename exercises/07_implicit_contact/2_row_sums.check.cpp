@@ -187,7 +187,8 @@ TEST_CASE("rounds: pairs that each take the whole block for themselves never agr
 
 TEST_CASE("rounds: two cubes are answered in as many rounds as their slower part needs")
 {
-    // D^-1 W = [[1/2 .. -1/2], [-1/3 .. 2/3]] has the eigenvalues 1 and 1/6: the error shrinks by 5/6 a round.
+    // D^-1 W = [[1/2 .. -1/2], [-1/3 .. 2/3]] has the eigenvalues 1
+    // and 1/6: the error shrinks by 5/6 a round.
     const int rounds = rounds_of_pile(2);
     given("two cubes of 10 kg that fall with 0.1 m/s, until a millionth is left");
     expect("rounds", rounds, std::log(1e-6 / 0.1) / std::log(5.0 / 6), 4);

@@ -58,11 +58,11 @@ public:
 /// How deep the contacts are at the end of the step, and how stiff they are together.
 ///
 /// time_s, pairs (alive), pairs_inside (their depth is negative, and they are springs: neither held nor
-/// resolved in this step), depth_sum_m and depth_max_m (of those, planes counted, as positive lengths), nk_n_per_m,
-/// stable_step_s, dt_s, plane_depth_m (deepest vertex in a plane). Three of them compare the step with
-/// a particle's bound: n pairs between two bodies act as one spring of stiffness n k on their reduced mass m,
-/// whose explicit step is stable up to sqrt(2 m / (n k)). The row holds the largest n k and the smallest
-/// bound over all pairs of bodies (0 without contact).
+/// resolved in this step), depth_sum_m and depth_max_m (of those, planes counted, as positive lengths),
+/// nk_n_per_m, stable_step_s, dt_s, plane_depth_m (deepest vertex in a plane). Three of them compare the step
+/// with a particle's bound: n pairs between two bodies act as one spring of stiffness n k on their reduced
+/// mass m, whose explicit step is stable up to sqrt(2 m / (n k)). The row holds the largest n k and the
+/// smallest bound over all pairs of bodies (0 without contact).
 class PenetrationProbe final : public TableProbe {
 public:
     /// @param stiffness  k of one pair [N/m]; that of a plane with its own is read from the plane
