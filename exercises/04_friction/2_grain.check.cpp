@@ -40,6 +40,15 @@ TEST_CASE("ellipse: it holds mu_along along the grain, mu_across across it, and 
                 holds(turned, Vec2(0.6, 0.8) * 1.3 + Vec2(-0.8, 0.6) * 3.6, 10));
 }
 
+TEST_CASE("ellipse: its very edge is held, on both axes")
+{
+    const Grain even{{1, 0}, 0.5, 0.25};  // powers of two: every number on the way is exact
+    given("grain along (1, 0), mu 0.5 along and 0.25 across, normal impulse 8 N s");
+    expect("-4.1 N s along the grain is held (0 no, 1 yes)", holds(even, Vec2(-4.1, 0), 8) ? 1 : 0, 0, 0);
+    expect("-4 N s along the grain is held (0 no, 1 yes)", holds(even, Vec2(-4, 0), 8) ? 1 : 0, 1, 0);
+    expect("2 N s across the grain is held (0 no, 1 yes)", holds(even, Vec2(0, 2), 8) ? 1 : 0, 1, 0);
+}
+
 TEST_CASE("slip: along and across the grain friction is straight against it")
 {
     given("grain along (0.6, 0.8), mu 0.2 along and 0.5 across, normal impulse 10 N s");
@@ -82,6 +91,37 @@ TEST_CASE("floor: in each step the block moves by the new velocity")
         "2 m/s along the grain, mu 0.2 along it, g 9.81 m/s^2, dt 0.1 s: it slows down by 0.1962 m/s a step, and moves in ten of them");
     const double ten_steps = 0.1 * (10 * 2 - 55 * 0.1962);
     expect("place", stopping_place(brushed, {2, 0}, 9.81, 0.1), Vec2(ten_steps, 0), 1e-6, "m");
+}
+
+TEST_CASE("floor: a block that friction would throw back stays where it is")
+{
+    const Grain even{{1, 0}, 0.75, 0.75};
+    given("0.5 m/s along the grain, mu 0.75, g 10 m/s^2, dt 0.1 s: friction takes 0.75 m/s a step");
+    expect("place", stopping_place(even, {0.5, 0}, 10, 0.1), Vec2(0, 0), 1e-9, "m");
+}
+
+TEST_CASE("floor: a block whose motion turns by less than a right angle goes on")
+{
+    // Along and across, v = (1.2, 0.8) loses (0.6, 1.6): (0.6, -0.8) points forward. What comes next would not.
+    const Grain grain{{1, 0}, 0.5, 1};
+    for (const double sign : {1.0, -1.0}) {
+        const Vec2 velocity = sign * Vec2(1.2, 0.8);
+        given(readable(velocity),
+              " m/s, grain along (1, 0), mu 0.5 along and 1 across, g 10 m/s^2, dt 0.2 s");
+        expect("place", stopping_place(grain, velocity, 10, 0.2), Vec2(sign * 0.2 * Vec2(0.6, -0.8)), 1e-6,
+               "m");
+    }
+}
+
+TEST_CASE("floor: slow or fast, ten and a half steps' worth of speed carry it 50 mu g dt^2")
+{
+    for (const double dt : {1e-4, 1e-2, 1.0, 10.0})
+        for (const double sign : {1.0, -1.0}) {
+            const double loss = 0.2 * 10 * dt;  // of speed in a step
+            given(sign * 10.5 * loss, " m/s along the grain, mu 0.2 along it, g 10 m/s^2, dt ", dt, " s");
+            expect("place", stopping_place(brushed, {sign * 10.5 * loss, 0}, 10, dt),
+                   Vec2(sign * 50 * loss * dt, 0), 1e-4 * loss * dt, "m");
+        }
 }
 
 TEST_CASE("floor: launched at an angle the block turns towards the grain")

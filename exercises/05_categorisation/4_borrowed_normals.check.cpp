@@ -101,6 +101,36 @@ TEST_CASE("nearest: all regular vertices of the nearest ring count, each once, a
     expect_normal("normal of the corner", borrowed_normals(square, corner)[0], sum.normalized());
 }
 
+TEST_CASE("unknown: a vertex without a label borrows as a hooked one does, and lends nothing")
+{
+    const SurfaceTopology surface = strip(3);
+    const std::vector<BuriedVertex> row = {
+        {0, leaning_left, regular}, {2, Vec3::UnitX(), ContactCategory::unknown}, {4, Vec3::UnitZ(), hooked}};
+    given("a row of three: regular (-0.6, 0.8, 0), unknown (1, 0, 0), hooked (0, 0, 1)");
+    const auto normals = borrowed_normals(surface, row);
+    expect_normal("normal of the unknown one", normals[1], leaning_left);
+    expect_normal("normal of the hooked one", normals[2], leaning_left);
+}
+
+TEST_CASE("reach: the walk is as long as it has to be")
+{
+    for (const int rings : {2, 3, 4, 5, 10, 40}) {
+        const SurfaceTopology surface = strip(rings);
+        std::vector<BuriedVertex> row = {{0, leaning_left, regular}};
+        for (int i = 1; i <= rings; ++i)
+            row.push_back({2 * i, Vec3::UnitX(), hooked});
+        given("a row with a regular vertex (-0.6, 0.8, 0) at one end and ", rings, " hooked ones behind it");
+        expect_normal("normal of the last", borrowed_normals(surface, row).back(), leaning_left);
+    }
+}
+
+TEST_CASE("reach: one vertex that is not buried is enough to end the walk")
+{
+    const std::vector<BuriedVertex> gap = {{0, leaning_left, regular}, {4, Vec3::UnitX(), hooked}};
+    given("a strip; vertex 0 regular, vertex 4 hooked, vertices 1, 2 and 3 between them not buried");
+    expect_that("vertex 4 has no normal", !borrowed_normals(strip(6), gap)[1].has_value());
+}
+
 TEST_CASE("reach: the walk goes over buried vertices only")
 {
     const SurfaceTopology surface = strip(6);
