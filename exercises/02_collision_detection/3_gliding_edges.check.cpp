@@ -143,6 +143,35 @@ TEST_CASE("parallel: it does not matter which way each of them points")
     expect_touch({Vec3(2, 3, 0), Vec3(0, 3, 0), Vec3(0, -4, 0), Vec3(1, 0, 0), Vec3(5, 0, 0)}, 0.75);
 }
 
+TEST_CASE("parallel: edges that are only nearly parallel cross in one point")
+{
+    // Both 2000 m long; b leaves a's direction by 1/1000, or less, to both sides of its middle.
+    for (const double aside : {100.0, 10.0, 1.0}) {
+        expect_touch({Vec3(-1000, 3, 0), Vec3(1000, 3, 0), Vec3(0, -4, 0), Vec3(-1000, 0, -aside),
+                      Vec3(1000, 0, aside)},
+                     0.75);
+        expect_touch({Vec3(-1000, 3, 2 * aside), Vec3(1000, 3, 2 * aside), Vec3(0, -4, 0),
+                      Vec3(-1000, 0, -aside), Vec3(1000, 0, aside)},
+                     std::nullopt);
+    }
+}
+
+TEST_CASE("size: millimetres and kilometres have the same times")
+{
+    for (const double size :
+         {0x1p-20, 0x1p-10, 1.0, 0x1p10}) {  // powers of two, so that all products stay exact
+        const auto sized = [&](const Case& c) {
+            return Case{size * c.a0, size * c.a1, size * c.way, size * c.b0, size * c.b1};
+        };
+        expect_touch(sized(crossing(3, -1)), 0.75);
+        expect_touch(sized(crossing(3, -1, 1.5)), std::nullopt);
+        expect_touch(sized({Vec3(0, 3, 0), Vec3(2, 3, 0), Vec3(0, -4, 0), Vec3(1, 0, 0), Vec3(5, 0, 0)}),
+                     0.75);
+        expect_touch(sized({Vec3(0, 3, 1), Vec3(2, 3, 1), Vec3(0, -4, 0), Vec3(1, 0, 0), Vec3(5, 0, 0)}),
+                     std::nullopt);
+    }
+}
+
 TEST_CASE("one line: an edge that slides along its own line runs into the other")
 {
     expect_touch({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(4, 0, 0), Vec3(3, 0, 0), Vec3(6, 0, 0)}, 0.5);

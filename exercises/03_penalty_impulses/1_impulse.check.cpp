@@ -83,6 +83,22 @@ TEST_CASE("discrete impulse: a vertex outside is not pulled back")
            Vec3(0, 0, 0), 0, "N s");
 }
 
+TEST_CASE("size: no face, no depth and no visit is too small or too large to count")
+{
+    for (const double side : {1e-6, 1e-3, 1.0, 1e3})
+        for (const double depth : {1e-9, 1e-3, 1.0}) {
+            given("a vertex ", depth, " m under a face of sides ", side, " m, k = 800 N/m, dt = 0.01 s");
+            const Vec3 expected(0, k * dt * depth, 0);
+            expect("discrete impulse", discrete_impulse(vertex_face_instant(over_floor(-depth, side)), k, dt),
+                   expected, 1e-9 * depth, "N s");
+            expect("continuous impulse", continuous_impulse(fall(-depth, -depth, side), 0, k, dt), expected,
+                   1e-9 * depth, "N s");
+        }
+    given("a vertex that stays 2 mm under the floor, start = 1 - 2^-20");
+    expect("continuous impulse", continuous_impulse(fall(-0.002, -0.002), 1 - 0x1p-20, k, dt),
+           Vec3(0, k * dt * 0.002 * 0x1p-20, 0), 1e-14, "N s");
+}
+
 TEST_CASE("without a normal: a face that is a needle gives no impulse, and no NaN")
 {
     const PairInstant needle{Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(0, -1, 0)};

@@ -187,6 +187,17 @@ TEST_CASE("effective mass: two equal nodes that share a push weigh as much as bo
            "kg");
 }
 
+TEST_CASE("effective mass: nodes that differ, by hand")
+{
+    // A push of 1 N s gives them 1/2 and 1/6 m/s, so the point between them gets 1/3 m/s.
+    given("nodes of 1 kg and 3 kg, half of the weight on each");
+    expect("effective mass", effective_mass(patch_of({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {1, 3}), {0.5, 0.5}),
+           3.0, 1e-12, "kg");
+    given("nodes of 1 kg and 3 kg, weights 1.5 and -0.5: 1 / (2.25 / 1 + 0.25 / 3)");
+    expect("effective mass", effective_mass(patch_of({Vec3(-1, 0, 0), Vec3(1, 0, 0)}, {1, 3}), {1.5, -0.5}),
+           3 / 7.0, 1e-12, "kg");
+}
+
 TEST_CASE("effective mass: no other weights of the same sum and mean position make it larger")
 {
     // On a rectangle, plus and minus around the corners changes neither sum nor mean.

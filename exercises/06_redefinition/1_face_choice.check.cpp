@@ -91,6 +91,36 @@ TEST_CASE("order: a face that is both beside and deep is beside")
     expect_verdict(tried(square(), {0.3, -0.1, -0.3}, 0, {.deepest = 0.09}), FaceVerdict::beside);
 }
 
+TEST_CASE("order: a face that is both hooked and beside, or hooked and deep, is not told as hooked")
+{
+    given("a tip that looks down, 0.1 m behind an upright wall that looks along x, its foot beside face 0");
+    expect_verdict(tried(wall(), {-0.1, -0.2, 0.1}, 0), FaceVerdict::beside);
+    given("a tip that looks down, 0.1 m behind face 0 of that wall, and at most 0.09 m allowed");
+    expect_verdict(tried(wall(), {-0.1, 0.2, -0.1}, 0, {.deepest = 0.09}), FaceVerdict::deep);
+}
+
+TEST_CASE("deep: a penetration as large as the deepest is not deep")
+{
+    given("a tip 0.125 m below face 1, and at most 0.125 m allowed");
+    expect_verdict(tried(square(), {0.25, -0.125, -0.25}, 1, {.deepest = 0.125}), FaceVerdict::fit);
+}
+
+TEST_CASE("size: millimetres and kilometres have the same verdicts")
+{
+    for (const double size : {1e-3, 1.0, 1e3}) {
+        SurfaceMesh floor = square();
+        for (Vec3& vertex : floor.vertices)
+            vertex *= size;
+        given("a tip below a square of sides ", 2 * size, " m, by a twentieth of that");
+        expect_verdict(tried(floor, size * Vec3(0.3, -0.1, -0.3), 1), FaceVerdict::fit);
+        expect_verdict(tried(floor, size * Vec3(0.3, -0.1, -0.3), 0), FaceVerdict::beside);
+        expect_verdict(tried(floor, size * Vec3(0.3, 0.1, -0.3), 1), FaceVerdict::above);
+        given("the same, and a little less allowed");
+        expect_verdict(tried(floor, size * Vec3(0.3, -0.1, -0.3), 1, {.deepest = 0.09 * size}),
+                       FaceVerdict::deep);
+    }
+}
+
 TEST_CASE("deep: a face that is too far away")
 {
     given("a tip 0.1 m below face 1, and at most 0.09 m allowed");
@@ -146,6 +176,50 @@ TEST_CASE("better: on the face before beside it, and then the smaller penetratio
     expect_that("the one 0.1 m deep is better, though farther beside",
                 is_better(trial(-0.1, 0.2), trial(-0.2, 0.1)));
     expect_that("and the one 0.2 m deep is not", !is_better(trial(-0.2, 0.1), trial(-0.1, 0.2)));
+}
+
+TEST_CASE("better: of two equal ones neither is")
+{
+    const FaceTrial one{0, {{0, 0, 0}, -0.25}, 0, FaceVerdict::fit},
+        beside{0, {{0, 0, 0}, -0.25}, 0.5, FaceVerdict::fit};
+    given("0.25 m deep, both on their faces");
+    expect_that("neither is better", !is_better(one, one));
+    given("0.25 m deep, both beside their faces");
+    expect_that("neither is better", !is_better(beside, beside));
+}
+
+TEST_CASE("choice: positions are those of the moment tau")
+{
+    // In the step the tip rises from 0.1 m under the face to 0.3 m over it.
+    const World world = tip_and(square(), {0.3, -0.1, -0.3}, {0, 0.4, 0});
+    world.bodies[1]->predict(Vec3::Zero(), 1);
+    for (const double tau : {0.0, 0.125}) {
+        given("a tip that rises from 0.1 m below face 1 to 0.3 m over it, at tau = ", tau);
+        const auto choice = find_face(world, on_face(world, 0), tau, all_corners, {});
+        expect_that("a face is found", choice.has_value());
+        if (choice)
+            expect("depth", choice->foot.depth, -0.1 + 0.4 * tau, 1e-12, "m");
+    }
+    given("the same, at tau = 1");
+    expect_that("no face is found", !find_face(world, on_face(world, 0), 1, all_corners, {}).has_value());
+}
+
+TEST_CASE("choice: only the faces around the given corners are asked")
+{
+    // Face 1 has the corners 0, 2 and 3; of the pair's own face, 0, 1 and 2, corner 1 is its own alone.
+    const World world = tip_and(square(), {0.3, -0.1, -0.3});
+    given("a tip below face 1, its pair with face 0, asked around the one corner that face 1 has not");
+    expect_that("no face is found",
+                !find_face(world, on_face(world, 0), 0, Corners{false, true, false}, {}).has_value());
+    given("the same, asked around no corner");
+    expect_that("no face is found",
+                !find_face(world, on_face(world, 0), 0, Corners{false, false, false}, {}).has_value());
+    for (const std::size_t corner : {0, 2}) {
+        Corners around{false, false, false};
+        around[corner] = true;
+        given("the same, asked around corner ", corner);
+        expect_that("a face is found", find_face(world, on_face(world, 0), 0, around, {}).has_value());
+    }
 }
 
 TEST_CASE("choice: the face above the vertex is found, and none where none fits")
