@@ -23,7 +23,7 @@ void tell_unconverged(const SolveRecord& record);
 /// The same for all scenes but for the coefficients of friction, which are the scene's.
 struct ImplicitSettings {
     StiffnessChoice stiffness;
-    Coefficients friction;
+    FrictionCoefficients friction;
     double centre = 1;        ///< of the weight over the step
     double tolerance = 1e-6;  ///< of the residual
     int most_rounds = 30;

@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// Hands each block of A + J^T S J to `add(row, column, block)`.
-template <typename Add>
+template <class Add>
 void for_each_block(const ContactProblem& problem, const std::vector<Mat3>& stiffenings, const Add& add)
 {
     for (const BodyBlock& block : problem.blocks)

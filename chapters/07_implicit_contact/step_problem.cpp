@@ -98,7 +98,7 @@ double mass_of(const PairRow& row, const ContactProblem& problem)
 }  // namespace
 
 StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
-                   const Coefficients& friction, const StepLaw& step_law, bool first)
+                   const FrictionCoefficients& friction, const StepLaw& step_law, bool first)
 {
     StepProblem step;
     step.problem.step = step_law;
@@ -115,7 +115,6 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         if (first || contact.stiffness == 0) {
             const double mass = contact.stiffness == 0 ? mass_of(row, step.problem) : 0;
             adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, choice, step_law.dt);
-            look_at(world, contact, step_law, row);
         }
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;

@@ -2,13 +2,10 @@
 
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 #include "chapters/07_implicit_contact/pair_memory.hpp"
+#include "common/simulation/contact_parameters.hpp"
 #include "common/simulation/step.hpp"
 
 namespace enduring {
-
-struct Coefficients {
-    double mu_s = 0, mu_d = 0;  ///< of a pair that held in the last step, and of one that slipped
-};
 
 /// The problem of one step, and where it comes from. Masses and levers are those of
 /// the step; the rest of its rows follows the prediction.
@@ -22,7 +19,7 @@ struct StepProblem {
 /// Sets up all pairs that are not held; enduring and new ones get their stiffness for the step.
 /// @param first  the step's first problem: enduring pairs get their stiffness once a step
 StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
-                   const Coefficients& friction, const StepLaw& step, bool first);
+                   const FrictionCoefficients& friction, const StepLaw& step, bool first);
 
 /// Brings normals, velocities and pressing impulses of all rows to the present prediction.
 void look_again(const World& world, StepProblem& step);

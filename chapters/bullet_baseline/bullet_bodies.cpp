@@ -175,13 +175,4 @@ void BulletSoftBody::read_back()
     embedding_.evaluate(elastic_.positions(), positions_t1_);
 }
 
-Energy BulletSoftBody::energy(const Vec3& gravity) const
-{
-    Energy energy;
-    energy.kinetic = elastic_.kinetic_energy();
-    energy.gravitational = -mass() * gravity.dot(elastic_.centre_of_mass());
-    energy.elastic = elastic_.elastic_energy();
-    return energy;
-}
-
 }  // namespace enduring::bullet

@@ -63,7 +63,7 @@ public:
     void read_back() override;
     Vec3 velocity(int vertex) const override { return embedding_.at(vertex, elastic_.velocities()); }
     double mass() const override { return elastic_.mass(); }
-    Energy energy(const Vec3& gravity) const override;
+    Energy energy(const Vec3& gravity) const override { return energy_of(elastic_, gravity); }
     Vec3 linear_momentum() const override { return elastic_.linear_momentum(); }
     Vec3 angular_momentum(const Vec3& about) const override { return elastic_.angular_momentum(about); }
     int inverted_elements() const override { return elastic_.inverted_elements(); }

@@ -2,6 +2,7 @@
 
 #include "chapters/bullet_baseline/bullet_contacts.hpp"
 #include "chapters/bullet_baseline/bullet_vectors.hpp"
+#include "common/geometry/shortest_turn.hpp"
 #include "common/input/input_error.hpp"
 #include "common/simulation/static_body.hpp"
 
@@ -20,11 +21,6 @@
 namespace enduring::bullet {
 namespace {
 
-struct StaticCoefficient {
-    double operator()(const NoFriction&) const { return 0; }
-    double operator()(const auto& friction) const { return friction.mu_s; }
-};
-
 bool is_deformable(const Body& body) { return dynamic_cast<const DeformableBody*>(&body) != nullptr; }
 
 btDeformableMultiBodyDynamicsWorld& deformable(btDiscreteDynamicsWorld& world)
@@ -35,7 +31,7 @@ btDeformableMultiBodyDynamicsWorld& deformable(btDiscreteDynamicsWorld& world)
 }  // namespace
 
 BulletWorld::BulletWorld(Scene& scene)
-    : scene_(scene.name), friction_(std::sqrt(std::visit(StaticCoefficient{}, scene.contact.friction))),
+    : scene_(scene.name), friction_(std::sqrt(coefficients_of(scene.contact.friction).mu_s)),
       broad_phase_(std::make_unique<btDbvtBroadphase>())
 {
     std::vector<std::unique_ptr<Body>>& bodies = scene.world.bodies;
@@ -116,7 +112,7 @@ void BulletWorld::add_plane(const Plane& plane)
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, nullptr);
     info.m_startWorldTransform.setIdentity();
     if (soft_) {
-        const Quaternion turned = Quaternion::FromTwoVectors(Vec3::UnitY(), plane.normal);
+        const Quaternion turned = shortest_turn(Vec3::UnitY(), plane.normal);
         info.m_collisionShape = shapes_.emplace_back(large_box()).get();
         info.m_startWorldTransform = btTransform(
             to_bullet(turned), to_bullet(plane.point - 0.5 * large_box_size * plane.normal));

@@ -41,6 +41,22 @@ using FrictionParameters = std::variant<NoFriction, YamaneNakamura, MassSplittin
 
 inline constexpr std::array<std::string_view, 3> friction_words{"none", "yamane_nakamura", "mass_splitting"};
 
+struct FrictionCoefficients {
+    double mu_s = 0, mu_d = 0;  ///< of a pair that holds, and of one that slips
+};
+
+/// Those of a model; zero without friction.
+inline FrictionCoefficients coefficients_of(const FrictionParameters& friction)
+{
+    const auto get = [](const auto& model) {
+        if constexpr (requires { model.mu_s; })
+            return FrictionCoefficients{model.mu_s, model.mu_d};
+        else
+            return FrictionCoefficients{};
+    };
+    return std::visit(get, friction);
+}
+
 /// The same model with other coefficients.
 inline FrictionParameters with_coefficients(FrictionParameters friction, double mu_s, double mu_d)
 {

@@ -206,12 +206,12 @@ std::unique_ptr<Trial> DeformableBody::begin_trial() const
     return std::make_unique<LumpedTrial>(elastic_, embedding_);
 }
 
-Energy DeformableBody::energy(const Vec3& gravity) const
+Energy energy_of(const ElasticBody& elastic, const Vec3& gravity)
 {
     Energy energy;
-    energy.kinetic = elastic_.kinetic_energy();
-    energy.gravitational = -mass() * gravity.dot(elastic_.centre_of_mass());
-    energy.elastic = elastic_.elastic_energy();
+    energy.kinetic = elastic.kinetic_energy();
+    energy.gravitational = -elastic.mass() * gravity.dot(elastic.centre_of_mass());
+    energy.elastic = elastic.elastic_energy();
     return energy;
 }
 

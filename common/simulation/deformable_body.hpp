@@ -31,6 +31,9 @@ struct DeformableSettings {
     ElasticOptions options;
 };
 
+/// What the elements carry, by the consistent mass matrix; for whatever moves them.
+Energy energy_of(const ElasticBody& elastic, const Vec3& gravity);
+
 /// An elastic body as the contact code sees it; it moves, and its energy and momenta are, by the consistent
 /// mass matrix. Each surface vertex is a fixed combination of nodes, x = sum_i w_i c_i; an impulse on it goes
 /// back through the transpose, w_i of it to node i.
@@ -62,7 +65,7 @@ public:
     const MassParts& mass_parts() const override { return *parts_; }
 
     double mass() const override { return elastic_.mass(); }
-    Energy energy(const Vec3& gravity) const override;
+    Energy energy(const Vec3& gravity) const override { return energy_of(elastic_, gravity); }
     Vec3 linear_momentum() const override { return elastic_.linear_momentum(); }
     Vec3 angular_momentum(const Vec3& about) const override { return elastic_.angular_momentum(about); }
     int inverted_elements() const override { return elastic_.inverted_elements(); }

@@ -17,7 +17,7 @@ Vec3 middle(const World& world) { return body_named(world, "cube").centre(); }
 
 }  // namespace
 
-Scene scene_of(const Coefficients& mu, const std::string& basis)
+Scene scene_of(const FrictionCoefficients& mu, const std::string& basis)
 {
     return load_scene(scene_file("bar_friction"),
                       R"({"contact": {"friction": {"mu_s": )" + shortest(mu.mu_s) + R"(, "mu_d": )" +
@@ -62,7 +62,7 @@ void bar_friction(const RunOptions& options, Report& report)
     Table table({"elements", "mu_static", "mu_dynamic", "distance_m", "way_on_a_plane_m", "drift_m"});
     double worst = 0;
     for (const std::string basis : {"quadratic", "linear"})
-        for (const Coefficients& mu : bar_coefficients) {
+        for (const FrictionCoefficients& mu : bar_coefficients) {
             const bool of_thesis = basis == "quadratic";
             Scene scene = scene_of(mu, basis);
             StripProbe strip(scene, {0.0, 0.15, steps * scene.dt}, motivating::mark_pairs, 560, 360);

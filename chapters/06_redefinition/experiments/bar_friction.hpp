@@ -9,16 +9,12 @@
 
 namespace enduring::chapter06 {
 
-struct Coefficients {
-    double mu_s, mu_d;
-};
-
 /// Those of the two curves.
-inline constexpr std::array<Coefficients, 2> bar_coefficients{{{0.4, 0.3}, {0.2, 0.15}}};
+inline constexpr std::array<FrictionCoefficients, 2> bar_coefficients{{{0.4, 0.3}, {0.2, 0.15}}};
 
 /// Scene bar_friction with these coefficients.
 /// @param basis  of the bar's elements, "linear" or "quadratic"
-Scene scene_of(const Coefficients& mu, const std::string& basis = "quadratic");
+Scene scene_of(const FrictionCoefficients& mu, const std::string& basis = "quadratic");
 
 /// How the cube comes to rest on the bar.
 struct RestOnBar {

@@ -8,7 +8,7 @@ using namespace enduring::chapter06;
 TEST_CASE("bar friction: a cube that friction has stopped on the soft bar stays within a micrometre" *
           doctest::test_suite("long simulation"))
 {
-    for (const Coefficients& mu : bar_coefficients) {
+    for (const FrictionCoefficients& mu : bar_coefficients) {
         CAPTURE(mu.mu_s);
         Scene scene = scene_of(mu);
         const RestOnBar rest = rest_on_bar(scene, 3000, 3500);

@@ -40,12 +40,12 @@ Scene on_triangles(const SoftCube& cube)
 std::vector<SoftCube> all_cubes(bool quick)
 {
     std::vector<SoftCube> cubes;
-    for (const int cells : {2, 3, 5, 8})
+    for (const int cells : {2, 3, 5})
         for (const double young : {1e4, 1e5, 1e6, 1e7, 1e8})
-            for (const double dt : {0.001, 0.002, 0.005, 0.01})
+            for (const double dt : {0.005, 0.01})
                 for (const double mass : {1.0, 10.0, 100.0, 1000.0})
-                    if (!quick || (cells < 5 && dt > 0.002 && (mass == 10 || mass == 100) &&
-                                   (young == 1e5 || young == 1e7)))
+                    if (!quick ||
+                        (cells < 5 && (mass == 10 || mass == 100) && (young == 1e5 || young == 1e7)))
                         cubes.push_back({cells, young, dt, mass});
     return cubes;
 }

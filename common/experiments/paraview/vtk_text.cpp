@@ -20,10 +20,9 @@ std::vector<std::vector<Vec3>> contact_forces(const World& world, const Contacts
         forces.emplace_back(body->positions_t0().size(), Vec3::Zero());
     for (const Contact& contact : contacts)
         for (int i = 0; i < contact.vertex_count(); ++i) {
-            const int body = i < contact.vertices_of_a() ? contact.body_a : contact.body_b;
             const auto at = static_cast<std::size_t>(i);
-            forces[body][contact.vertices[at]] += contact.weights[at] * (contact.impulse + contact.friction) /
-                                                  dt;
+            forces[body_index(contact, i)][contact.vertices[at]] += contact.weights[at] *
+                                                                    (contact.impulse + contact.friction) / dt;
         }
     return forces;
 }
