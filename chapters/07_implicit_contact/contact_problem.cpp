@@ -138,12 +138,11 @@ double residual_of(const ContactProblem& problem, const VectorXd& change, double
     return residual_from(problem, times_mass(problem, change) - answers.missing, answers.total, least_speed);
 }
 
-//! [solve]
-ProblemSolution solve(const ContactProblem& problem, NewtonMatrix& matrix, double tolerance,
-                      double least_speed, int most_steps)
+//! [solve_convex]
+ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix, const VectorXd& change,
+                             double tolerance, double least_speed, int most_steps)
 {
-    ProblemSolution solution;
-    solution.change = VectorXd::Zero(problem.size);
+    ProblemSolution solution{change};
     for (;; ++solution.newton_steps) {
         const Answers answers = answers_to(problem, solution.change);
         const VectorXd gradient = times_mass(problem, solution.change) - answers.missing;
@@ -155,12 +154,71 @@ ProblemSolution solve(const ContactProblem& problem, NewtonMatrix& matrix, doubl
         solution.change += step_length(problem, solution.change, direction) * direction;
     }
 }
-//! [solve]
+//! [solve_convex]
 
-VectorXd newton_step(const ContactProblem& problem, NewtonMatrix& matrix)
+namespace {
+
+/// Residual below which Newton's method on the real equation needs nobody to lead it.
+constexpr double near_the_answer = 0.01;
+
+/// Limits of friction as the present answer has them.
+void take_limits(ContactProblem& problem, const VectorXd& change)
 {
-    const VectorXd none = VectorXd::Zero(problem.size);
-    return matrix.solve(problem, none, answers_to(problem, none).missing);
+    for (PairRow& row : problem.rows)
+        row.law.pressing = answer(row.law, row.velocity_after(change), problem.step).normal_impulse.norm();
 }
+
+/// One step on the real equation, or a part of it; false where the residual falls by less than a fifth: a
+/// crawl would only lead away from where the convex problems go.
+bool newton_step(const ContactProblem& problem, NewtonMatrix& matrix, double least_speed,
+                 ProblemSolution& solution)
+{
+    const Answers answers = answers_to(problem, solution.change);
+    const VectorXd direction = matrix.solve(problem, solution.change,
+                                            answers.missing - times_mass(problem, solution.change));
+    ++solution.newton_steps;
+    for (double part = 1; part >= 0.25; part /= 2) {
+        const VectorXd change = solution.change + part * direction;
+        const double residual = residual_of(problem, change, least_speed);
+        if (residual > 0.8 * solution.residual)
+            continue;
+        solution.change = change;
+        solution.residual = residual;
+        return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+//! [solve]
+ProblemSolution solve(ContactProblem problem, NewtonMatrix& matrix, double tolerance, double least_speed,
+                      int most_steps)
+{
+    ProblemSolution solution{VectorXd::Zero(problem.size)};
+    const auto see_residual = [&] {
+        problem.step.limit = FrictionLimit::coupled;
+        solution.residual = residual_of(problem, solution.change, least_speed);
+    };
+    const auto lead_on = [&] {
+        problem.step.limit = FrictionLimit::lagged;
+        const ProblemSolution led = solve_convex(problem, matrix, solution.change,
+                                                 std::max(tolerance, 0.01 * solution.residual), least_speed);
+        solution.change = led.change;
+        solution.newton_steps += led.newton_steps;
+        see_residual();
+    };
+    see_residual();
+    if (solution.residual > near_the_answer)
+        lead_on();
+    while (solution.residual > tolerance && solution.newton_steps < most_steps)
+        if (!newton_step(problem, matrix, least_speed, solution)) {
+            take_limits(problem, solution.change);
+            lead_on();
+        }
+    solution.converged = solution.residual <= tolerance;
+    return solution;
+}
+//! [solve]
 
 }  // namespace enduring

@@ -64,15 +64,20 @@ struct ProblemSolution {
 ///   `least_speed` as the least of the latter.
 double residual_of(const ContactProblem& problem, const Eigen::VectorXd& change, double least_speed);
 
-/// Newton's method with the exact Hessian and a line search, from x = 0.
+/// Newton's method with the exact Hessian and a line search, with limits of friction that are lagged.
+/// @param change       where it begins
 /// @param matrix       of the step's problems, kept from one to the next
 /// @param tolerance    of the residual
 /// @param least_speed  sqrt(kg) m/s: what counts as a momentum at all
-ProblemSolution solve(const ContactProblem& problem, NewtonMatrix& matrix, double tolerance,
-                      double least_speed, int most_steps = 100);
+ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
+                             const Eigen::VectorXd& change, double tolerance, double least_speed,
+                             int most_steps = 100);
 
-/// One full step of Newton's method from x = 0, for a problem that is nearly
-/// solved, with limits that need not be lagged.
-Eigen::VectorXd newton_step(const ContactProblem& problem, NewtonMatrix& matrix);
+/// Newton's method on the real equation, whose limits of friction are those that the same motion makes. Far
+/// from the answer, and where a step does not let the residual fall, the convex problem leads on, with the
+/// limits of the present answer.
+/// @param problem  its rows hold the limits to begin with; the other parameters as above
+ProblemSolution solve(ContactProblem problem, NewtonMatrix& matrix, double tolerance, double least_speed,
+                      int most_steps = 200);
 
 }  // namespace enduring

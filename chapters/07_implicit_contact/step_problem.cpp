@@ -102,6 +102,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
 {
     StepProblem step;
     step.problem.step = step_law;
+    step.problem.step.limit = FrictionLimit::coupled;
     step.vertices = touched_vertices(world, contacts);
     add_blocks(world, step);
     for (Contact& contact : contacts) {
@@ -151,35 +152,53 @@ void bring(World& world, const StepProblem& step, const Eigen::VectorXd& momentu
 
 }  // namespace
 
-//! [apply_change]
-void apply_change(World& world, StepProblem& step, const Eigen::VectorXd& change)
+Eigen::VectorXd impulses_after(const StepProblem& step, const Eigen::VectorXd& change)
+{
+    Eigen::VectorXd impulses(3 * step.problem.rows.size());
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        const PairRow& row = step.problem.rows[i];
+        const PairAnswer made = answer(row.law, row.velocity_after(change), step.problem.step);
+        impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = made.normal_impulse + made.friction;
+    }
+    return impulses;
+}
+
+Eigen::VectorXd last_impulses(const World& world, const StepProblem& step)
+{
+    Eigen::VectorXd impulses(3 * step.problem.rows.size());
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        const Contact& contact = *step.of_row[i];
+        // along the normal of the start, which is that of the last step's end
+        const Vec3 normal = normal_of(pair_step(world, contact), 0);
+        impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) =
+            step.problem.step.dt * (contact.load * normal - contact.stiffness * contact.stretch);
+    }
+    return impulses;
+}
+
+//! [apply_impulses]
+void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impulses)
 {
     Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
-        const Vec3 velocity = row.velocity_after(change);
-        const PairAnswer made = answer(row.law, velocity, step.problem.step);
-        row.add_impulse(made.normal_impulse + made.friction - row.acting, momentum);
+        const Vec3 impulse = impulses.segment<3>(static_cast<Eigen::Index>(3 * i));
+        row.add_impulse(impulse - row.acting, momentum);
         Contact& contact = *step.of_row[i];
-        contact.impulse = made.normal_impulse;
-        contact.friction = made.friction;
-        contact.slip = made.slips ? (velocity - row.law.normal.dot(velocity) * row.law.normal).norm() : 0;
+        contact.impulse = row.law.normal.dot(impulse) * row.law.normal;
+        contact.friction = impulse - contact.impulse;
     }
     bring(world, step, momentum);
 }
-//! [apply_change]
+//! [apply_impulses]
 
-void apply_last_impulses(World& world, StepProblem& step)
+void find_slip(StepProblem& step)
 {
-    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
-        Contact& contact = *step.of_row[i];
-        contact.impulse = row.law.pressing * row.law.normal;
-        contact.friction = -contact.stiffness * step.problem.step.dt * contact.stretch;
-        row.add_impulse(contact.impulse + contact.friction, momentum);
+        const Vec3 along = row.velocity - row.law.normal.dot(row.velocity) * row.law.normal;
+        step.of_row[i]->slip = answer(row.law, row.velocity, step.problem.step).slips ? along.norm() : 0;
     }
-    bring(world, step, momentum);
 }
 
 }  // namespace enduring

@@ -24,11 +24,15 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
 /// Brings normals, velocities and pressing impulses of all rows to the present prediction.
 void look_again(const World& world, StepProblem& step);
 
-/// Makes each pair's impulse what it answers to this change, and brings the
-/// difference to the bodies and their prediction.
-void apply_change(World& world, StepProblem& step, const Eigen::VectorXd& change);
+/// What all pairs answer to a change, three numbers each [N s].
+Eigen::VectorXd impulses_after(const StepProblem& step, const Eigen::VectorXd& change);
+/// Their impulses of the last step: at rest they are the answer.
+Eigen::VectorXd last_impulses(const World& world, const StepProblem& step);
 
-/// Gives every enduring pair the impulses of the last step to begin with: at rest they are the answer.
-void apply_last_impulses(World& world, StepProblem& step);
+/// Gives each pair this impulse, and brings the difference to the bodies and their prediction.
+void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impulses);
+
+/// Which pairs slip, and how fast.
+void find_slip(StepProblem& step);
 
 }  // namespace enduring

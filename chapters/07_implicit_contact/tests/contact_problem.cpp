@@ -44,10 +44,11 @@ ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiff
     return problem;
 }
 
+/// With limits of friction that are lagged.
 ProblemSolution solved(const ContactProblem& problem, double tolerance)
 {
     NewtonMatrix matrix;
-    return solve(problem, matrix, tolerance, 1e-9);
+    return solve_convex(problem, matrix, Eigen::VectorXd::Zero(problem.size), tolerance, 1e-9);
 }
 
 }  // namespace
@@ -92,6 +93,26 @@ TEST_CASE("contact problem: every random one is solved, whatever the stiffness a
             CHECK(solution.converged);
             CHECK(residual_of(problem, solution.change, 1e-9) <= 1e-8);
             CHECK(solution.newton_steps <= 60);
+        }
+}
+
+TEST_CASE("contact problem: every random one is solved with the limits of friction that its answer makes")
+{
+    for (unsigned seed = 0; seed < 60; ++seed)
+        for (const double stiffness : {1e2, 1e5}) {
+            ContactProblem problem = random_problem(seed, 3 + static_cast<int>(seed % 10),
+                                                    20 + static_cast<int>(seed), stiffness);
+            NewtonMatrix matrix;
+            const ProblemSolution solution = solve(problem, matrix, 1e-9, 1e-9);
+            CAPTURE(seed);
+            CAPTURE(stiffness);
+            CHECK(solution.converged);
+            problem.step.limit = FrictionLimit::coupled;
+            CHECK(residual_of(problem, solution.change, 1e-9) <= 1e-9);
+            for (const PairRow& row : problem.rows) {
+                const PairAnswer made = answer(row.law, row.velocity_after(solution.change), problem.step);
+                CHECK(made.friction.norm() <= row.law.mu * made.normal_impulse.norm() * (1 + 1e-12));
+            }
         }
 }
 
