@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 
 #include "chapters/04_friction/surface_turn.hpp"
+#include "chapters/07_implicit_contact/anderson_mixing.hpp"
 #include "chapters/07_implicit_contact/newton_matrix.hpp"
 
 #include <algorithm>
@@ -47,6 +48,7 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
     SolveRecord record{world.step, static_cast<int>(step.problem.rows.size())};
     const double least = least_speed(world, dt);
     NewtonMatrix matrix;
+    AndersonMixing mixing;
     for (;; ++record.rounds) {
         look_again(world, step);
         record.residual = residual_of(step.problem, Eigen::VectorXd::Zero(step.problem.size), least);
@@ -56,7 +58,8 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         // A stiff pair makes much of a small error in the velocities, so they are found more sharply.
         const ProblemSolution solution = solve(step.problem, matrix, 1e-4 * settings.tolerance, least);
         record.newton_steps += solution.newton_steps;
-        apply_impulses(world, step, impulses_after(step, solution.change));
+        const Eigen::VectorXd after = impulses_after(step, solution.change);
+        apply_impulses(world, step, mixing.next(impulses_acting(step), after));
     }
     find_slip(step);
     for (Contact& contact : contacts)

@@ -152,6 +152,14 @@ void bring(World& world, const StepProblem& step, const Eigen::VectorXd& momentu
 
 }  // namespace
 
+Eigen::VectorXd impulses_acting(const StepProblem& step)
+{
+    Eigen::VectorXd impulses(3 * step.problem.rows.size());
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i)
+        impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = step.problem.rows[i].acting;
+    return impulses;
+}
+
 Eigen::VectorXd impulses_after(const StepProblem& step, const Eigen::VectorXd& change)
 {
     Eigen::VectorXd impulses(3 * step.problem.rows.size());

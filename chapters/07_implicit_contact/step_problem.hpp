@@ -24,6 +24,8 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
 /// Brings normals, velocities and pressing impulses of all rows to the present prediction.
 void look_again(const World& world, StepProblem& step);
 
+/// The impulses of all pairs as they act, three numbers each [N s].
+Eigen::VectorXd impulses_acting(const StepProblem& step);
 /// What all pairs answer to a change, three numbers each [N s].
 Eigen::VectorXd impulses_after(const StepProblem& step, const Eigen::VectorXd& change);
 /// Their impulses of the last step: at rest they are the answer.

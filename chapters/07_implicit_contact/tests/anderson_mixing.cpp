@@ -1,0 +1,38 @@
+#include "chapters/07_implicit_contact/anderson_mixing.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/QR>
+
+#include <random>
+
+using namespace enduring;
+
+TEST_CASE("anderson mixing: rounds of a linear map end, also where alone they would grow")
+{
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    for (int n = 1; n <= 6; ++n) {
+        const auto number = [&] { return normal(random); };
+        const Eigen::MatrixXd axes =
+            Eigen::MatrixXd::NullaryExpr(n, n, number).householderQr().householderQ();
+        const Eigen::VectorXd factors = Eigen::VectorXd::LinSpaced(n, -1.5, 0.99),
+                              expected = Eigen::VectorXd::NullaryExpr(n, number);
+        const Eigen::MatrixXd map = axes * factors.asDiagonal() * axes.transpose();
+        AndersonMixing mixing;
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+        for (int round = 0; round < n + 3; ++round)
+            x = mixing.next(x, expected + map * (x - expected));
+        CAPTURE(n);
+        CHECK((x - expected).norm() <= 1e-8);
+    }
+}
+
+TEST_CASE("anderson mixing: rounds that only change the sign of the error end in the middle")
+{
+    AndersonMixing mixing;
+    Eigen::VectorXd x = Eigen::VectorXd::Constant(3, 5);
+    for (int round = 0; round < 2; ++round)
+        x = mixing.next(x, Eigen::VectorXd(2 - x.array()));
+    CHECK((x.array() - 1).matrix().norm() <= 1e-14);
+}
