@@ -109,7 +109,7 @@ void run_experiments(const ChapterProgram& program, const std::vector<const Expe
 
 int run_chapter(int argc, char** argv, const ChapterProgram& program)
 {
-    CLI::App app(program.title, "chapter" + program.folder.substr(0, 2));
+    CLI::App app(program.title, std::filesystem::path(argv[0]).filename().string());
     CommandLine line;
     describe(app, program, line);
     const auto usage = [&](const std::string& mistake) {
