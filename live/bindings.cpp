@@ -47,4 +47,8 @@ EMSCRIPTEN_BINDINGS(live)
     function("begin_sliding", &begin_sliding);
     function(
         "slide_on", +[](int steps) { return array_of(slide_on(steps)); });
+    function(
+        "implicit", +[](double h, double centre, bool by_mean, int steps) {
+            return array_of(implicit(h, centre, by_mean, steps));
+        });
 }

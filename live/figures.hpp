@@ -48,4 +48,12 @@ void begin_sliding(int solver, double speed);
 ///          pair x y z and 0 unknown, 1 regular, 2 hooked, 3 held ...}
 Numbers slide_on(int steps);
 
+/// Chapter 7: a particle of 1 kg dropped from 0.1 m, in implicit steps of 10 ms.
+/// @param h        k dt^2 / m
+/// @param centre   of the weight over the step
+/// @param by_mean  moved by the mean of both velocities in the place of the end's
+/// @return {spectral radius, h up to which it is stable if moved by the end's velocity, Re and Im of both
+///          eigenvalues, then for each step height [m] and energy above that at rest, over the first ...}
+Numbers implicit(double h, double centre, bool by_mean, int steps);
+
 }  // namespace enduring::live

@@ -18,7 +18,8 @@ require(MODULE)().then(m => {
     fall: list(m.query(false, fall)), away: list(m.query(false, [...face, ...face.map((v, i) => i === 1 ? 2 : v)])),
     inside: list(m.integral(-1, -1, -1, -1)), outside: list(m.integral(1, 1, 1, 1)), line: list(m.integral(1, 1 / 3, -1 / 3, -1)),
     loose: list(m.slope(false, 10, 0.3, 0.3, 0, 1)), firm: list(m.slope(false, 10, 0.4, 0.4, 0, 1)), mass_splitting: list(m.slope(true, 10, 0.18, 0.18, 0, 1)),
-    flat: list(m.circle(180)), right: list(m.circle(90)), six: slide(6), five: slide(5) }));
+    flat: list(m.circle(180)), right: list(m.circle(90)), six: slide(6), five: slide(5),
+    fastest: list(m.implicit(16, 0.5, false, 200)), kept: list(m.implicit(16, 0.5, true, 200)), back: list(m.implicit(21, 0.3, false, 2)) }));
 });
 """
 
@@ -55,6 +56,14 @@ class LiveFigures(unittest.TestCase):
         self.assertTrue(all((mark & 2 > 0) == (mark & 4 > 0) for mark in self.said["flat"]))
         self.assertEqual(sum(mark & 2 > 0 for mark in self.said["right"]) in (90, 91), True)
         self.assertEqual(sum(mark & 4 > 0 for mark in self.said["right"]) in (180, 181), True)
+
+    def test_the_implicit_step_is_fastest_at_16_costs_nothing_by_the_mean_and_has_a_limit_where_it_looks_back(self):
+        self.assertAlmostEqual(self.said["fastest"][0], 1 / 3, 6)
+        self.assertAlmostEqual(self.said["kept"][0], 1, 12)
+        self.assertTrue(all(abs(energy - 1) < 1e-9 for energy in self.said["kept"][7::2]))
+        self.assertTrue(all(after <= before for before, after in zip(self.said["fastest"][7::2], self.said["fastest"][9::2])))
+        self.assertAlmostEqual(self.said["back"][1], 4 / (1 - 2 * 0.3), 12)
+        self.assertGreater(self.said["back"][0], 1)
 
     def test_the_cube_keeps_its_speed_with_chapter_6_and_stops_with_chapter_5(self):
         self.assertAlmostEqual(self.said["six"][-1][1], 1.5, 2)

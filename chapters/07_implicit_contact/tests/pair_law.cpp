@@ -57,6 +57,20 @@ TEST_CASE("pair law: the stiffening is minus the derivative of the impulse, symm
     }
 }
 
+TEST_CASE("pair law: while it holds, friction is the spring from its anchor to where p ends the step")
+{
+    int holding = 0;
+    for (const auto& [pair, velocity] : samples()) {
+        const PairAnswer made = answer(pair, velocity, step);
+        if (made.slips || pair.pressing == 0)
+            continue;
+        ++holding;
+        const Vec3 along = velocity - pair.normal.dot(velocity) * pair.normal;
+        CHECK((made.friction + pair.stiffness * step.dt * (pair.stretch + step.dt * along)).norm() <= 1e-12);
+    }
+    CHECK(holding > 20);
+}
+
 TEST_CASE("pair law: two velocities and their impulses never agree in direction, so the potential is convex")
 {
     const std::vector<Sample> all = samples();

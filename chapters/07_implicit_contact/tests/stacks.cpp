@@ -68,6 +68,38 @@ TEST_CASE("pair memory: a stiffness that changes changes no force, and its slack
     CHECK(std::abs(contact.slack) < 0.01 * std::abs(slack));
 }
 
+TEST_CASE("pair memory: a mass and a load each ask for a stiffness, and the larger one counts")
+{
+    const StiffnessChoice choice{25, 1e-3, 0.9};
+    CHECK(wanted_stiffness(3, 10, choice, 0.02) == doctest::Approx(25 * 3 / (0.02 * 0.02)));
+    CHECK(wanted_stiffness(3, 1e6, choice, 0.02) == doctest::Approx(1e9));
+}
+
+TEST_CASE("pair memory: a stiffness doubles in a step at most, and never falls with its load")
+{
+    const StiffnessChoice choice;
+    Contact contact;
+    adapt_stiffness(contact, 0, 2, choice, 0.01);
+    const double first = contact.stiffness;
+    contact.load = 1e9;
+    adapt_stiffness(contact, -1e-4, 0, choice, 0.01);
+    CHECK(contact.stiffness == 2 * first);
+    contact.load = 0;
+    adapt_stiffness(contact, -1e-4, 0, choice, 0.01);
+    CHECK(contact.stiffness == 2 * first);
+}
+
+TEST_CASE("pair memory: where the stiffness rises, friction holds what it held before")
+{
+    Contact contact;
+    adapt_stiffness(contact, 0, 2, {}, 0.01);
+    contact.load = 1e9;
+    contact.stretch = Vec3(1e-5, 0, -2e-5);
+    const Vec3 force = contact.stiffness * contact.stretch;
+    adapt_stiffness(contact, -1e-4, 0, {}, 0.01);
+    CHECK((contact.stiffness * contact.stretch - force).norm() <= 1e-12 * force.norm());
+}
+
 TEST_CASE("pair memory: a pair that is born inside pushes nobody, one from outside at its full depth")
 {
     Contact inside, outside;
@@ -107,4 +139,57 @@ TEST_CASE("slope: a cube that slides does so with g (sin - mu_d cos), whatever h
     };
     const double first = speed_after(50), second = speed_after(100), angle = 20 * 3.14159265358979 / 180;
     CHECK(second - first == doctest::Approx(9.81 * (std::sin(angle) - 0.1 * std::cos(angle))).epsilon(0.002));
+}
+
+TEST_CASE(
+    "pair memory: a new pair's stiffness comes from the mass that it feels, both bodies' and with their turn")
+{
+    for (const auto& [below, above] : {std::pair(1.0, 1000.0), std::pair(1000.0, 1.0), std::pair(3.0, 5.0)}) {
+        Scene scene = scene_of({{below, Vec3(0, 0.5, 0)}, {above, Vec3(0.1, 1.5, 0.2)}}, 0.01);
+        const Solver solver = chapter07_solver(scene.contact);
+        Contacts contacts;
+        // A push at a cube's corner moves it there by 4/m: by 1/m as a whole, and by 3/m as it turns. One
+        // where the other cube's corner lies moves it by 2.5/m.
+        const auto stiffnesses_are = [&](ContactKind kind, int body, double response) {
+            int pairs = 0;
+            for (const Contact& contact : contacts)
+                if (contact.kind == kind && contact.body_a == body) {
+                    ++pairs;
+                    CHECK(contact.stiffness == doctest::Approx(100 / (response * 1e-4)).epsilon(1e-3));
+                }
+            return pairs;
+        };
+        advance(scene.world, contacts, solver, scene.dt);
+        CHECK(stiffnesses_are(ContactKind::vertex_plane, 0, 4 / below) == 4);
+        CHECK(stiffnesses_are(ContactKind::vertex_face, 1, 4 / above + 2.5 / below) > 0);
+        CHECK(stiffnesses_are(ContactKind::vertex_face, 0, 4 / below + 2.5 / above) > 0);
+    }
+}
+
+TEST_CASE(
+    "implicit contact: an impulse turns a body with the lever of the place where it acts, at the step's end")
+{
+    Scene scene = scene_of({{10, Vec3(0, 0.8, 0), 30, Vec3(1, 0.3, 0.2).normalized()}}, 0.01);
+    auto& cube = dynamic_cast<RigidBody&>(*scene.world.bodies[0]);
+    cube.apply_impulse(0, Vec3(8, -30, 5));
+    const Solver solver = chapter07_solver(scene.contact);
+    Contacts contacts;
+    int hits = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Vec3 turn = scene.dt * cube.motion().angular_velocity(),
+                   spin = cube.angular_momentum(cube.centre());
+        const Eigen::AngleAxisd by(turn.norm(), turn.normalized());
+        const std::vector<Vec3> start(cube.positions_t0().begin(), cube.positions_t0().end());
+        const Vec3 centre = cube.centre();
+        advance(scene.world, contacts, solver, scene.dt);
+        Vec3 expected = spin;
+        for (const Contact& contact : contacts) {
+            // Without a push a cube turns on as it turned, to the lever that all its pushes have.
+            const Vec3 lever = by * (start[static_cast<std::size_t>(contact.vertices[0])] - centre);
+            expected += lever.cross(contact.impulse + contact.friction);
+            hits += !contact.impulse.isZero();
+        }
+        CHECK((cube.angular_momentum(cube.centre()) - expected).norm() <= 1e-9);
+    }
+    CHECK(hits > 10);
 }
