@@ -103,9 +103,14 @@ def tell_misconceptions(exercise, outcome):
     found = misconceptions(exercise, outcome)
     alike = [mutant for mutant in exercise.mutants if set(mutant.fails) == cases_to_explain(outcome)]
     for mutant in found:
-        tell_diagnosis("Perhaps: ", mutant)
+        tell_diagnosis("Perhaps: " if tells_apart(outcome) else "This has many possible reasons. One of them: ", mutant)
     if not found and len(alike) == 1 and not any(re.search(r"\bnan\b", failure.message) for failure in outcome.failures):
         tell_diagnosis("Another answer, with other numbers, failed in the same properties. Of that one we would say: ", alike[0])
+
+
+def tells_apart(outcome):
+    """Whether what the answer got holds a number that few mistakes share; yes, no, and small whole numbers are got by many."""
+    return any(re.search(r"\d\.\d{2}|\d{3}|\de[-+]\d", failure.message.partition(", got ")[2]) for failure in outcome.failures)
 
 
 def tell_diagnosis(head, mutant):

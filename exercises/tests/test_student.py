@@ -55,6 +55,16 @@ class AStudent(unittest.TestCase):
             status = student.check(exercises, named)
         return status, told.getvalue()
 
+    def test_a_diagnosis_is_hedged_where_many_mistakes_get_the_same(self):
+        mutant = mock.Mock(diagnosis="the sign", fails=["fall: down"])
+        heads = {}
+        for message in ("expected 1 m, got 0.1234 m", "expected 1 m, got 0 m", "it comes to rest"):
+            outcome = Outcome("failed", cases=4, failures=[Failure("fall: down", [], message)])
+            with mock.patch.object(student, "misconceptions", return_value=[mutant]), redirect_stdout(io.StringIO()) as told:
+                student.tell_misconceptions(mock.Mock(mutants=[mutant]), outcome)
+            heads[message] = told.getvalue().strip()
+        self.assertEqual(list(heads.values()), ["Perhaps: the sign", *2 * ["This has many possible reasons. One of them: the sign"]])
+
     def test_a_stub_is_not_right(self):
         self.assertEqual(self.check(self.exercises)[0], 1)
         self.assertEqual(self.check([self.first], named=True)[0], 1)
