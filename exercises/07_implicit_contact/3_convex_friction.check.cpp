@@ -41,11 +41,26 @@ double room(const Vec3& impulse, const Sample& sample)
     return sample.mu * push - (impulse - push * sample.normal).norm();
 }
 
-/// Whether two vectors or matrices agree. Of many cases only the first in which they do not is told.
-template <class One, class Other>
-bool agree(const One& one, const Other& other, double tolerance)
+/// One comparison of many: it is told only if it is wrong, and then it should be the last.
+template <class Value>
+bool agrees(const std::string& input, const std::string& what, const Value& got, const Value& expected,
+            double tolerance, const std::string& unit = "")
 {
-    return (one - other).norm() <= tolerance;
+    if ((got - expected).norm() <= tolerance)
+        return true;
+    given(input);
+    expect(what, got, expected, tolerance, unit);
+    return false;
+}
+
+/// The same for a property.
+bool holds(const std::string& input, const std::string& what, bool right)
+{
+    if (right)
+        return true;
+    given(input);
+    expect_that(what, false);
+    return false;
 }
 
 /// Directions on the cone's mantle, all around.
@@ -174,18 +189,16 @@ TEST_CASE("cone: it lies in the cone, and no other impulse of the cone is nearer
         const Vec3 found = nearest_in_cone(sample.wanted, sample.normal, sample.mu),
                    left = sample.wanted - found;
         const double rounding = 1e-12 * sample.size;
-        const bool inside = room(found, sample) >= -rounding * (1 + sample.mu);
         bool nearest = std::abs(left.dot(found)) <= rounding * sample.size;
         for (const Vec3& ray : mantle_of(sample))
             nearest = nearest && left.dot(ray) <= rounding;
-        if (inside && nearest)
-            continue;
-        given(told(sample));
-        expect_that("the impulse " + readable(found) + " N s lies in the cone", inside);
-        expect_that("what is cut off, " + readable(left) +
-                        " N s, stands at right angles on the impulse and points away from the cone",
-                    nearest);
-        return;
+        if (!holds(told(sample), "the impulse " + readable(found) + " N s lies in the cone",
+                   room(found, sample) >= -rounding * (1 + sample.mu)) ||
+            !holds(told(sample),
+                   "what is cut off, " + readable(left) +
+                       " N s, stands at right angles on the impulse and points away from the cone",
+                   nearest))
+            return;
     }
 }
 
@@ -194,14 +207,12 @@ TEST_CASE("cone: without friction it is the push along the normal")
     std::vector<Sample> all = samples();
     for (const double push : {-1, 0, 1})
         all.push_back({Vec3(0, push, 0), Vec3::UnitY(), 0, 1});
-    for (const Sample& sample : all) {
-        const Vec3 got = nearest_in_cone(sample.wanted, sample.normal, 0),
-                   expected = std::max(0.0, sample.normal.dot(sample.wanted)) * sample.normal;
-        if (agree(got, expected, 1e-12 * sample.size))
-            continue;
-        given("wanted ", readable(sample.wanted), " N s, normal ", readable(sample.normal), ", mu 0");
-        expect("impulse", got, expected, 1e-12 * sample.size, "N s");
-        return;
+    for (Sample& sample : all) {
+        sample.mu = 0;
+        const Vec3 expected = std::max(0.0, sample.normal.dot(sample.wanted)) * sample.normal;
+        if (!agrees(told(sample), "impulse", nearest_in_cone(sample.wanted, sample.normal, 0), expected,
+                    1e-12 * sample.size, "N s"))
+            return;
     }
 }
 
@@ -214,13 +225,9 @@ TEST_CASE(
             continue;
         const Vec3 found = nearest_in_cone(sample.wanted, sample.normal, sample.mu);
         ++seen[found.isZero(0) ? 0 : (found - sample.wanted).isZero(0) ? 1 : 2];
-        const Mat3 got = cone_derivative(sample.wanted, sample.normal, sample.mu),
-                   expected = difference_quotient(sample);
-        if (agree(got, expected, 1e-5))
-            continue;
-        given(told(sample));
-        expect("derivative", got, expected, 1e-5);
-        return;
+        if (!agrees(told(sample), "derivative", cone_derivative(sample.wanted, sample.normal, sample.mu),
+                    difference_quotient(sample), 1e-5))
+            return;
     }
     expect_that("all three regions of your cone are met among 1000 impulses",
                 std::all_of(seen.begin(), seen.end(), [](int count) { return count > 100; }));
@@ -231,13 +238,10 @@ TEST_CASE("derivative: it is symmetric, and its eigenvalues lie between 0 and 1"
     for (const Sample& sample : samples()) {
         const Mat3 derivative = cone_derivative(sample.wanted, sample.normal, sample.mu);
         const Vec3 eigenvalues = Eigen::SelfAdjointEigenSolver<Mat3>(derivative).eigenvalues();
-        const bool between = eigenvalues.minCoeff() >= -1e-12 && eigenvalues.maxCoeff() <= 1 + 1e-12;
-        if (between && agree(derivative, derivative.transpose(), 1e-12))
-            continue;
-        given(told(sample));
-        expect("derivative", derivative, Mat3(derivative.transpose()), 1e-12);
-        expect_that("its eigenvalues " + readable(eigenvalues) + " lie between 0 and 1", between);
-        return;
+        if (!agrees(told(sample), "derivative", derivative, Mat3(derivative.transpose()), 1e-12) ||
+            !holds(told(sample), "its eigenvalues " + readable(eigenvalues) + " lie between 0 and 1",
+                   eigenvalues.minCoeff() >= -1e-12 && eigenvalues.maxCoeff() <= 1 + 1e-12))
+            return;
     }
 }
 
@@ -275,15 +279,12 @@ TEST_CASE("answer: while it holds it is the chapter's pair at the end of the ste
             continue;
         ++holding;
         const ConvexAnswer made = convex_answer(situation.pair, situation.velocity, dt);
-        const Vec3 expected = chapters.normal_impulse + chapters.friction;
-        const double mass = situation.pair.stiffness * dt * dt, rounding = 1e-9 * mass * situation.speed;
-        if (agree(made.impulse, expected, rounding) &&
-            agree(made.stiffening, chapters.stiffening, 1e-9 * mass))
-            continue;
-        given(told(situation));
-        expect("impulse", made.impulse, expected, rounding, "N s");
-        expect("stiffening", made.stiffening, chapters.stiffening, 1e-9 * mass, "kg");
-        return;
+        const double mass = situation.pair.stiffness * dt * dt;
+        if (!agrees(told(situation), "impulse", made.impulse,
+                    Vec3(chapters.normal_impulse + chapters.friction), 1e-9 * mass * situation.speed,
+                    "N s") ||
+            !agrees(told(situation), "stiffening", made.stiffening, chapters.stiffening, 1e-9 * mass, "kg"))
+            return;
     }
     expect_that("more than 100 of 450 pairs hold", holding > 100);
 }
@@ -306,12 +307,10 @@ TEST_CASE(
         }
         if (near_a_border({wanted, pair.normal, pair.mu, wanted.norm()}))
             change = made.stiffening;
-        if (agree(slope, made.impulse, 1e-4 * mass * speed) && agree(made.stiffening, change, 1e-4 * mass))
-            continue;
-        given(told({pair, velocity, speed}));
-        expect("slope of the potential", slope, made.impulse, 1e-4 * mass * speed, "N s");
-        expect("stiffening", made.stiffening, change, 1e-4 * mass, "kg");
-        return;
+        const std::string input = told({pair, velocity, speed});
+        if (!agrees(input, "slope of the potential", slope, made.impulse, 1e-4 * mass * speed, "N s") ||
+            !agrees(input, "stiffening", made.stiffening, change, 1e-4 * mass, "kg"))
+            return;
     }
 }
 
@@ -326,15 +325,13 @@ TEST_CASE("answer: the potential lies above each of its tangents, so it is conve
             const ConvexAnswer there = convex_answer(pair, velocity + change, dt);
             const double rounding = 1e-10 * pair.stiffness * dt * dt * speed * speed,
                          tangent = here.potential - here.impulse.dot(change);
-            if (there.potential >= tangent - rounding && there.potential >= 0)
-                continue;
-            given(told({pair, velocity, speed}), ", and another velocity ",
-                  readable(Vec3(velocity + change)));
-            expect_that("the potential there, " + readable(there.potential) +
-                            " J, is neither negative nor below the tangent from here, " + readable(tangent) +
-                            " J",
-                        false);
-            return;
+            if (!holds(told({pair, velocity, speed}) + ", and another velocity " +
+                           readable(Vec3(velocity + change)),
+                       "the potential there, " + readable(there.potential) +
+                           " J, is neither negative nor below the tangent from here, " + readable(tangent) +
+                           " J",
+                       there.potential >= tangent - rounding && there.potential >= 0))
+                return;
         }
     }
 }
