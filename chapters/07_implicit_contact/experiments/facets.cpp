@@ -1,3 +1,5 @@
+#include "chapters/07_implicit_contact/experiments/facets.hpp"
+
 #include "chapters/06_redefinition/experiments/rolling.hpp"
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
@@ -21,66 +23,76 @@ double inertia_of(const Roll& roll, double exact)
     return mr2 * (9.81 * std::sin(radians(roll.slope_deg)) / exact - 1);
 }
 
-/// Mean speed of the surface around the centre in the last three fifths of the run [m/s], as roll() takes it; and
-/// the least force that presses an edge on [N].
-struct ByWheel {
-    double speed = 0, least_pressed = INFINITY;
-};
+}  // namespace
 
-ByWheel by_wheel(const Roll& roll, double inertia)
+PrismRoll roll_prism(int sides, double dt)
 {
-    RimlessWheel wheel{
-        roll.sides, Roll::radius, roll.mass, inertia, radians(roll.slope_deg), 0, roll.speed / Roll::radius};
-    ByWheel result;
-    const long steps = std::lround(roll.duration / roll.dt), from = steps * 2 / 5;
+    const Roll roll{.dt = dt, .sides = sides, .slope_deg = 10, .speed = 0.7, .duration = 0.5};
+    SolveStatistics solves;
+    const chapter06::RollOutcome outcome = chapter06::roll(roll, counting_solver(solves));
+    RimlessWheel wheel{sides,
+                       Roll::radius,
+                       roll.mass,
+                       inertia_of(roll, outcome.exact),
+                       radians(roll.slope_deg),
+                       0,
+                       roll.speed / Roll::radius};
+    PrismRoll result{outcome.surface_speed, 0, roll.speed + outcome.exact * (0.7 * roll.duration + 0.5 * dt),
+                     wheel.kept(), INFINITY};
+    const long steps = std::lround(roll.duration / dt), from = steps * 2 / 5;
     for (long i = 0; i < steps; ++i) {
-        wheel.roll(roll.dt);
+        wheel.roll(dt);
         result.least_pressed = std::min(result.least_pressed, wheel.pressed());
         if (i >= from)
-            result.speed += wheel.rate * Roll::radius / static_cast<double>(steps - from);
+            result.by_wheel += wheel.rate * Roll::radius / static_cast<double>(steps - from);
     }
     return result;
 }
+
+namespace {
 
 /// Prisms, whose facets are exactly those of the wheel.
 void roll_prisms(bool quick, Report& report)
 {
     Table table({"sides", "dt_s", "kept_percent", "speed_m_per_s", "wheel_m_per_s", "error_percent",
                  "round_m_per_s", "least_pressed_n"});
-    double worst = 0;
-    SolveStatistics solves;
+    double worst = 0, finest = 0;
     for (const int sides : {8, 16, 32, 64})
         for (const double dt : quick ? std::vector{0.0025} : std::vector{0.01, 0.005, 0.0025, 0.001}) {
-            const Roll roll{.dt = dt, .sides = sides, .slope_deg = 10, .speed = 0.7, .duration = 0.5};
-            const chapter06::RollOutcome outcome = chapter06::roll(roll, counting_solver(solves));
-            const double inertia = inertia_of(roll, outcome.exact);
-            const ByWheel wheel = by_wheel(roll, inertia);
-            const double round = roll.speed + outcome.exact * (0.7 * roll.duration + 0.5 * roll.dt),
-                         error = 100 * (outcome.surface_speed / wheel.speed - 1);
-            const RimlessWheel shape{sides, Roll::radius, roll.mass, inertia};
-            table.add({static_cast<long>(sides), dt, 100 * shape.kept(), outcome.surface_speed, wheel.speed,
-                       error, round, wheel.least_pressed});
+            const PrismRoll roll = roll_prism(sides, dt);
+            const double error = 100 * (roll.measured / roll.by_wheel - 1);
+            table.add({static_cast<long>(sides), dt, 100 * roll.kept, roll.measured, roll.by_wheel, error,
+                       roll.round, roll.least_pressed});
             worst = std::max(worst, std::abs(error));
+            if (dt <= 0.0025)
+                finest = std::max(finest, std::abs(error));
         }
     report.table("facets_prisms", table);
     report.page_table("facets_prisms", table, 4);
     report.fact("facets", "worst_percent", worst, 2);
+    report.fact("facets", "short_steps_percent", finest, 2);
 }
 
 /// Balls, ever finer: what they lose against a round one.
 void roll_balls(bool quick, Report& report)
 {
     Table table({"faces", "dt_s", "acceleration", "round", "lost_percent"});
+    const int most = quick ? 4 : 6;
+    double finest = 0;
     SolveStatistics solves;
     for (const double dt : {0.01, 0.0025})
-        for (int subdivisions = 2; subdivisions <= (quick ? 4 : 6); ++subdivisions) {
+        for (int subdivisions = 2; subdivisions <= most; ++subdivisions) {
             const Roll roll{.dt = dt, .subdivisions = subdivisions, .duration = 0.8};
             const chapter06::RollOutcome outcome = chapter06::roll(roll, counting_solver(solves));
+            finest = subdivisions == most
+                         ? std::max(finest, std::abs(100 * (1 - outcome.acceleration / outcome.exact)))
+                         : finest;
             table.add({20L << (2 * subdivisions), dt, outcome.acceleration, outcome.exact,
                        100 * (1 - outcome.acceleration / outcome.exact)});
         }
     report.table("facets_balls", table);
     report.page_table("facets_balls", table, 4);
+    report.fact("facets", "finest_ball_percent", finest, 2);
 }
 
 }  // namespace

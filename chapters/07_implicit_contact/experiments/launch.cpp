@@ -1,3 +1,5 @@
+#include "chapters/07_implicit_contact/experiments/launch.hpp"
+
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "common/geometry/box_shapes.hpp"
@@ -14,11 +16,6 @@ constexpr double mass = 100;  // [kg], as chapter 4's
 
 double tangent(double slope_deg) { return std::tan(slope_deg * std::numbers::pi / 180); }
 
-struct Launch {
-    double slope_deg, dt, mu_s, mu_d;
-    double speed = 3;  ///< uphill [m/s]
-};
-
 /// Chapter 4's cube of 1 m, launched uphill.
 Scene launched(const Launch& launch)
 {
@@ -31,7 +28,8 @@ Scene launched(const Launch& launch)
     return scene;
 }
 
-/// Does it stay where it turns round: within a millimetre for two seconds, from half a second after on?
+}  // namespace
+
 bool stays(const Launch& launch)
 {
     Scene scene = launched(launch);
@@ -49,6 +47,16 @@ bool stays(const Launch& launch)
     const double before = until(turns + 0.5);
     return std::abs(until(turns + 2.5) - before) < 1e-3;
 }
+
+//! [weak_corners]
+double weak_corners(double slope_deg, double falls)
+{
+    const double t = tangent(slope_deg);
+    return std::min(1 / (1 - t), 2 / ((1 + t) + falls * (1 - t)));
+}
+//! [weak_corners]
+
+namespace {
 
 //! [rocking]
 /// Damping ratio of the cube as it rocks on its corners, four springs of h = 100: backward Euler turns and
@@ -101,16 +109,6 @@ void with_one_coefficient(bool quick, Report& report)
     report.fact("launch", "damping", rocking_damping(), 2);
     report.fact("launch", "worst_percent", 100 * worst, 2);
 }
-
-//! [weak_corners]
-/// The smallest mu_s over tan with which four corners hold a cube, if a corner that slips has falls * mu_s. The
-/// weight's lever takes load from the upper two; their friction springs carry as much as the others, and slip first.
-double weak_corners(double slope_deg, double falls)
-{
-    const double t = tangent(slope_deg);
-    return std::min(1 / (1 - t), 2 / ((1 + t) + falls * (1 - t)));
-}
-//! [weak_corners]
 
 /// With a coefficient that falls, laid down at rest.
 void laid(bool quick, Report& report)
