@@ -76,7 +76,7 @@ void against_bullet(bool quick, Report& report)
     }
     report.table("speed_bullet", table);
     report.page_table("speed_bullet", table, 2);
-    report.fact("speed", "worst_ratio", worst, 2);
+    report.fact("speed", "worst_ratio_by_clock", worst, 2);
 }
 
 /// Stacks of five, side by side without touching: ten times the cubes should be ten times the work.
@@ -109,8 +109,8 @@ void growth(bool quick, Report& report)
         return std::log(times.back() / times.front()) /
                std::log(static_cast<double>(counts.back()) / counts.front());
     };
-    report.fact("speed", "exponent", exponent(ours), 2);
-    report.fact("speed", "bullet_exponent", exponent(bullet), 2);
+    report.fact("speed", "exponent_by_clock", exponent(ours), 2);
+    report.fact("speed", "bullet_exponent_by_clock", exponent(bullet), 2);
 }
 
 /// Chapter 6's bunny in its bowl, and how much faster than its clock it runs.
@@ -126,7 +126,7 @@ void bunny(bool quick, Report& report)
         const StepTimes times = time_scene(scene, solver, falls, rests);
         const double all = (falls + rests) * step_ms / (falls * times.falling + rests * times.at_rest);
         table.add({static_cast<long>(elements), step_ms / times.falling, step_ms / times.at_rest, all});
-        report.fact("speed", "bunny_" + std::to_string(elements) + "_real_time", all, 2);
+        report.fact("speed", "bunny_" + std::to_string(elements) + "_real_time_factor", all, 2);
     }
     report.table("speed_bunny", table);
     report.page_table("speed_bunny", table, 2);
