@@ -6,5 +6,6 @@ namespace enduring::solvers {
 
 void passes(const RunOptions& options, Report& report);
 void ledger(const RunOptions& options, Report& report);
+void speed(const RunOptions& options, Report& report);
 
 }  // namespace enduring::solvers

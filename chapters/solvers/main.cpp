@@ -13,6 +13,9 @@ int main(int argc, char** argv)
         {
             {"passes", "what every chapter's solver runs, stage by stage", solvers::passes},
             {"ledger", "every chapter's solver in every scene that called for a new one", solvers::ledger},
+            {"speed",
+             "how long chapter 7's steps take: against Bullet, over the number of bodies, against the clock",
+             solvers::speed},
             {"own_scene", "the example of a scene of your own; any other runs with --scene FILE",
              solvers::own_scene_example},
         },

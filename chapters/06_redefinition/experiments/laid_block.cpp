@@ -1,7 +1,6 @@
 #include "chapters/06_redefinition/experiments/laid_block.hpp"
 
 #include "chapters/06_redefinition/experiments/experiments.hpp"
-#include "chapters/06_redefinition/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
@@ -47,10 +46,10 @@ int corners_in(const Contacts& contacts)
 
 }  // namespace
 
-LaidOutcome lay(const LaidBlock& laid)
+LaidOutcome lay(const LaidBlock& laid, const MakeSolver& make_solver)
 {
     World world = world_of(laid);
-    const Solver solver = chapter06_solver({PenaltyMethod::continuous, 12000});
+    const Solver solver = make_solver({PenaltyMethod::continuous, 12000});
     Contacts contacts;
     const auto energy = [&] { return world.bodies[1]->energy(world.gravity).total(); };
     const double before = energy();

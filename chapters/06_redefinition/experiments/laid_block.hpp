@@ -1,5 +1,7 @@
 #pragma once
 
+#include "chapters/06_redefinition/experiments/make_solver.hpp"
+
 namespace enduring::chapter06 {
 
 /// A block of 20 kg laid on a slab of triangles, both turned together; without friction.
@@ -14,7 +16,8 @@ struct LaidOutcome {
     double energy_gained = 0;  ///< at most, over the energy at first [J]
 };
 
-/// 0.8 s with this chapter's solver, k = 12,000 N/m and steps of 0.01 s.
-LaidOutcome lay(const LaidBlock& laid);
+/// 0.8 s with k = 12,000 N/m and steps of 0.01 s.
+/// @param make_solver  this chapter's, or a later one's
+LaidOutcome lay(const LaidBlock& laid, const MakeSolver& make_solver = chapter06_solver);
 
 }  // namespace enduring::chapter06

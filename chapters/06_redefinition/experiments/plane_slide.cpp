@@ -97,11 +97,14 @@ Scene scene_of(const PlaneSlide& slide)
     return load_scene(scene_file("sliding_plane"), change.dump());
 }
 
-SlideOutcome slide_over_plane(const PlaneSlide& slide, const Solver& solver)
+SlideOutcome slide_over_plane(const PlaneSlide& slide, const Solver& solver, Probe* observer)
 {
     Scene scene = scene_of(slide);
     SlideProbe probe(slide, scene.duration);
-    run(scene, solver, {&probe}, {.may_gain_energy = slide.may_gain_energy});
+    std::vector<Probe*> probes{&probe};
+    if (observer)
+        probes.push_back(observer);
+    run(scene, solver, probes, {.may_gain_energy = slide.may_gain_energy});
     return probe.outcome();
 }
 

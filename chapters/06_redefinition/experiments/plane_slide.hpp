@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/experiments/run/probes.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/scenes/scene.hpp"
 
@@ -35,6 +36,7 @@ struct SlideOutcome {
 };
 
 /// Runs a slide under a solver made for it.
-SlideOutcome slide_over_plane(const PlaneSlide& slide, const Solver& solver);
+/// @param observer  if given, sees the run too
+SlideOutcome slide_over_plane(const PlaneSlide& slide, const Solver& solver, Probe* observer = nullptr);
 
 }  // namespace enduring::chapter06

@@ -2,7 +2,6 @@
 
 #include "chapters/06_redefinition/experiments/experiments.hpp"
 #include "chapters/06_redefinition/experiments/levers.hpp"
-#include "chapters/06_redefinition/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
@@ -39,7 +38,7 @@ SurfaceMesh prism(int sides)
 /// It starts a hair above the ground: a pair begins with a crossing.
 SurfaceMesh placed_shape(const Roll& roll)
 {
-    SurfaceMesh mesh = roll.sides == 0 ? sphere(Roll::radius, 4) : prism(roll.sides);
+    SurfaceMesh mesh = roll.sides == 0 ? sphere(Roll::radius, roll.subdivisions) : prism(roll.sides);
     const auto lower = [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); };
     const double lowest = std::min_element(mesh.vertices.begin(), mesh.vertices.end(), lower)->y();
     for (Vec3& x : mesh.vertices)
@@ -91,7 +90,7 @@ double braking_torque(const Roll& roll, double surface_speed)
 
 }  // namespace
 
-RollOutcome roll(const Roll& roll)
+RollOutcome roll(const Roll& roll, const MakeSolver& make_solver)
 {
     World world = world_of(roll);
     const auto& body = dynamic_cast<const RigidBody&>(*world.bodies.back());
@@ -99,7 +98,7 @@ RollOutcome roll(const Roll& roll)
     if (roll.mu_s > 0)
         parameters.friction = MassSplitting{
             .mu_s = roll.mu_s, .mu_d = 0.8 * roll.mu_s, .spring = roll.stiffness};
-    const Solver solver = chapter06_solver(parameters);
+    const Solver solver = make_solver(parameters);
     Contacts contacts;
 
     const auto speed = [&] { return body.motion().velocity().x(); };
@@ -223,7 +222,7 @@ void slide_free(Report& report)
 {
     Table table({"dt_s", "at_start", "in_middle", "at_end"});
     for (const double dt : {0.004, 0.002, 0.001}) {
-        const LeverCost cost = cost_of_levers(dt, 1);
+        const LeverCost cost = cost_of_levers({dt, 1});
         table.add({dt, cost.measured.norm(), cost.in_middle.norm(), cost.at_end.norm()});
     }
     report.table("rolling_levers", table);

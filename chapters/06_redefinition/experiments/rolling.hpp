@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/06_redefinition/experiments/make_solver.hpp"
 #include "common/scenes/scene.hpp"
 
 namespace enduring::chapter06 {
@@ -9,7 +10,8 @@ struct Roll {
     PenaltyMethod method = PenaltyMethod::continuous;
     double dt = 0.001;          ///< [s]
     bool on_triangles = false;  ///< instead of an analytic plane
-    int sides = 0;              ///< of a cylinder; 0 is a ball of 5,120 faces
+    int sides = 0;              ///< of a cylinder; 0 is a ball
+    int subdivisions = 4;       ///< of the ball's faces
     double mass = 20;           ///< [kg]
     double stiffness = 20000;   ///< of one pair [N/m]
     double slope_deg = 15;
@@ -32,7 +34,8 @@ struct RollOutcome {
     double brake = 0;
 };
 
-/// Rolls with this chapter's solver and takes the means of the last three fifths.
-RollOutcome roll(const Roll& roll);
+/// Rolls and takes the means of the last three fifths.
+/// @param make_solver  this chapter's, or a later one's
+RollOutcome roll(const Roll& roll, const MakeSolver& make_solver = chapter06_solver);
 
 }  // namespace enduring::chapter06

@@ -35,7 +35,7 @@ TEST_CASE(
     "levers: two free blocks gain the angular momentum of the levers at the step's start, a thousandth of what the end's would give")
 {
     for (const double dt : {0.002, 0.001}) {
-        const LeverCost cost = cost_of_levers(dt, 1);
+        const LeverCost cost = cost_of_levers({dt, 1});
         CHECK((cost.measured - cost.at_start).norm() < 1e-12);
         CHECK(cost.measured.norm() < 0.002 * cost.at_end.norm());
     }
@@ -45,7 +45,7 @@ TEST_CASE(
     "levers: at the step's end or middle they would cost as much as the blocks slide in a step or half of one, so half with half the step")
 {
     const double speed = 1;
-    const LeverCost whole = cost_of_levers(0.002, speed), half = cost_of_levers(0.001, speed);
+    const LeverCost whole = cost_of_levers({0.002, speed}), half = cost_of_levers({0.001, speed});
     CHECK(whole.at_end.norm() == doctest::Approx(whole.pushed * speed * 0.002).epsilon(0.05));
     CHECK(whole.in_middle.norm() == doctest::Approx(whole.at_end.norm() / 2).epsilon(0.01));
     CHECK(half.at_end.norm() == doctest::Approx(whole.at_end.norm() / 2).epsilon(0.06));

@@ -12,5 +12,12 @@ void slope(const RunOptions& options, Report& report);
 void rolling(const RunOptions& options, Report& report);
 void heap(const RunOptions& options, Report& report);
 void creep(const RunOptions& options, Report& report);
+void wanted_depth(const RunOptions& options, Report& report);
+void flat_triangles(const RunOptions& options, Report& report);
+void turntable(const RunOptions& options, Report& report);
+void free_collision(const RunOptions& options, Report& report);
+void same_bytes(const RunOptions& options, Report& report);
+void launch(const RunOptions& options, Report& report);
+void facets(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter07

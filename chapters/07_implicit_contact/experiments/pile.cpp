@@ -80,10 +80,20 @@ void SolveStatistics::add(const SolveRecord& record)
     worst_residual = std::max(worst_residual, record.residual);
 }
 
-PileOutcome watch(Scene& scene, double duration, Probe* observer)
+std::function<Solver(const ContactParameters&)> counting_solver(SolveStatistics& solves)
+{
+    return [&solves](const ContactParameters& parameters) {
+        ImplicitSettings settings;
+        settings.record = [&solves](const SolveRecord& record) { solves.add(record); };
+        return chapter07_solver(parameters, settings);
+    };
+}
+
+PileOutcome watch(Scene& scene, double duration, Probe* observer, const StiffnessChoice& stiffness)
 {
     PileOutcome outcome;
     ImplicitSettings settings;
+    settings.stiffness = stiffness;
     settings.record = [&](const SolveRecord& record) {
         outcome.solves.add(record);
         outcome.newton_steps_at_rest = record.newton_steps;

@@ -4,6 +4,7 @@
 #include "common/experiments/run/probes.hpp"
 #include "common/scenes/scene.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,10 @@ struct SolveStatistics {
     void add(const SolveRecord& record);
 };
 
+/// This chapter's solver with nothing told on stderr: its solves are counted instead.
+/// @param solves  has to outlive the solver
+std::function<Solver(const ContactParameters&)> counting_solver(SolveStatistics& solves);
+
 /// What is left of a pile when it has come to rest.
 struct PileOutcome {
     double deepest_mm = 0;          ///< deepest pair at the end
@@ -52,6 +57,8 @@ struct PileOutcome {
 };
 
 /// Runs a scene with this chapter's solver; the observer, if any, sees the first state and each step.
-PileOutcome watch(Scene& scene, double duration, Probe* observer = nullptr);
+/// @param stiffness  only to show what another choice does
+PileOutcome watch(Scene& scene, double duration, Probe* observer = nullptr,
+                  const StiffnessChoice& stiffness = {});
 
 }  // namespace enduring::chapter07

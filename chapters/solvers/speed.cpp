@@ -1,0 +1,146 @@
+#include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/bullet_baseline/bullet_solver.hpp"
+#include "chapters/solvers/experiments.hpp"
+#include "common/experiments/run/processor_clock.hpp"
+#include "common/experiments/run/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enduring::solvers {
+namespace {
+
+using chapter07::Box, chapter07::loose_cubes, chapter07::scene_of, chapter07::stack_of;
+
+/// Processor time of a step [ms].
+struct StepTimes {
+    double falling = 0;  ///< mean
+    double at_rest = 0;  ///< the least of the means of twenty steps: other work on the machine counts less
+};
+
+double time_steps(Scene& scene, Contacts& contacts, const Solver& solver, int steps)
+{
+    const double start = processor_seconds();
+    for (int i = 0; i < steps; ++i)
+        advance(scene.world, contacts, solver, scene.dt);
+    return 1000 * (processor_seconds() - start) / steps;
+}
+
+/// @param falls, rests  [s]
+StepTimes time_scene(Scene& scene, const Solver& solver, double falls, double rests)
+{
+    Contacts contacts;
+    StepTimes times{time_steps(scene, contacts, solver, static_cast<int>(std::lround(falls / scene.dt))),
+                    INFINITY};
+    for (int block = 0; block < std::lround(rests / scene.dt / 20); ++block)
+        times.at_rest = std::min(times.at_rest, time_steps(scene, contacts, solver, 20));
+    return times;
+}
+
+Solver chapter_7(Scene& scene)
+{
+    ImplicitSettings settings;
+    settings.record = [](const SolveRecord&) {};
+    return chapter07_solver(scene.contact, settings);
+}
+
+struct Pile {
+    std::string name;
+    std::vector<Box> boxes;
+    double falls, rests;  ///< [s]
+};
+
+StepTimes time_pile(const Pile& pile, Solver (*make)(Scene&))
+{
+    Scene scene = scene_of(pile.boxes, 0.01);
+    const Solver solver = make(scene);
+    return time_scene(scene, solver, pile.falls, pile.rests);
+}
+
+/// Piles under chapter 7's solver and under Bullet, with its defaults.
+void against_bullet(bool quick, Report& report)
+{
+    Table table({"pile", "chapter 7, falling [ms]", "chapter 7, at rest [ms]", "Bullet, falling [ms]",
+                 "Bullet, at rest [ms]", "ratio, falling", "ratio, at rest"});
+    std::vector<Pile> piles{{"stack of 10", stack_of(10), 0.5, 2}};
+    if (!quick)
+        piles.insert(piles.end(), {{"heap of 20", loose_cubes(20, 3, 1), 1.5, 2},
+                                   {"heap of 100", loose_cubes(100, 5, 1), 3, 2}});
+    double worst = 0;
+    for (const Pile& pile : piles) {
+        const StepTimes ours = time_pile(pile, chapter_7), bullet = time_pile(pile, bullet_solver);
+        const double falling = ours.falling / bullet.falling, at_rest = ours.at_rest / bullet.at_rest;
+        table.add({pile.name, ours.falling, ours.at_rest, bullet.falling, bullet.at_rest, falling, at_rest});
+        worst = std::max({worst, falling, at_rest});
+    }
+    report.table("speed_bullet", table);
+    report.page_table("speed_bullet", table, 2);
+    report.fact("speed", "worst_ratio_by_clock", worst, 2);
+}
+
+/// Stacks of five, side by side without touching: ten times the cubes should be ten times the work.
+std::vector<Box> many_stacks(int cubes)
+{
+    std::vector<Box> boxes;
+    const int side = static_cast<int>(std::ceil(std::sqrt(cubes / 5)));
+    for (int stack = 0; stack < cubes / 5; ++stack)
+        for (Box box : stack_of(5)) {
+            box.centre += 3 * Vec3(stack % side, 0, stack / side);
+            boxes.push_back(box);
+        }
+    return boxes;
+}
+
+void growth(bool quick, Report& report)
+{
+    Table table({"cubes", "chapter 7 [ms]", "Bullet [ms]", "ratio"});
+    std::vector<double> ours, bullet;
+    const std::vector<int> counts = quick ? std::vector{20, 50} : std::vector{100, 300, 1000};
+    for (const int cubes : counts) {
+        const Pile pile{"stacks of 5", many_stacks(cubes), 0.2, 0.4};
+        ours.push_back(time_pile(pile, chapter_7).at_rest);
+        bullet.push_back(time_pile(pile, bullet_solver).at_rest);
+        table.add({static_cast<long>(cubes), ours.back(), bullet.back(), ours.back() / bullet.back()});
+    }
+    report.table("speed_growth", table);
+    report.page_table("speed_growth", table, 2);
+    const auto exponent = [&](const std::vector<double>& times) {
+        return std::log(times.back() / times.front()) /
+               std::log(static_cast<double>(counts.back()) / counts.front());
+    };
+    report.fact("speed", "exponent_by_clock", exponent(ours), 2);
+    report.fact("speed", "bullet_exponent_by_clock", exponent(bullet), 2);
+}
+
+/// Chapter 6's bunny in its bowl, and how much faster than its clock it runs.
+void bunny(bool quick, Report& report)
+{
+    Table table({"elements", "falling and landing, times real time", "at rest, times real time",
+                 "all, times real time"});
+    for (const int elements : quick ? std::vector{363} : std::vector{785}) {
+        Scene scene = load_scene(scene_file("bunny_at_rest"), R"({"/bodies/bunny/shape/file": "bunny_)" +
+                                                                  std::to_string(elements) + R"(.msh"})");
+        const Solver solver = chapter_7(scene);
+        const double falls = quick ? 0.2 : 2, rests = quick ? 0.2 : 1, step_ms = 1000 * scene.dt;
+        const StepTimes times = time_scene(scene, solver, falls, rests);
+        const double later = (quick ? falls + rests : scene.duration) - falls;  // as at rest
+        const double all = (falls + later) * step_ms / (falls * times.falling + later * times.at_rest);
+        table.add({static_cast<long>(elements), step_ms / times.falling, step_ms / times.at_rest, all});
+        report.fact("speed", "bunny_" + std::to_string(elements) + "_real_time_factor", all, 2);
+    }
+    report.table("speed_bunny", table);
+    report.page_table("speed_bunny", table, 2);
+}
+
+}  // namespace
+
+/// How long chapter 7's steps take, as ratios where this is possible.
+void speed(const RunOptions& options, Report& report)
+{
+    against_bullet(options.quick, report);
+    growth(options.quick, report);
+    bunny(options.quick, report);
+}
+
+}  // namespace enduring::solvers
