@@ -11,6 +11,9 @@ void stack(const RunOptions& options, Report& report);
 void slope(const RunOptions& options, Report& report);
 void rolling(const RunOptions& options, Report& report);
 void heap(const RunOptions& options, Report& report);
+void at_rest(const RunOptions& options, Report& report);
+void soft_at_rest(const RunOptions& options, Report& report);
+void wedged(const RunOptions& options, Report& report);
 void creep(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter07
