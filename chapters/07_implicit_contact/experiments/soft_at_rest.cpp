@@ -80,7 +80,10 @@ void bowls(RestRuns& runs, const RunOptions& options, Report& report)
     int most_inverted = 0;
     for (const Bunnies& bunnies : all_bunnies(options.quick)) {
         const std::string name = in_words(bunnies);
-        RestRuns::Case c{name, bunnies_in_bowl(bunnies, 0.01), options.quick ? 5.0 : 8.0,
+        RestRuns::Case c{name, bunnies_in_bowl(bunnies, 0.01),
+                         !options.quick       ? 8.0
+                         : bunnies.count == 1 ? 6.0
+                                              : 4.0,
                          bunnies.elements == 363 && bunnies.young == (bunnies.count == 1 ? 1e7 : 1e6)};
         c.seen_from = {0.8, 1.8, 1.2};
         ForceProbe force("bunny 1", "bowl");

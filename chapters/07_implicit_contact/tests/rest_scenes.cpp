@@ -14,19 +14,18 @@ using namespace enduring::chapter07;
 
 namespace {
 
-/// Least and largest height of a body's vertices [m].
-std::pair<double, double> heights(const Body& body)
+/// Least and largest coordinate of a body's vertices [m].
+std::pair<double, double> extent(const Body& body, int axis)
 {
     double least = 1e300, most = -1e300;
     for (const Vec3& x : body.positions_t0()) {
-        least = std::min(least, x.y());
-        most = std::max(most, x.y());
+        least = std::min(least, x[axis]);
+        most = std::max(most, x[axis]);
     }
     return {least, most};
 }
 
-/// Deepest pair after one step: as the scene was built, but for g dt^2.
-double deepest_at_start_mm(Scene scene) { return watch(scene, scene.dt).deepest_mm; }
+std::pair<double, double> heights(const Body& body) { return extent(body, 1); }
 
 }  // namespace
 
@@ -38,14 +37,20 @@ TEST_CASE("prism: its volume is outline times length, also where the outline has
     CHECK(properties.centre.z() == doctest::Approx(0));
 }
 
-TEST_CASE("card house: it has a card for each side of each pair and for each gap, and nothing begins inside")
+TEST_CASE("card house: neighbours do not overlap, and each level stands on the flat cards of the one below")
 {
     for (const double lean_deg : {10.0, 20.0}) {
-        Scene scene = scene_of(card_house(3, lean_deg), 0.01);
-        CHECK(scene.world.bodies.size() == 2 * (3 + 2 + 1) + 2 + 1);
-        for (const auto& body : scene.world.bodies)
-            CHECK(heights(*body).first >= -1e-12);
-        CHECK(deepest_at_start_mm(std::move(scene)) < 1.1);  // g dt^2 = 1 mm
+        const Scene scene = scene_of(card_house(3, lean_deg), 0.01);
+        const auto& cards = scene.world.bodies;
+        REQUIRE(cards.size() == 2 * (3 + 2 + 1) + 2 + 1);
+        for (std::size_t i = 0; i < 5; ++i)  // the six cards on the ground, from left to right
+            CHECK(extent(*cards[i], 0).second <= extent(*cards[i + 1], 0).first + 1e-12);
+        CHECK(extent(*cards[6], 0).second < extent(*cards[7], 0).first);  // the two flat ones on them
+        for (const auto& [card, below] :
+             {std::pair(6, 0), {7, 5}, {8, 6}, {11, 7}, {12, 8}, {13, 12}, {14, 12}})
+            CHECK(extent(*cards[static_cast<std::size_t>(card)], 1).first ==
+                  doctest::Approx(extent(*cards[static_cast<std::size_t>(below)], 1).second));
+        CHECK(std::abs(extent(*cards[0], 1).first) < 1e-12);
     }
 }
 
