@@ -16,7 +16,7 @@ namespace {
 
 std::unique_ptr<Body> body_of(const Box& box, const std::string& name)
 {
-    SurfaceMesh mesh = enduring::box(Vec3::Ones());
+    SurfaceMesh mesh = enduring::box(box.size);
     const Eigen::AngleAxisd turn(box.turn_deg * std::numbers::pi / 180, box.axis);
     for (Vec3& vertex : mesh.vertices)
         vertex = box.centre + turn * vertex;
@@ -30,6 +30,23 @@ double deepest(const World& world, const Contacts& contacts)
         if (!contact.held())
             depth = std::min(depth, contact_geometry(world, contact, 1).depth);
     return -depth;
+}
+
+std::vector<Vec3> centres_of(const World& world)
+{
+    std::vector<Vec3> centres;
+    for (const auto& body : world.bodies)
+        centres.push_back(body->centre());
+    return centres;
+}
+
+/// From these places to where the bodies are now [m].
+double longest_way(const World& world, const std::vector<Vec3>& from)
+{
+    double longest = 0;
+    for (std::size_t body = 0; body < from.size(); ++body)
+        longest = std::max(longest, (world.bodies[body]->centre() - from[body]).norm());
+    return longest;
 }
 
 }  // namespace
@@ -103,13 +120,13 @@ PileOutcome watch(Scene& scene, double duration, Probe* observer, const Stiffnes
     Contacts contacts;
     const double first = total_energy(world).total();
     const int steps = static_cast<int>(std::lround(duration / scene.dt));
+    const std::vector<Vec3> at_first = centres_of(world);
     std::vector<Vec3> at_half_time;
     if (observer)
         observer->observe(world, contacts, scene.dt);
     for (int i = 0; i < steps; ++i) {
         if (i == steps / 2)
-            for (const auto& body : world.bodies)
-                at_half_time.push_back(body->centre());
+            at_half_time = centres_of(world);
         advance(world, contacts, solver, scene.dt);
         outcome.energy_gain_j = std::max(outcome.energy_gain_j, total_energy(world).total() - first);
         outcome.deepest_mm = 1000 * deepest(world, contacts);
@@ -117,10 +134,8 @@ PileOutcome watch(Scene& scene, double duration, Probe* observer, const Stiffnes
         if (observer)
             observer->observe(world, contacts, scene.dt);
     }
-    for (std::size_t body = 0; body < at_half_time.size(); ++body)
-        outcome.drift_um_per_s = std::max(
-            outcome.drift_um_per_s,
-            1e6 * (world.bodies[body]->centre() - at_half_time[body]).norm() / (0.5 * duration));
+    outcome.moved_mm = 1000 * longest_way(world, at_first);
+    outcome.drift_um_per_s = 1e6 * longest_way(world, at_half_time) / (0.5 * duration);
     return outcome;
 }
 

@@ -16,6 +16,7 @@ struct Box {
     Vec3 centre = Vec3::Zero();
     double turn_deg = 0;  ///< about the axis
     Vec3 axis = Vec3::UnitY();
+    Vec3 size = Vec3::Ones();  ///< before it is turned [m]
 };
 
 /// Rigid cubes of 1 m on the plane y = 0 or on a slope: gravity is turned, not
@@ -51,6 +52,7 @@ struct PileOutcome {
     double deepest_mm = 0;          ///< deepest pair at the end
     double deepest_ever_mm = 0;     ///< and in any step
     double drift_um_per_s = 0;      ///< fastest body, by where it is at half time and at the end
+    double moved_mm = 0;            ///< body that ends farthest from its start
     double energy_gain_j = 0;       ///< most that the energy rose above the first
     long newton_steps_at_rest = 0;  ///< of the last step
     SolveStatistics solves;

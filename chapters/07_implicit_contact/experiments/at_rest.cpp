@@ -1,0 +1,51 @@
+#include "chapters/07_implicit_contact/experiments/experiments.hpp"
+#include "chapters/07_implicit_contact/experiments/rest_runs.hpp"
+#include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
+
+namespace enduring::chapter07 {
+namespace {
+
+std::string in_words(Tip tip, int tip_deg, int crack_deg)
+{
+    return std::string(tip == Tip::spike ? "spike" : "wedge") + " of " + std::to_string(tip_deg) +
+           "° in a crack of " + std::to_string(crack_deg) + "°";
+}
+
+std::vector<RestRuns::Case> all_cases(double dt, bool quick)
+{
+    constexpr double stands_mm = 10;
+    const double duration = quick ? 3 : 6;
+    std::vector<RestRuns::Case> cases;
+    for (const int lean_deg : {15, 10, 20})
+        if (!quick || lean_deg == 15)
+            cases.push_back({"card house, cards at " + std::to_string(lean_deg) + "°",
+                             scene_of(card_house(3, lean_deg), dt), duration, lean_deg == 15, stands_mm});
+    cases.push_back({"arch of 20 stones", arch(20, 5, dt), duration, true, stands_mm});
+    for (const Tip tip : {Tip::spike, Tip::wedge})
+        for (const auto& [tip_deg, crack_deg] : {std::pair(70, 40), {70, 20}, {80, 60}, {33, 20}, {33, 60}})
+            cases.push_back({in_words(tip, tip_deg, crack_deg), tip_in_crack(tip, tip_deg, crack_deg, dt),
+                             duration,
+                             (tip_deg == 70 && crack_deg == 40) ||
+                                 (tip == Tip::wedge && crack_deg == 20 && tip_deg == 33)});
+    cases.push_back({"wedge on an edge", wedge_on_edge(dt), 6, true});
+    return cases;
+}
+
+}  // namespace
+
+/// Buildings that should stand, and tips that should come to rest in cracks and on edges.
+void at_rest(const RunOptions& options, Report& report)
+{
+    RestRuns runs;
+    std::vector<double> steps{0.01, 1.0 / 60};
+    if (options.quick)
+        steps = {1.0 / 60};
+    for (const double dt : steps)
+        for (RestRuns::Case& c : all_cases(dt, options.quick)) {
+            c.pictured = c.pictured && dt == steps.front();
+            runs.run(c);
+        }
+    runs.report("at_rest", report, 3);
+}
+
+}  // namespace enduring::chapter07

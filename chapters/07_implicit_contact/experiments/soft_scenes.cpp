@@ -1,0 +1,52 @@
+#include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
+
+#include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/simulation/deformable_body.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace enduring::chapter07 {
+
+Scene ton_on_block(const LoadedBlock& block, double dt)
+{
+    Scene scene = scene_of(
+        {{.mass = 1000, .centre = Vec3(0.03, 1.4 + 2e-4, 0.02), .turn_deg = 10, .size = Vec3::Constant(0.8)}},
+        dt);
+    DeformableSettings settings;
+    settings.material.density = block.mass;  // its volume is 1 m^3
+    settings.material.young = block.young;
+    settings.material.stiffness_damping = 0.01;
+    settings.position = Vec3(0, 0.5 + 1e-4, 0);
+    settings.impulse_response = ImpulseResponse::implicit;
+    scene.world.bodies.push_back(std::make_unique<DeformableBody>(
+        "block", bar(Vec3::Ones(), {block.cells, block.cells, block.cells}), settings));
+    return scene;
+}
+
+Scene bunnies_in_bowl(const Bunnies& bunnies, double dt)
+{
+    using nlohmann::json;
+    const std::filesystem::path file = scene_file("bunny_at_rest");
+    std::ifstream text(file);
+    const json scene = json::parse(text);
+    json bunny = scene["bodies"][1];
+    bunny["shape"]["file"] = "bunny_" + std::to_string(bunnies.elements) + ".msh";
+    bunny["basis"] = bunnies.basis;
+    bunny["young"] = bunnies.young;
+    json change = {{"dt", dt}, {"contact", {{"stiffness", nullptr}}}};
+    change["planes"] = json::array({json{{"name", "ground"}}});
+    change["bodies"] = json::array({scene["bodies"][0]});
+    for (int i = 0; i < bunnies.count; ++i) {
+        bunny["name"] = "bunny " + std::to_string(i + 1);
+        bunny["position"] = {0.1 - 0.2 * i, 1.2 + i, 0};
+        if (i > 0)
+            bunny["look"]["color"] = {0.6, 0.45, 0.1};
+        change["bodies"].push_back(bunny);
+    }
+    return load_scene(file, change.dump());
+}
+
+}  // namespace enduring::chapter07

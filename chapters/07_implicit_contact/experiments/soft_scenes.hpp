@@ -1,0 +1,26 @@
+#pragma once
+
+#include "common/scenes/scene.hpp"
+
+#include <string>
+
+namespace enduring::chapter07 {
+
+/// A rigid cube of a ton and 80 cm lies on a soft cube of 1 m.
+struct LoadedBlock {
+    double mass = 100;   ///< of the soft cube [kg]
+    double young = 1e6;  ///< [Pa]
+    int cells = 3;       ///< along each edge
+};
+Scene ton_on_block(const LoadedBlock& block, double dt);
+
+/// Soft bunnies fall into the bowl of common/scenes/bunny_at_rest.json, one after the other.
+struct Bunnies {
+    int count = 1;
+    int elements = 363;            ///< of each, as in common/meshes
+    std::string basis = "linear";  ///< or "quadratic"
+    double young = 1e6;            ///< [Pa]
+};
+Scene bunnies_in_bowl(const Bunnies& bunnies, double dt);
+
+}  // namespace enduring::chapter07
