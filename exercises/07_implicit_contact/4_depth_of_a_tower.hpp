@@ -34,7 +34,8 @@ inline SurfaceMesh prism(double radius, double bottom, double top)
     return mesh;
 }
 
-/// The tower on the plane y = 0, with joints that just touch. In each joint the three lower corners of a
+/// The tower on the plane y = 0, with a nanometre of air in each joint, so that each pair comes from outside,
+/// however numbers are rounded. In each joint the three lower corners of a
 /// piece meet the top of the piece below, or the ground: three pairs that carry the same. The pieces are its
 /// bodies, in the tower's order.
 inline World world_of(const Tower& tower)
@@ -44,6 +45,7 @@ inline World world_of(const Tower& tower)
     world.planes.push_back({"ground"});
     double height = 0;
     for (const TowerPiece& piece : tower) {
+        height += 1e-9;
         const SurfaceMesh mesh = prism(piece.radius, height, height + piece.height);
         height += piece.height;
         world.bodies.push_back(
