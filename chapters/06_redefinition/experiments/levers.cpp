@@ -26,15 +26,6 @@ Vec3 linear_momentum(const World& world)
     return world.bodies[0]->linear_momentum() + world.bodies[1]->linear_momentum();
 }
 
-/// How far a body's middle goes in the step [m].
-Vec3 way_of(const Body& body)
-{
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 0; i < body.positions_t0().size(); ++i)
-        sum += body.positions_t1()[i] - body.positions_t0()[i];
-    return sum / static_cast<double>(body.positions_t0().size());
-}
-
 //! [levers]
 /// Adds what a step's impulses give with each lever: I at p and -I at q, wherever these are at that moment.
 void add_levers(const World& world, const Contacts& contacts, LeverCost& cost)
@@ -47,9 +38,6 @@ void add_levers(const World& world, const Contacts& contacts, LeverCost& cost)
         cost.at_start += momentum_at(0);
         cost.in_middle += momentum_at(0.5);
         cost.at_end += momentum_at(1);
-        const Vec3 apart = way_of(*world.bodies[static_cast<std::size_t>(contact.body_a)]) -
-                           way_of(*world.bodies[static_cast<std::size_t>(contact.body_b)]);
-        cost.turned_to_end += momentum_at(1) - apart.cross(contact.impulse + contact.friction);
         cost.pushed += (contact.impulse + contact.friction).norm();
     }
 }

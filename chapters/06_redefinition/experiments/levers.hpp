@@ -11,8 +11,6 @@ struct LeverCost {
     Vec3 at_start = Vec3::Zero();  ///< the sum of (p - q) x I, with the places at the step's start
     Vec3 in_middle = Vec3::Zero();
     Vec3 at_end = Vec3::Zero();
-    /// with levers that have turned with their bodies until the end, from centres where they were at the start
-    Vec3 turned_to_end = Vec3::Zero();
     double pushed = 0;           ///< the sum of the impulses' lengths [N s]
     Vec3 linear = Vec3::Zero();  ///< linear momentum that they gain together [kg m/s]
 };

@@ -66,7 +66,6 @@ void slide_without_friction(bool quick, Report& report)
         solves += counted.solves;
     }
     report.table("flat_slides", table);
-    report.page_table("flat_slides", table, 2);
     report.fact("flat_triangles", "slides", static_cast<double>(table.rows().size()));
     report.fact("flat_triangles", "speed_percent", 100 * speed, 2);
     report.fact("flat_triangles", "sideways_percent", 100 * sideways, 2);
