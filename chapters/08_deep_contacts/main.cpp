@@ -1,0 +1,21 @@
+#include "chapters/08_deep_contacts/experiments/experiments.hpp"
+
+int main(int argc, char** argv)
+{
+    using namespace enduring;
+    return run_chapter(
+        argc, argv,
+        {
+            "08_deep_contacts",
+            "Chapter 8: deep contacts",
+            {
+                {"deep", "a cube rams a block: its energy with and without asking the neighbours",
+                 chapter08::deep},
+                {"born_inside", "a limit: a block that begins inside a floor has no neighbours to ask",
+                 chapter08::born_inside},
+                {"bunny_curve", "the curves in which a bunny and a bowl cross", chapter08::bunny_curve},
+                {"tracing", "random overlaps, with ties and without: are all curves closed?",
+                 chapter08::tracing},
+            },
+        });
+}
