@@ -41,8 +41,9 @@ long mark_inside(Stage& stage, const SurfaceRegions& regions, const StillSurface
 /// The scene of chapter 6's film with the bunny pushed into the bowl, before anything moves.
 void bunny_curve(const RunOptions&, Report& report)
 {
-    const Scene scene = load_scene(scene_file("bunny_bowl"),
-                                   R"({"/bodies/bunny/position": [0.25, 0.42, 0.1]})");
+    const Scene scene = load_scene(scene_file("bunny_bowl"), R"({
+        "/bodies/bunny/position": [0.3, 0.12, 0.1],
+        "camera": {"eye": [1.5, 1.15, 2.5], "target": [0.2, 0.5, 0.05], "field_of_view_deg": 30}})");
     const World& world = scene.world;
     FaceTree tree_a, tree_b;
     const StillSurface a = still(*world.bodies[0], tree_a), b = still(*world.bodies[1], tree_b);

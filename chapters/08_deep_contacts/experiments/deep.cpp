@@ -37,12 +37,18 @@ struct Variant {
     double speed, dt, z;  ///< z: how far the cube comes beside the middle of the block [m]
 };
 
-Ram ram(const Compared& compared, const Variant& variant, Probe* film = nullptr)
+Scene ram_scene(const Variant& variant)
 {
-    Scene scene = load_scene(
-        scene_file("deep"),
-        R"({"dt": )" + shortest(variant.dt) + R"(, "/bodies/cube/velocity": [)" + shortest(variant.speed) +
-            R"(, 0, 0], "/bodies/cube/position": [-0.22, -0.15, )" + shortest(variant.z) + "]}");
+    return load_scene(scene_file("deep"), R"({"dt": )" + shortest(variant.dt) +
+                                              R"(, "/bodies/cube/velocity": [)" + shortest(variant.speed) +
+                                              R"(, 0, 0], "/bodies/cube/position": [-0.22, -0.15, )" +
+                                              shortest(variant.z) + "]}");
+}
+
+/// @param times  time_s, solver, energy_ratio: gets a row a step, if there is one
+Ram ram(const Compared& compared, const Variant& variant, Table* times = nullptr)
+{
+    Scene scene = ram_scene(variant);
     Ram result;
     double before = 0;
     WatchProbe watch([&](const World& world, const Contacts&, double) {
@@ -53,12 +59,29 @@ Ram ram(const Compared& compared, const Variant& variant, Probe* film = nullptr)
         result.most = std::max(result.most, result.after);
         const Vec3 velocity = cube.mean_velocity();
         result.across = std::hypot(velocity.y(), velocity.z());
+        if (times != nullptr)
+            times->add({world.time, compared.name, result.after});
     });
-    std::vector<Probe*> probes{&watch};
-    if (film != nullptr)
-        probes.push_back(film);
-    run(scene, compared.make(scene.contact), probes, failure_on_purpose());
+    run(scene, compared.make(scene.contact), {&watch}, failure_on_purpose());
     return result;
+}
+
+/// The ram at 3 m/s under chapter 6's solver, without and with asking.
+void show(Report& report)
+{
+    constexpr Variant shown{3, 0.005, 0.03};
+    Table times({"time_s", "solver", "energy_ratio"});
+    std::vector<StripPicture> rows;
+    for (const Compared& compared : {all_solvers[0], all_solvers[1]}) {
+        ram(compared, shown, &times);
+        Scene scene = ram_scene(shown);
+        StripProbe film(scene, {0, 0.06, 0.3}, mark_contacts, 420, 300);
+        run(scene, compared.make(scene.contact), {&film}, failure_on_purpose());
+        rows.push_back({film.all(3), compared.name});
+    }
+    write_png(strip(rows, 1), report.file("deep.png"));
+    report.table("deep_energy", times);
+    report.plot("chapters/08_deep_contacts/plots/deep_energy.gp");
 }
 
 std::vector<Variant> variants(double speed, bool quick)
@@ -90,6 +113,7 @@ void deep(const RunOptions& options, Report& report)
             table.add({speed, compared.name, most.after, most.most, most.across});
             worst[compared.name] = std::max(worst[compared.name], most.after);
         }
+    show(report);
     report.table("deep", table);
     report.page_table("deep", table, 3);
     for (const auto& [name, ratio] : worst) {
