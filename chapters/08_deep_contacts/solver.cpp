@@ -1,7 +1,11 @@
 #include "chapters/08_deep_contacts/solver.hpp"
 
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_deep_contacts/inside_pairs.hpp"
 #include "chapters/08_deep_contacts/neighbours.hpp"
+
+#include <memory>
+#include <utility>
 
 namespace enduring {
 
@@ -25,8 +29,16 @@ Solver asking_neighbours(Solver solver)
 //! [solver]
 Solver chapter08_solver(const ContactParameters& parameters)
 {
-    Solver solver = asking_neighbours(chapter07_solver(parameters));
+    ImplicitSettings settings;
+    const double keep = std::exchange(settings.stiffness.keep, 1);  // slack fades here, not there
+    Solver solver = asking_neighbours(chapter07_solver(parameters, settings));
     solver.name = "chapter 8";
+    solver.append(StepStage::refresh, "let out",
+                  [keep](World&, Contacts& contacts, double dt) { fade_slack(contacts, keep, dt); });
+    solver.append(StepStage::refresh, "find what is inside",
+                  [inside = std::make_shared<InsidePairs>()](World& world, Contacts& contacts, double) {
+                      inside->append_missing(world, contacts);
+                  });
     return solver;
 }
 //! [solver]
