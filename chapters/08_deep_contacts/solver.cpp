@@ -3,6 +3,7 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/08_deep_contacts/inside_pairs.hpp"
 #include "chapters/08_deep_contacts/neighbours.hpp"
+#include "chapters/08_deep_contacts/spring_compression.hpp"
 
 #include <memory>
 #include <utility>
@@ -33,6 +34,13 @@ Solver chapter08_solver(const ContactParameters& parameters)
     const double keep = std::exchange(settings.stiffness.keep, 1);  // slack fades here, not there
     Solver solver = asking_neighbours(chapter07_solver(parameters, settings));
     solver.name = "chapter 8";
+    const auto springs = std::make_shared<SpringCompressions>();
+    solver.insert_before(
+        "redefine vertices, ask the neighbours", "note compressions",
+        [springs](World& world, Contacts& contacts, double) { springs->note(world, contacts); });
+    solver.insert_before(
+        "dismiss edges", "keep compressions",
+        [springs](World& world, Contacts& contacts, double) { springs->keep(world, contacts); });
     solver.append(StepStage::refresh, "let out",
                   [keep](World&, Contacts& contacts, double dt) { fade_slack(contacts, keep, dt); });
     solver.append(StepStage::refresh, "find what is inside",
