@@ -11,11 +11,13 @@ int main(int argc, char** argv)
             {
                 {"deep", "a cube rams a block: its energy with and without asking the neighbours",
                  chapter08::deep},
-                {"born_inside", "a limit: a block that begins inside a floor has no neighbours to ask",
-                 chapter08::born_inside},
                 {"bunny_curve", "the curves in which a bunny and a bowl cross", chapter08::bunny_curve},
                 {"tracing", "random overlaps, with ties and without: are all curves closed?",
                  chapter08::tracing},
+                {"born_inside", "bodies that begin inside a floor: how they come out",
+                 chapter08::born_inside},
+                {"born_loaded", "scenes in which pairs are born at a depth: the energy that they bring",
+                 chapter08::born_loaded},
             },
         });
 }

@@ -78,7 +78,7 @@ Way watch(Scene& scene, const Solver& solver, double duration, Probe* film = nul
         const Body& body = *world.bodies[1];
         way.height = lowest(body);
         way.highest = std::max(way.highest, way.height);
-        way.fastest = std::max(way.fastest, body.mean_velocity().norm());
+        way.fastest = std::max(way.fastest, body.mean_velocity().y());
     });
     std::vector<Probe*> probes{&watch};
     if (film != nullptr)
@@ -106,7 +106,7 @@ void show(Report& report)
 void born_inside(const RunOptions& options, Report& report)
 {
     Table table({"body", "dt_s", "depth_mm", "height_with_chapter_7_m", "height_mm", "highest_mm",
-                 "fastest_m_per_s", "left_inside"});
+                 "fastest_up_m_per_s", "left_inside"});
     double highest = -1e9, fastest = 0;
     long left = 0;
     for (const Case& c : cases())

@@ -8,5 +8,6 @@ void deep(const RunOptions& options, Report& report);
 void tracing(const RunOptions& options, Report& report);
 void bunny_curve(const RunOptions& options, Report& report);
 void born_inside(const RunOptions& options, Report& report);
+void born_loaded(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08
