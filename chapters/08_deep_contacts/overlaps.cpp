@@ -73,9 +73,10 @@ public:
             for (const int index : intersection.curves[curve].piercings) {
                 const Piercing& piercing = intersection.piercings[index];
                 const SurfaceRegions& regions = piercing.edge_of_a ? regions_a_ : regions_b_;
-                for (const int vertex : (piercing.edge_of_a ? a : b).topology.edges()[piercing.edge])
-                    if (regions.winding_of_vertex(vertex) > 0)
-                        parent_[root(static_cast<int>(curve))] = root(of_vertex(vertex, piercing.edge_of_a));
+                const auto [from, to] = (piercing.edge_of_a ? a : b).topology.edges()[piercing.edge];
+                const int vertex = piercing.entry > 0 ? to : from;  // the end on the side that is inside
+                if (regions.winding_of_vertex(vertex) > 0)
+                    parent_[root(static_cast<int>(curve))] = root(of_vertex(vertex, piercing.edge_of_a));
             }
     }
     bool is_inside(int vertex, bool of_a) const
