@@ -45,7 +45,8 @@ int side_of_plane(const Difference& x, const Difference& v, const Difference& w,
     const double magnitude = size.x() * (sb.y() * sc.z() + sb.z() * sc.y()) +
                              size.y() * (sb.z() * sc.x() + sb.x() * sc.z()) +
                              size.z() * (sb.x() * sc.y() + sb.y() * sc.x());
-    // No term meets more than eight roundings; twice as many are granted. Below the least, products underflow.
+    // No term meets more than eight roundings; twice as many are granted. Below the least, products
+    // underflow.
     constexpr double roundings = 16, least = 1e-150;
     if (magnitude > least &&
         std::abs(product) > roundings * std::numeric_limits<double>::epsilon() / 2 * magnitude)

@@ -9,8 +9,9 @@ struct Difference {
     const Vec3 &to, &from;
 };
 
-/// Sign of (x + shift e) . (v x w) with e = (eps, eps^2, eps^3) and an eps above 0 and below every number: the
-/// sign of x . (v x w) where that is not zero, else that of the first coordinate of v x w that is not zero.
+/// Sign of (x + shift e) . (v x w) with e = (eps, eps^2, eps^3) and an eps above 0 and below every number:
+/// the sign of x . (v x w) where that is not zero, else that of the first coordinate of v x w that is not
+/// zero.
 ///
 /// Never wrong: what the doubles leave open is computed with whole numbers. Coordinates lie between 1e-40 and
 /// 1e40 in size, or are zero.

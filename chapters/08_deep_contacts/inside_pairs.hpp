@@ -5,8 +5,8 @@
 
 namespace enduring {
 
-/// Finds the vertices that lie in another body without a pair, and gives them one: with the face through which
-/// the way out of their overlap leads. It needs no history. Between bodies with closed surfaces only.
+/// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
+/// which the way out of their overlap leads. It needs no history. Between bodies with closed surfaces only.
 ///
 /// The trees are shaped once, so it belongs to one world.
 class InsidePairs {
@@ -24,8 +24,9 @@ private:
 /// Speed at which what began inside is let out [m/s].
 inline constexpr double leaving_speed = 0.25;
 
-/// Lets the slack of each spring fade: a tenth in each step, as chapter 7 has it, but no faster than the speed at
-/// which a body may be let out. So a spring that is born deep inside brings no energy, and throws nothing.
+/// Lets the slack of each spring fade: a tenth in each step, as chapter 7 has it, but no faster than the
+/// speed at which a body may be let out. So a spring that is born deep inside brings no energy, and throws
+/// nothing.
 void fade_slack(Contacts& contacts, double keep, double dt);
 
 }  // namespace enduring

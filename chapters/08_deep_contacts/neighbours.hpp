@@ -33,9 +33,9 @@ struct VouchedPair {
 /// not by their neighbours' direction. What follows the others would hand them on or hold them.
 std::vector<VouchedPair> take_vouched_pairs(const World& world, Contacts& contacts);
 
-/// Follows those pairs from where everything lies at the start of the step: each stays regular and acts at its
-/// foot. One whose foot has left its face goes to the best face there that looks in its neighbours' direction,
-/// give or take 45 degrees. A pair whose depth is positive is resolved.
+/// Follows those pairs from where everything lies at the start of the step: each stays regular and acts at
+/// its foot. One whose foot has left its face goes to the best face there that looks in its neighbours'
+/// direction, give or take 45 degrees. A pair whose depth is positive is resolved.
 /// @param contacts  the list without them; gets them back
 void follow_vouched_pairs(const World& world, const std::vector<VouchedPair>& vouched, Contacts& contacts);
 

@@ -10,17 +10,18 @@ struct Overlap {
     Vec3 way_out = Vec3::Zero();  ///< unit length: A leaves B along it, and B leaves A against it
 };
 
-/// The vector area that a curve bounds on A [m^2]: the integral of A's normals over what is inside B there, which by
-/// Stokes' theorem is half the sum of r x dr along the curve. It does not depend on where the origin lies.
+/// The vector area that a curve bounds on A [m^2]: the integral of A's normals over what is inside B there,
+/// which by Stokes' theorem is half the sum of r x dr along the curve. It does not depend on where the origin
+/// lies.
 Vec3 vector_area(const Intersection& intersection, const IntersectionCurve& curve, const StillSurface& a,
                  const StillSurface& b);
 
 /// All volumes that two closed surfaces share.
 ///
-/// The way out is the one on which the volume shrinks fastest: if A moves by a small s, it grows by s times the
-/// integral of A's normals over its surface inside B, so against the vector areas of the curves around it. Where
-/// they cancel, as for a body that is wholly inside another, it is the shortest of the ways along the normals of the
-/// faces that are nearest to its vertices.
+/// The way out is the one on which the volume shrinks fastest: if A moves by a small s, it grows by s times
+/// the integral of A's normals over its surface inside B, so against the vector areas of the curves around
+/// it. Where they cancel, as for a body that is wholly inside another, it is the shortest of the ways along
+/// the normals of the faces that are nearest to its vertices.
 std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b);
 
 /// Where a way from a point inside a surface leaves it.

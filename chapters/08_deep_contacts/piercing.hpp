@@ -6,8 +6,8 @@
 
 namespace enduring {
 
-/// A surface at one moment: who is whose neighbour, where the vertices lie [m], and a tree over the faces that
-/// was fitted to them.
+/// A surface at one moment: who is whose neighbour, where the vertices lie [m], and a tree over the faces
+/// that was fitted to them.
 struct StillSurface {
     const SurfaceTopology& topology;
     std::span<const Vec3> positions;

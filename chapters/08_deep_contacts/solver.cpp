@@ -28,9 +28,8 @@ Solver asking_neighbours(Solver solver)
 //! [asking_neighbours]
 
 //! [solver]
-Solver chapter08_solver(const ContactParameters& parameters)
+Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings settings)
 {
-    ImplicitSettings settings;
     const double keep = std::exchange(settings.stiffness.keep, 1);  // slack fades here, not there
     Solver solver = asking_neighbours(chapter07_solver(parameters, settings));
     solver.name = "chapter 8";
@@ -50,5 +49,7 @@ Solver chapter08_solver(const ContactParameters& parameters)
     return solver;
 }
 //! [solver]
+
+Solver chapter08_solver(const ContactParameters& parameters) { return chapter08_solver(parameters, {}); }
 
 }  // namespace enduring

@@ -14,8 +14,8 @@ public:
     /// Before pairs are followed: how far each spring is compressed.
     void note(const World& world, const Contacts& contacts);
 
-    /// After it: a spring that acts at another face gets the slack with which it is compressed as before, and one
-    /// that was held begins slack. It never pushes before its vertex is inside.
+    /// After it: a spring that acts at another face gets the slack with which it is compressed as before, and
+    /// one that was held begins slack. It never pushes before its vertex is inside.
     void keep(const World& world, Contacts& contacts) const;
 
 private:

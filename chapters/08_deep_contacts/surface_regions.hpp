@@ -15,9 +15,9 @@ struct SurfaceRegions {
     int winding_of_vertex(int vertex) const { return winding[region_of_vertex[vertex]]; }
 };
 
-/// Floods a surface from vertex to vertex along the edges that nothing pierces: that is a region. Over a pierced
-/// edge the winding changes by the piercings' signs. Each part of the surface that hangs together asks for one
-/// vertex with a ray, and for no other.
+/// Floods a surface from vertex to vertex along the edges that nothing pierces: that is a region. Over a
+/// pierced edge the winding changes by the piercings' signs. Each part of the surface that hangs together
+/// asks for one vertex with a ray, and for no other.
 /// @param piercings    of A and B, from find_piercings
 /// @param of_a         whether the regions of A are wanted, else those of B
 /// @see Baraff, Witkin and Kass 2003, "Untangling cloth"

@@ -17,7 +17,8 @@ std::unique_ptr<Body> rigid(const std::string& name, const SurfaceMesh& mesh, do
     return std::make_unique<RigidBody>(name, mesh, with_mass(mass_properties(mesh, 1000), mass));
 }
 
-/// A block of 20 kg laid exactly on triangles, both turned together (chapter 6, "A block that is laid exactly").
+/// A block of 20 kg laid exactly on triangles, both turned together (chapter 6, "A block that is laid
+/// exactly").
 World laid_block(double slope_deg, double turned)
 {
     const auto rotation = [](double angle, const Vec3& axis) {
@@ -37,7 +38,8 @@ World laid_block(double slope_deg, double turned)
     return world;
 }
 
-/// Cubes of 0.5 m and 20 kg exactly edge on edge, turned together by some angle so that coordinates are rounded.
+/// Cubes of 0.5 m and 20 kg exactly edge on edge, turned together by some angle so that coordinates are
+/// rounded.
 World tower(int cubes, double turned)
 {
     World world;

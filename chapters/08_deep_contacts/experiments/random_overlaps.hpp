@@ -28,8 +28,9 @@ std::vector<std::pair<std::string, SurfaceMesh>> overlap_meshes();
 /// Coordinates on the lattice are multiples of this [m].
 inline constexpr double lattice = 0.125;
 
-/// A mesh somewhere near the origin: turned and moved at random; or, on the lattice, turned by right angles, moved
-/// by whole cells, and every vertex rounded to it, so that features of two such meshes touch and coincide.
+/// A mesh somewhere near the origin: turned and moved at random; or, on the lattice, turned by right angles,
+/// moved by whole cells, and every vertex rounded to it, so that features of two such meshes touch and
+/// coincide.
 SurfaceMesh place_at_random(SurfaceMesh mesh, std::mt19937_64& random, bool on_lattice);
 
 /// The piercings by the test of the textbook, which rounds and knows no ties.

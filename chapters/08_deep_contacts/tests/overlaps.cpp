@@ -46,7 +46,8 @@ TEST_CASE("way out: two boxes' vector area is how fast the volume that they shar
          {Vec3(0.1, 1.2, 0.2), Vec3(1.3, 0.9, 0.1), Vec3(-1.2, 0.9, 1.1), Vec3(0.02, -1.3, 0.03)})
         for (const Vec3& origin : {Vec3(0, 0, 0), Vec3(10, -20, 7)}) {
             CAPTURE(place.transpose());
-            // The volume is the product of three lengths, of each of which one end moves with A, or both, or none.
+            // The volume is the product of three lengths, of each of which one end moves with A, or both, or
+            // none.
             Vec3 length, growth;
             for (int i = 0; i < 3; ++i) {
                 const double low_a = place[i] - size_a[i] / 2, high_a = place[i] + size_a[i] / 2;

@@ -7,9 +7,7 @@
 using namespace enduring;
 using namespace enduring::chapter08;
 
-TEST_CASE(
-    "tracing: 200 random overlaps, half of them on a lattice, close all curves and flood what the solid "
-    "angles say")
+TEST_CASE("tracing: 200 random overlaps, half on a lattice, close all curves and flood what solid angles say")
 {
     const auto meshes = overlap_meshes();
     std::mt19937_64 random(12);
