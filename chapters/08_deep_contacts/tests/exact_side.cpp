@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
+
 #include <cmath>
 #include <random>
 
@@ -59,4 +60,27 @@ TEST_CASE("exact side: a point one last digit above a plane is above it, whateve
         CHECK(side(beside, v, w, 0) == -facing);
         CHECK(side(beside, v, w, 1) == -facing);
     }
+}
+
+TEST_CASE("exact side: next to a plane it is the sign of the exact determinant, where doubles have another")
+{
+    using Rational = boost::multiprecision::cpp_rational;
+    std::mt19937_64 random(10);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto vector = [&] {
+        const double x = unit(random), y = unit(random), z = unit(random);
+        return Vec3(x, y, z);
+    };
+    const auto term = [](double a, double b, double c) { return Rational(a) * Rational(b) * Rational(c); };
+    int doubles_wrong = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 v = vector(), w = vector(), x = unit(random) * v + unit(random) * w;
+        const Rational determinant = term(x.x(), v.y(), w.z()) - term(x.x(), v.z(), w.y()) +
+                                     term(x.y(), v.z(), w.x()) - term(x.y(), v.x(), w.z()) +
+                                     term(x.z(), v.x(), w.y()) - term(x.z(), v.y(), w.x());
+        CHECK(side(x, v, w, 0) == determinant.sign());
+        const double rounded = x.dot(v.cross(w));
+        doubles_wrong += (rounded > 0) - (rounded < 0) != determinant.sign();
+    }
+    CHECK(doubles_wrong > 50);
 }
