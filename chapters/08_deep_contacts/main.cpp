@@ -18,6 +18,8 @@ int main(int argc, char** argv)
                  chapter08::born_inside},
                 {"born_loaded", "scenes in which pairs are born at a depth: the energy that they bring",
                  chapter08::born_loaded},
+                {"unpaired", "the course's scenes: is any vertex inside without a pair?",
+                 chapter08::unpaired},
                 {"cost", "what tracing takes of a step", chapter08::cost},
             },
         });
