@@ -48,7 +48,7 @@ void let_out(Scene& scene, const RunOptions& options, Report& report)
         fastest = std::max(fastest, world.bodies[1]->mean_velocity().norm());
     });
     StripProbe film(
-        scene, {0, 0.05, 0.1, 0.2}, [](auto&&...) {}, 480, 320);
+        scene, {0, 0.05, 0.1, 0.2}, [](auto&&...) {}, 400, 270);
     run(scene, chapter08_solver(scene.contact), {&watch, &film},
         failure_on_purpose({.steps = options.quick ? 41 : 400}));
     long left = 0;
@@ -80,7 +80,7 @@ void bunny_curve(const RunOptions& options, Report& report)
     const auto of_bunny = flood_regions(intersection.piercings, a, b, false);
     const long bowl_inside = mark_inside(stage, of_bowl, a, palette::colliding_face);
     const long bunny_inside = mark_inside(stage, of_bunny, b, palette::artefact);
-    write_png(Renderer(960, 640).draw(stage), report.file("bunny_curve.png"));
+    write_png(Renderer(720, 480).draw(stage), report.file("bunny_curve.png"));
     report.fact("bunny_curve", "curves", static_cast<double>(intersection.curves.size()));
     report.fact("bunny_curve", "piercings", static_cast<double>(intersection.piercings.size()), 5);
     report.fact("bunny_curve", "bowl_inside", static_cast<double>(bowl_inside), 5);

@@ -29,7 +29,7 @@ struct Sums {
 void tracing(const RunOptions& options, Report& report)
 {
     const auto meshes = overlap_meshes();
-    const int trials = options.quick ? 200 : 10000;
+    const int trials = options.quick ? 150 : 10000;
     std::mt19937_64 random(1);
     Table table({"coordinates", "trials", "overlaps", "piercings", "curves", "open_curves", "broken_regions",
                  "vertices_asked", "wrong_vertices", "textbook_breaks"});

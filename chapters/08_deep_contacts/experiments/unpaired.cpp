@@ -85,7 +85,7 @@ void unpaired(const RunOptions& options, Report& report)
             Scene scene = load_scene(scene_file(scene_name), patch);
             UnpairedProbe probe;
             run(scene, make(scene.contact), {&probe},
-                failure_on_purpose({.steps = options.quick ? std::optional(30) : std::nullopt}));
+                failure_on_purpose({.steps = options.quick ? std::optional(20) : std::nullopt}));
             found.push_back(probe.found);
         }
         table.add({name, found[0].steps, found[0].steps_with_some, 1000 * found[0].deepest,
