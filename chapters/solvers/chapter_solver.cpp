@@ -7,6 +7,7 @@
 #include "chapters/05_categorisation/solver.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_deep_contacts/solver.hpp"
 #include "common/input/input_error.hpp"
 
 namespace enduring::solvers {
@@ -21,7 +22,8 @@ Solver chapter_solver(int chapter, const ContactParameters& parameters)
         case 5: return chapter05_solver(parameters);
         case 6: return chapter06_solver(parameters);
         case 7: return chapter07_solver(parameters);
-        default: throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to 7 have");
+        case 8: return chapter08_solver(parameters);
+        default: throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to 8 have");
     }
 }
 

@@ -5,9 +5,9 @@
 
 namespace enduring::solvers {
 
-constexpr int chapters = 7;
+constexpr int chapters = 8;
 
-/// The solver of a chapter by its number, 1 to 7.
+/// The solver of a chapter by its number, 1 to 8.
 /// @throws InputError  there is no such chapter
 Solver chapter_solver(int chapter, const ContactParameters& parameters);
 

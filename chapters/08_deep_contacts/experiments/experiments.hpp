@@ -1,0 +1,15 @@
+#pragma once
+
+#include "common/experiments/report/chapter_program.hpp"
+
+namespace enduring::chapter08 {
+
+void deep(const RunOptions& options, Report& report);
+void tracing(const RunOptions& options, Report& report);
+void bunny_curve(const RunOptions& options, Report& report);
+void born_inside(const RunOptions& options, Report& report);
+void born_loaded(const RunOptions& options, Report& report);
+void unpaired(const RunOptions& options, Report& report);
+void cost(const RunOptions& options, Report& report);
+
+}  // namespace enduring::chapter08

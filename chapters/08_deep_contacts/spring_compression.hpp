@@ -1,0 +1,32 @@
+#pragma once
+
+#include "common/simulation/step.hpp"
+
+#include <tuple>
+#include <vector>
+
+namespace enduring {
+
+/// Keeps what the springs of vertex-face pairs hold while they are handed from face to face. The depth under
+/// another face is another number, and the difference would be energy out of nothing.
+class SpringCompressions {
+public:
+    /// Before pairs are followed: how far each spring is compressed.
+    void note(const World& world, const Contacts& contacts);
+
+    /// After it: a spring that acts at another face gets the slack with which it is compressed as before, and
+    /// one that was held begins slack. It never pushes before its vertex is inside.
+    void keep(const World& world, Contacts& contacts) const;
+
+private:
+    using Key = std::tuple<int, int, int>;  ///< body_a, vertex, body_b
+    struct Spring {
+        Key key;
+        int face;
+        bool held;
+        double compression;  ///< [m], not positive
+    };
+    std::vector<Spring> springs_;  ///< ascending
+};
+
+}  // namespace enduring

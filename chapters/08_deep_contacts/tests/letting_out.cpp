@@ -1,0 +1,203 @@
+#include "chapters/06_redefinition/solver.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_deep_contacts/inside_pairs.hpp"
+#include "chapters/08_deep_contacts/solver.hpp"
+#include "chapters/08_deep_contacts/spring_compression.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/winding_number.hpp"
+#include "common/simulation/rigid_body.hpp"
+#include "common/simulation/static_body.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+using namespace enduring;
+
+namespace {
+
+std::unique_ptr<Body> still(const SurfaceMesh& mesh)
+{
+    return std::make_unique<StaticBody>(
+        "still", SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices);
+}
+
+/// A block of 20 kg and 0.4 m that begins so deep in a floor.
+World block_in_floor(double depth, double leaning = 0)
+{
+    SurfaceMesh floor = box({2, 1, 2}, {7, 3, 7}), block = box(Vec3::Constant(0.4), {2, 2, 2});
+    for (Vec3& x : floor.vertices)
+        x.y() -= 0.5;
+    const Mat3 turn = Eigen::AngleAxisd(leaning, Vec3(1, 0.2, 0.7).normalized()).toRotationMatrix();
+    double lowest = 0;
+    for (Vec3& x : block.vertices) {
+        x = turn * x;
+        lowest = std::min(lowest, x.y());
+    }
+    for (Vec3& x : block.vertices)
+        x += Vec3(0.013, -lowest - depth, 0.021);
+    World world;
+    world.bodies.push_back(still(floor));
+    world.bodies.push_back(
+        std::make_unique<RigidBody>("block", block, with_mass(mass_properties(block, 1000), 20)));
+    return world;
+}
+
+double lowest_of(const Body& body)
+{
+    double lowest = 1e9;
+    for (const Vec3& x : body.positions_t0())
+        lowest = std::min(lowest, x.y());
+    return lowest;
+}
+
+bool is_in(const Body& body, const Vec3& x)
+{
+    return winding_number(body.surface().faces(), body.positions_t0(), x) > 0.5;
+}
+
+}  // namespace
+
+TEST_CASE("inside pairs: each vertex inside gets one pair, none outside does, and a second look adds none")
+{
+    const World world = block_in_floor(0.13, 0.3);
+    InsidePairs inside;
+    Contacts contacts;
+    inside.append_missing(world, contacts);
+    std::map<std::pair<int, int>, int> pairs;
+    for (const Contact& contact : contacts)
+        ++pairs[{contact.body_a, contact.feature_a}];
+    long all = 0;
+    for (const int body : {0, 1})
+        for (int vertex = 0; vertex < world.bodies[body]->surface().vertex_count(); ++vertex) {
+            const int expected = is_in(*world.bodies[1 - body], world.bodies[body]->positions_t0()[vertex]);
+            CHECK(pairs[{body, vertex}] == expected);
+            all += expected;
+        }
+    CHECK(all > 3);
+    const std::size_t before = contacts.size();
+    inside.append_missing(world, contacts);
+    CHECK(contacts.size() == before);
+}
+
+TEST_CASE("letting out: slack fades by a tenth, and no faster than the speed at which a body is let out")
+{
+    Contacts contacts(3);
+    contacts[0].slack = -1e-3;
+    contacts[1].slack = -0.2;
+    fade_slack(contacts, 0.9, 0.01);
+    CHECK(contacts[0].slack == doctest::Approx(-9e-4));
+    CHECK(contacts[1].slack == doctest::Approx(-0.2 + leaving_speed * 0.01));
+    CHECK(contacts[2].slack == 0);
+}
+
+TEST_CASE("letting out: a block that begins in a floor comes up slowly and rests; with chapter 7 it falls")
+{
+    for (const double depth : {0.001, 0.05, 0.4})
+        for (const double leaning : {0.0, 0.3}) {
+            CAPTURE(depth);
+            CAPTURE(leaning);
+            World world = block_in_floor(depth, leaning);
+            ContactParameters parameters;
+            parameters.friction = MassSplitting{.mu_s = 0.5, .mu_d = 0.4};
+            const Solver solver = chapter08_solver(parameters);
+            Contacts contacts;
+            double fastest = 0, highest = -1;
+            for (int step = 0; step < 300; ++step) {
+                advance(world, contacts, solver, 0.01);
+                fastest = std::max(fastest, world.bodies[1]->mean_velocity().y());
+                highest = std::max(highest, lowest_of(*world.bodies[1]));
+            }
+            CHECK(fastest < 0.3);
+            CHECK(highest < 1e-4);
+            CHECK(lowest_of(*world.bodies[1]) > -1e-4);
+            CHECK(world.bodies[1]->mean_velocity().norm() < 1e-3);
+        }
+    World world = block_in_floor(0.001);
+    Contacts contacts;
+    const Solver solver = chapter07_solver({});
+    for (int step = 0; step < 100; ++step)
+        advance(world, contacts, solver, 0.01);
+    CHECK(lowest_of(*world.bodies[1]) < -4);
+}
+
+TEST_CASE("spring: at another face it keeps its compression, and one that was held begins slack")
+{
+    const World world = block_in_floor(0.1);
+    const Body& block = *world.bodies[1];
+    int vertex = 0;
+    for (int i = 0; i < block.surface().vertex_count(); ++i)
+        vertex = block.positions_t0()[i].y() < block.positions_t0()[vertex].y() ? i : vertex;
+    const auto at_face = [&](int face) {
+        const Face& f = world.bodies[0]->surface().faces()[face];
+        Contact contact{
+            ContactKind::vertex_face, 1, 0, vertex, face, {vertex, f[0], f[1], f[2]}, {1, -1, 0, 0}};
+        contact.stiffness = 1000;
+        contact.slack = -0.07;
+        return contact;
+    };
+    const auto face_towards = [&](const Vec3& way) {
+        const auto faces = world.bodies[0]->surface().faces();
+        const auto x = world.bodies[0]->positions_t0();
+        for (std::size_t i = 0; i < faces.size(); ++i)
+            if ((x[faces[i][1]] - x[faces[i][0]])
+                    .cross(x[faces[i][2]] - x[faces[i][0]])
+                    .normalized()
+                    .dot(way) > 0.9)
+                return static_cast<int>(i);
+        return -1;
+    };
+    const int top = face_towards(Vec3::UnitY()), side = face_towards(Vec3::UnitX());
+    SpringCompressions springs;
+    Contacts contacts{at_face(top)};  // 0.1 m deep, so compressed by 0.03 m
+    springs.note(world, contacts);
+    springs.keep(world, contacts);
+    CHECK(contacts[0].slack == -0.07);  // the same face: nothing changes
+    contacts = {at_face(side)};
+    springs.keep(world, contacts);
+    const double depth = block.positions_t0()[vertex].x() - 1;  // under the floor's right side
+    CHECK(contacts[0].slack == doctest::Approx(depth + 0.03));
+
+    contacts = {at_face(top)};
+    contacts[0].hold(true);
+    springs.note(world, contacts);
+    contacts[0].hold(false);
+    springs.keep(world, contacts);
+    CHECK(contacts[0].slack == doctest::Approx(-0.1));
+}
+
+TEST_CASE(
+    "letting out: a block that is laid exactly on triangles is not thrown off, as it was by chapters 6 and 7")
+{
+    double most[3] = {0, 0, 0};
+    for (const double turned : {0.0, 0.3, 0.6, std::numbers::pi / 4}) {
+        const Mat3 slope = Eigen::AngleAxisd(std::numbers::pi / 18, Vec3::UnitZ()).toRotationMatrix(),
+                   turn = Eigen::AngleAxisd(turned, Vec3::UnitY()).toRotationMatrix();
+        SurfaceMesh slab = box({4, 0.4, 4}, {8, 1, 8}), block = box({1, 0.25, 1});
+        for (Vec3& x : slab.vertices)
+            x = slope * (x - Vec3(0, 0.2, 0));
+        for (Vec3& x : block.vertices)
+            x = slope * (turn * x + Vec3::Constant(0.125));
+        const ContactParameters parameters{PenaltyMethod::continuous, 12000};
+        const Solver solvers[] = {chapter06_solver(parameters), chapter07_solver(parameters),
+                                  chapter08_solver(parameters)};
+        for (int i = 0; i < 3; ++i) {
+            World world;
+            world.bodies.push_back(still(slab));
+            world.bodies.push_back(
+                std::make_unique<RigidBody>("block", block, with_mass(mass_properties(block, 1000), 20)));
+            const auto energy = [&] { return world.bodies[1]->energy(world.gravity).total(); };
+            const double before = energy();
+            Contacts contacts;
+            for (int step = 0; step < 80; ++step) {
+                advance(world, contacts, solvers[i], 0.01);
+                most[i] = std::max(most[i], energy() - before);
+            }
+        }
+    }
+    CHECK(most[0] > 100);
+    CHECK(most[1] > 100);
+    CHECK(most[2] < 1e-3);
+}
