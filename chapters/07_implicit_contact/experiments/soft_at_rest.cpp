@@ -83,7 +83,7 @@ void bowls(RestRuns& runs, const RunOptions& options, Report& report)
         RestRuns::Case c{name, bunnies_in_bowl(bunnies, 0.01),
                          !options.quick       ? 8.0
                          : bunnies.count == 1 ? 6.0
-                                              : 5.0,
+                                              : 3.0,
                          bunnies.elements == 363 && bunnies.young == (bunnies.count == 1 ? 1e7 : 1e6)};
         c.seen_from = {0.8, 1.8, 1.2};
         ForceProbe force("bunny 1", "bowl");
