@@ -52,6 +52,12 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
         VertexMotion part = world.bodies[body]->contact_motion(vertices, index, step.problem.step.centre);
         part.rate *= contact.weights[static_cast<std::size_t>(i)];
         part.first += step.problem.blocks[static_cast<std::size_t>(step.block[body])].first;
+        // all vertices of a rigid body move with the same coordinates
+        if (row.part_count > 0 &&
+            row.parts[static_cast<std::size_t>(row.part_count - 1)].first == part.first) {
+            row.parts[static_cast<std::size_t>(row.part_count - 1)].rate += part.rate;
+            continue;
+        }
         row.parts[static_cast<std::size_t>(row.part_count++)] = part;
     }
 }

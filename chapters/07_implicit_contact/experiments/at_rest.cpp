@@ -14,13 +14,15 @@ std::string in_words(Tip tip, int tip_deg, int crack_deg)
 std::vector<RestRuns::Case> all_cases(double dt, bool quick)
 {
     constexpr double stands_mm = 10;
-    const double duration = quick ? 3 : 6;
+    const double duration = quick ? 4 : 6;
     std::vector<RestRuns::Case> cases;
     for (const int lean_deg : {15, 10, 20})
         if (!quick || lean_deg == 15)
             cases.push_back({"card house, cards at " + std::to_string(lean_deg) + "°",
                              scene_of(card_house(3, lean_deg), dt), duration, lean_deg == 15, stands_mm});
     cases.push_back({"arch of 20 stones", arch(20, 5, dt), duration, true, stands_mm});
+    cases.push_back(
+        {"the same, every other stone 0.9 m deep", arch(20, 5, dt, 0.9), duration, false, stands_mm});
     for (const Tip tip : {Tip::spike, Tip::wedge})
         for (const auto& [tip_deg, crack_deg] : {std::pair(70, 40), {70, 20}, {80, 60}, {33, 20}, {33, 60}})
             cases.push_back({in_words(tip, tip_deg, crack_deg), tip_in_crack(tip, tip_deg, crack_deg, dt),

@@ -98,7 +98,7 @@ std::vector<Box> card_house(int levels, double lean_deg)
     return cards;
 }
 
-Scene arch(int stones, double radius, double dt)
+Scene arch(int stones, double radius, double dt, double other_depth)
 {
     Scene scene = scene_of({}, dt);
     for (int i = 0; i < stones; ++i) {
@@ -109,7 +109,7 @@ Scene arch(int stones, double radius, double dt)
                          {outer * std::cos(from), outer * std::sin(from)},
                          {outer * std::cos(to), outer * std::sin(to)},
                          {inner * std::cos(to), inner * std::sin(to)}},
-                        1),
+                        i % 2 == 0 ? 1 : other_depth),
                   10);
     }
     return scene;

@@ -19,8 +19,9 @@ SurfaceMesh prism(const std::vector<std::array<double, 2>>& outline, double leng
 std::vector<Box> card_house(int levels, double lean_deg);
 
 /// A half circle of equal stones on the ground, 1 m thick and 1 m deep, nothing between them.
-/// @param radius  to the middle of the stones [m]
-Scene arch(int stones, double radius, double dt);
+/// @param radius       to the middle of the stones [m]
+/// @param other_depth  of every other stone [m]: if it is less, no corners coincide
+Scene arch(int stones, double radius, double dt, double other_depth = 1);
 
 /// What falls into a crack.
 enum class Tip { spike, wedge };
