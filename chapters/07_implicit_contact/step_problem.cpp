@@ -101,6 +101,16 @@ double mass_of(const PairRow& row, const ContactProblem& problem)
     return response > 0 ? 1 / response : 0;
 }
 
+//! [slides_on]
+/// Whether a pair slips too fast for friction to stop it in this step; else it may hold again.
+bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem& problem,
+               const FrictionCoefficients& friction)
+{
+    return contact.slip > 0 &&
+           contact.slip * mass_of(row, problem) > friction.mu_s * contact.load * problem.step.dt;
+}
+//! [slides_on]
+
 }  // namespace
 
 StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
@@ -125,7 +135,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         }
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
-        row.law.mu = contact.slip > 0 ? friction.mu_d : friction.mu_s;
+        row.law.mu = slides_on(contact, row, step.problem, friction) ? friction.mu_d : friction.mu_s;
         row.law.pressing = contact.waiting() ? contact.load * step_law.dt : contact.impulse.norm();
         step.problem.rows.push_back(row);
         step.of_row.push_back(&contact);
