@@ -67,7 +67,7 @@ std::vector<Laid> all_laid(bool quick)
                 all.push_back({.elements = 363, .mass = mass, .dt = dt});
         }
     if (!quick)
-        for (const int elements : {785, 1452, 10668})
+        for (const int elements : {785, 1452})
             all.push_back({.elements = elements, .mass = 30, .dt = 0.01});
     return all;
 }
