@@ -77,8 +77,11 @@ Json& resolve(Json& document, const std::string& path, const std::string& file)
         const std::size_t end = std::min(path.find('/', begin), path.size());
         place = child(*place, path.substr(begin, end - begin), end == path.size());
         if (!place)
-            throw InputError(file + ": the change at " + path + " leads nowhere: there is no " +
-                             path.substr(0, end));
+            throw InputError(std::string(file)
+                                 .append(": the change at ")
+                                 .append(path)
+                                 .append(" leads nowhere: there is no ")
+                                 .append(path, 0, end));
         begin = end + 1;
     }
     return *place;
