@@ -51,4 +51,8 @@ EMSCRIPTEN_BINDINGS(live)
         "implicit", +[](double h, double centre, bool by_mean, int steps) {
             return array_of(implicit(h, centre, by_mean, steps));
         });
+    function(
+        "crossing", +[](bool bar, double x, double y, double z, double turn, double tilt) {
+            return array_of(crossing(bar, x, y, z, turn, tilt));
+        });
 }

@@ -18,6 +18,7 @@ const Live = (() => {
       this.element = element;
       this.values = {};
       this.handles = [];
+      this.surfaces = [];
       this.controls = this.append("div", "live-controls");
       this.canvas = this.append("canvas", "live-canvas");
       this.canvas.setAttribute("role", "img");
@@ -73,22 +74,34 @@ const Live = (() => {
     // A point that can be dragged: where() gives its place on the canvas, drag(x, y) takes a new one.
     handle(where, drag) { this.handles.push({ where, drag }); }
 
+    // A part of the canvas that is dragged where no handle is: inside(x, y), and drag(dx, dy) in pixels.
+    surface(inside, drag) {
+      this.surfaces.push({ inside, drag });
+      this.canvas.style.touchAction = "pan-y"; // a finger that goes up or down scrolls the page, one that goes sideways drags
+      this.canvas.dataset.preventSwipe = "";   // and does not turn a slide over
+    }
+
     listen() {
-      let held = null;
+      let held = null, pulled = null, last = null; // the handle, the surface, and where the pointer was
       const place = event => { // on the canvas, which a slide shows larger or smaller
         const box = this.canvas.getBoundingClientRect(), larger = box.width / this.canvas.clientWidth;
         return [(event.clientX - box.left) / larger, (event.clientY - box.top) / larger];
       };
       const near = (x, y) => this.handles.find(({ where }) => Math.hypot(where()[0] - x, where()[1] - y) < 22);
       this.canvas.addEventListener("pointerdown", event => {
-        held = near(...place(event));
-        if (held) { this.canvas.setPointerCapture(event.pointerId); event.preventDefault(); }
+        last = place(event);
+        held = near(...last);
+        pulled = held ? null : this.surfaces.find(({ inside }) => inside(...last));
+        if (held || pulled) this.canvas.setPointerCapture(event.pointerId);
+        if (held) event.preventDefault();
       });
       this.canvas.addEventListener("pointermove", event => {
-        if (held) { held.drag(...place(event)); this.change("drag"); }
-        this.canvas.style.cursor = near(...place(event)) ? "grab" : "default";
+        const at = place(event);
+        if (held) { held.drag(...at); this.change("drag"); }
+        if (pulled) { pulled.drag(at[0] - last[0], at[1] - last[1]); last = at; }
+        this.canvas.style.cursor = near(...at) ? "grab" : this.surfaces.some(({ inside }) => inside(...at)) ? "move" : "default";
       });
-      for (const end of ["pointerup", "pointercancel"]) this.canvas.addEventListener(end, () => { held = null; });
+      for (const end of ["pointerup", "pointercancel"]) this.canvas.addEventListener(end, () => { held = pulled = null; });
       this.canvas.addEventListener("touchstart", event => {
         const touch = event.touches[0];
         if (near(...place(touch))) event.preventDefault();

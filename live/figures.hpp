@@ -56,4 +56,12 @@ Numbers slide_on(int steps);
 ///          eigenvalues, then for each step height [m] and energy above that at rest, over the first ...}
 Numbers implicit(double h, double centre, bool by_mean, int steps);
 
+/// Chapter 8: where a cube crosses a block of 2 m by 0.8 m by 2 m, or a bar a wall. The block and the wall lie around the
+/// origin.
+/// @param x, y, z    place of the cube's or the bar's middle [m]
+/// @param turn_deg   about y, after a tilt by `tilt_deg` about z
+/// @return lists, each begun by its count: edges of the moved body (x y z of both ends), of the other one, vertices
+///         inside of the one, of the other, ways out (one of each overlap), and curves, each of which is a list of points
+Numbers crossing(bool bar, double x, double y, double z, double turn_deg, double tilt_deg);
+
 }  // namespace enduring::live

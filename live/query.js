@@ -15,12 +15,12 @@ Live.add("query", (figure, chapters) => {
     list[figure.values.kind === "face" ? 7 : 6][1] += figure.values.tilt;
     return list;
   };
-  let view = null;  // from a point to the canvas
+  const view = Live.turning(figure, { azimuth: 24, elevation: 16 });
   const free = () => figure.values.kind === "face" ? [0, 4] : [0, 1, 4, 5];
   for (const i of [0, 1, 4, 5])
-    figure.handle(() => view && free().includes(i) ? view(points()[i]) : [-99, -99], (x, y) => {
+    figure.handle(() => free().includes(i) ? view(points()[i]) : [-99, -99], (x, y) => {
       const p = pairs[figure.values.kind][i];
-      [p[0], p[1]] = view.back(x, y, p[2]).map(v => Math.max(-1.5, Math.min(1.5, v)));
+      [p[0], p[1], p[2]] = view.back(x, y, p).map(v => Math.max(-1.5, Math.min(1.5, v)));
     });
 
   figure.draw = (g, width, height, c, { tau, kind }) => {
@@ -29,8 +29,7 @@ Live.add("query", (figure, chapters) => {
     const stageBox = narrow ? [0, 0, width, height * 0.52] : [0, 0, width * 0.5, height];
     const plotBox = narrow ? [40, height * 0.56, width - 56, height * 0.33] : [width * 0.5 + 46, 22, width * 0.5 - 62, height - 66];
     const s = Math.min(stageBox[2], stageBox[3]) * 0.3, [ox, oy] = [stageBox[2] / 2, stageBox[3] * 0.52];
-    view = ([x, y, z]) => [ox + s * (x + 0.4 * z), oy - s * (y - 0.28 * z)];
-    view.back = (px, py, z) => [(px - ox) / s - 0.4 * z, (oy - py) / s + 0.28 * z];
+    view.place(stageBox, [ox, oy], s);
     const now = t => all.slice(0, 4).map((p, i) => p.map((v, k) => v + t * (all[i + 4][k] - v)));
     const draw = (p, colour, width_, fill) => {
       if (kind === "face") {
@@ -39,18 +38,20 @@ Live.add("query", (figure, chapters) => {
       } else
         Live.line(g, colour, width_ + 1, [p[2], p[3]].map(view));
     };
-    draw(now(0), c.soft, 1);
-    draw(now(1), c.soft, 1);
-    draw(now(tau), c.ochre, 2, c.ochre + "40");
-    const movers = kind === "face" ? [0] : [0, 1];
-    for (const i of movers) Live.line(g, c.blue, 1.2, [view(all[i]), view(all[i + 4])], [4, 4]);
-    if (kind === "edges") for (const t of [0, 1]) Live.line(g, c.blue + "90", 1.2, now(t).slice(0, 2).map(view));
-    if (kind === "edges") Live.line(g, c.blue, 3, now(tau).slice(0, 2).map(view));
-    for (const i of free()) Live.dot(g, c.blue, view(all[i]), 6, true);
-    for (const i of movers) Live.dot(g, c.blue, view(now(tau)[i]), 5);
-    if (first >= 0) for (const i of movers) Live.dot(g, c.red, view(now(first)[i]), 5, true);
-    Live.label(g, c.soft, "start", view(all[0]).map((v, i) => v + (i ? -14 : 8)));
-    Live.label(g, c.soft, "end", view(all[4]).map((v, i) => v + (i ? 14 : 8)));
+    view.draw(g, c, () => {
+      draw(now(0), c.soft, 1);
+      draw(now(1), c.soft, 1);
+      draw(now(tau), c.ochre, 2, c.ochre + "40");
+      const movers = kind === "face" ? [0] : [0, 1];
+      for (const i of movers) Live.line(g, c.blue, 1.2, [view(all[i]), view(all[i + 4])], [4, 4]);
+      if (kind === "edges") for (const t of [0, 1]) Live.line(g, c.blue + "90", 1.2, now(t).slice(0, 2).map(view));
+      if (kind === "edges") Live.line(g, c.blue, 3, now(tau).slice(0, 2).map(view));
+      for (const i of free()) Live.dot(g, c.blue, view(all[i]), 6, true);
+      for (const i of movers) Live.dot(g, c.blue, view(now(tau)[i]), 5);
+      if (first >= 0) for (const i of movers) Live.dot(g, c.red, view(now(first)[i]), 5, true);
+      Live.label(g, c.soft, "start", view(all[0]).map((v, i) => v + (i ? -14 : 8)));
+      Live.label(g, c.soft, "end", view(all[4]).map((v, i) => v + (i ? 14 : 8)));
+    });
 
     const b = [b0, b1, b2, b3], size = Math.max(...b.map(Math.abs), 1e-6) * 1.15;
     const at = Live.axes(g, c, plotBox, { x: [0, 1], y: [-size, size], xlabel: "τ", ylabel: "height × length of the normal", yticks: 4 });
@@ -58,7 +59,7 @@ Live.add("query", (figure, chapters) => {
     Live.line(g, c.soft, 1.5, [[at.x(0), at.y(0)], [at.x(1), at.y(0)]]);
     Live.line(g, c.grey, 1, b.map((v, i) => [at.x(i / 3), at.y(v)]), [4, 4]);
     Live.line(g, c.blue, 2.2, Array.from({ length: 81 }, (_, i) => [at.x(i / 80), at.y(value(i / 80))]));
-    b.forEach((v, i) => { const place = [at.x(i / 3), at.y(v)]; Live.dot(g, v >= 0 ? c.green : c.red, place, 5); Live.label(g, c.text, v >= 0 ? "+" : "−", [place[0] + 8, place[1] - 8]); });
+    b.forEach((v, i) => { const place = [at.x(i / 3), at.y(v)]; Live.dot(g, v >= 0 ? c.green : c.red, place, 5); Live.label(g, c.text, v >= 0 ? "+" : "−", [place[0] + (i < 3 ? 8 : -14), place[1] - 8]); });
     for (const root of roots) Live.dot(g, c.violet, [at.x(root), at.y(0)], 5, true);
     Live.line(g, c.ochre, 1.5, [[at.x(tau), plotBox[1]], [at.x(tau), plotBox[1] + plotBox[3]]]);
     if (first >= 0) Live.dot(g, c.red, [at.x(first), at.y(0)], 7, true);

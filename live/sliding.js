@@ -1,6 +1,7 @@
 // Chapter 6: a cube slides over triangles, with redefinition or without. The solver runs in the page.
 Live.add("sliding", (figure, chapters) => {
   figure.aspect = 0.5;
+  figure.onPhone = 0.95;
   const MARK = [c => c.grey, c => c.blue, c => c.ochre, c => c.grey];
   let state = null, history = [];
   const begin = () => {
@@ -29,16 +30,15 @@ Live.add("sliding", (figure, chapters) => {
   figure.button("one step", () => { motion.stop(); if (!over()) take(1); figure.redraw(); });
   figure.button("again", () => { motion.stop(); begin(); figure.redraw(); });
 
-  figure.draw = (g, width, height, c, values) => {
-    const stage = height * 0.6, s = width / 9, [ox, oy] = [width / 2, stage * 0.78];
-    const view = ([x, y, z]) => [ox + s * (x + 0.32 * z), oy - s * (y - 0.42 * z)];
+  const view = Live.turning(figure, { azimuth: 10, elevation: 24 });
+  // The floor, the cube, and its pairs.
+  const scene = (g, c) => {
     const cell = 2 / 3, x = i => -4 + cell * i, z = j => -1 + cell * j, edge = c.grey + "90";  // as begin_sliding builds the floor
     for (let i = 0; i <= 12; ++i) Live.line(g, edge, 1, [view([x(i), 0, -1]), view([x(i), 0, 1])]);
     for (let j = 0; j <= 3; ++j) Live.line(g, edge, 1, [view([-4, 0, z(j)]), view([4, 0, z(j)])]);
     for (let i = 0; i < 12; ++i)
       for (let j = 0; j < 3; ++j) Live.line(g, edge, 1, [view([x(i), 0, z(j)]), view([x(i + 1), 0, z(j + 1)])]);
-    const [time, speed, pairs] = state, corner = i => [state[3 + 3 * i], state[4 + 3 * i], state[5 + 3 * i]];
-    const corners = Array.from({ length: 8 }, (_, i) => corner(i));
+    const corners = Array.from({ length: 8 }, (_, i) => [state[3 + 3 * i], state[4 + 3 * i], state[5 + 3 * i]]);
     for (let i = 0; i < 8; ++i)
       for (let j = i + 1; j < 8; ++j) {
         const gap = Math.hypot(...corners[i].map((v, k) => v - corners[j][k]));
@@ -48,7 +48,13 @@ Live.add("sliding", (figure, chapters) => {
       const kind = state[i + 3];
       Live.dot(g, MARK[kind](c), view([state[i], state[i + 1], state[i + 2]]), kind === 2 ? 5.5 : 4, kind === 3);
     }
-    const at = Live.axes(g, c, [48, stage + 24, width - 64, height - stage - 68], { x: [0, 3], y: [-1, 2.2], xlabel: "time [s]", ylabel: "speed [m/s]", yticks: 3 });
+  };
+
+  figure.draw = (g, width, height, c, values) => {
+    const stage = height * 0.62, [time, speed, pairs] = state;
+    view.fit([0, 0, width, stage], [-4, 4].flatMap(x => [-1, 1].flatMap(z => [[x, 0, z], [x, 1.1, z]])));
+    view.draw(g, c, () => scene(g, c));
+    const at = Live.axes(g, c, [48, stage + 22, width - 64, height - stage - 66], { x: [0, 3], y: [-1, 2.2], xlabel: "time [s]", ylabel: "speed [m/s]", yticks: 3 });
     Live.line(g, c.blue, 2.2, history.map(([t, v]) => [at.x(Math.min(t, 3)), at.y(Math.max(-1, Math.min(2.2, v)))]));
     return `Chapter ${values.solver}'s solver, t = ${time.toFixed(2)} s: the cube slides with ${speed.toFixed(4)} m/s on ${pairs} pairs. Blue pairs are regular, orange ones hooked, hollow ones held.`;
   };

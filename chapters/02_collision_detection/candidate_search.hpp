@@ -15,8 +15,9 @@ namespace enduring {
 /// tested against each other, never against themselves.
 class CandidateSearch {
 public:
+    virtual ~CandidateSearch() = default;
     /// Boxes of this step, and from them the pairs of features to look at.
-    void find_candidates(const World& world);
+    virtual void find_candidates(const World& world);
 
     /// Pairs of bodies whose boxes overlap, and of which at least one can
     /// move: those whose features are looked at.
@@ -44,6 +45,15 @@ public:
     void visit_faces_near(int body, const SweptBox& box, Visit&& visit) const
     {
         trees_[body].faces_near(box, visit);
+    }
+
+protected:
+    /// For a search that finds more; after find_candidates, whose boxes it has.
+    const FaceTree& tree(int body) const { return trees_[body]; }
+    /// Pairs of features of two bodies, empty at first, which are visited behind all others.
+    CandidatePairs& append_body_pair(int a, int b)
+    {
+        return body_pairs_.emplace_back(BodyPair{a, b, {}}).pairs;
     }
 
 private:

@@ -7,9 +7,7 @@
 #include <algorithm>
 
 namespace enduring {
-namespace {
 
-/// The mean outward direction of the faces at an edge, at the start of the step.
 Vec3 outward_at_edge(const SurfaceStep& surface, int edge)
 {
     Vec3 sum = Vec3::Zero();
@@ -22,8 +20,6 @@ Vec3 outward_at_edge(const SurfaceStep& surface, int edge)
     }
     return sum.stableNormalized();
 }
-
-}  // namespace
 
 //! [append_entries]
 void CrossingDetection::append_entries(const World& world, Contacts& contacts) const

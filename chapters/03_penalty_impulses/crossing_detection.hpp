@@ -6,6 +6,9 @@
 
 namespace enduring {
 
+/// The mean outward direction of the faces at an edge, at the start of the step.
+Vec3 outward_at_edge(const SurfaceStep& surface, int edge);
+
 /// Chapter 2's search, and which of its candidates cross inwards.
 class CrossingDetection : public CandidateSearch {
 public:

@@ -2,6 +2,8 @@
 
 #include "chapters/05_categorisation/category.hpp"
 
+#include <tuple>
+
 namespace enduring {
 namespace {
 
@@ -71,11 +73,13 @@ bool pushes_along(const Vec3& normal, const Vec3& reference)
     return normal.dot(reference) > hook_cosine * reference.norm();
 }
 
-/// @param reference  points from body_b to body_a
+/// @param reference  points from the pair's B to its A
 void append_if_touching(const World& world, Contact pair, const Vec3& reference, double tau,
                         Contacts& contacts)
 {
     const PairSurfaces surfaces(world, pair, tau);
+    if (surfaces.neighbours && surfaces.neighbours->edges(pair.feature_a, pair.feature_b))
+        return;
     const PairVertices x = edge_vertices(surfaces, pair.feature_a, pair.feature_b);
     pair.orientation = (x[1] - x[0]).cross(x[3] - x[2]).dot(reference) < 0 ? -1 : 1;
     const std::optional<EdgeFeet> feet = feet_of_edges(x, pair.orientation, smallest_edge_sine);
@@ -93,11 +97,17 @@ void append_if_touching(const World& world, Contact pair, const Vec3& reference,
 }
 //! [append_edge_pair]
 
-/// Edge pairs stand in the list with the smaller body first, as detection makes them.
+/// Edge pairs stand in the list with the smaller body first, as detection makes them; those of a body with
+/// itself with the smaller edge first.
+bool stands_first(const Redefinition& of, int edge_at_vertex, int edge_between)
+{
+    return std::tie(of.body_a, edge_at_vertex) < std::tie(of.body_b, edge_between);
+}
+
 Contact edge_pair(const Redefinition& of, int edge_at_vertex, int edge_between)
 {
     Contact pair{ContactKind::edge_edge, of.body_a, of.body_b, edge_at_vertex, edge_between};
-    if (of.body_a > of.body_b)
+    if (!stands_first(of, edge_at_vertex, edge_between))
         pair = {ContactKind::edge_edge, of.body_b, of.body_a, edge_between, edge_at_vertex};
     pair.start = of.start;
     return pair;
@@ -111,11 +121,12 @@ void append_edge_pairs(const World& world, const Redefinitions& redefinitions, d
     for (const Redefinition& of : redefinitions) {
         const SurfaceTopology &surface_a = world.bodies[of.body_a]->surface(),
                               &surface_b = world.bodies[of.body_b]->surface();
-        const Vec3 reference = of.body_a < of.body_b ? of.reference_normal : Vec3(-of.reference_normal);
         visit_edges_between(surface_b, of.old_face, of.new_face, [&](int edge_between) {
-            for (const int edge_at_vertex : surface_a.edges_around_vertex(of.vertex))
-                append_if_touching(world, edge_pair(of, edge_at_vertex, edge_between), reference, tau,
-                                   contacts);
+            for (const int edge_at_vertex : surface_a.edges_around_vertex(of.vertex)) {
+                const double sign = stands_first(of, edge_at_vertex, edge_between) ? 1 : -1;
+                append_if_touching(world, edge_pair(of, edge_at_vertex, edge_between),
+                                   sign * of.reference_normal, tau, contacts);
+            }
         });
     }
 }

@@ -61,8 +61,8 @@ FaceTrial try_face(const PairSurfaces& surfaces, int vertex, int face, const Fac
 /// Feet on a face before feet beside one; among equals the smaller penetration.
 bool is_better(const FaceTrial& one, const FaceTrial& other);
 
-/// Visits the faces around some corners of a contact's present face, which
-/// is left out; a face at two corners comes twice.
+/// Visits the faces around some corners of a contact's present face, which is left out, and so are those that
+/// the vertex never meets; a face at two corners comes twice.
 template <typename Visit>
 void visit_candidates(const PairSurfaces& surfaces, const Contact& contact, const Corners& around,
                       Visit&& visit)
@@ -70,7 +70,8 @@ void visit_candidates(const PairSurfaces& surfaces, const Contact& contact, cons
     for (std::size_t corner = 0; corner < 3; ++corner)
         if (around[corner])
             for (const int face : surfaces.b.step.topology.faces_around_vertex(contact.vertices[corner + 1]))
-                if (face != contact.feature_b)
+                if (face != contact.feature_b &&
+                    !(surfaces.neighbours && surfaces.neighbours->vertex_and_face(contact.feature_a, face)))
                     visit(face);
 }
 

@@ -4,6 +4,7 @@
 #include "chapters/05_categorisation/normal_span.hpp"
 #include "common/geometry/triangle_foot.hpp"
 #include "common/simulation/contact.hpp"
+#include "common/simulation/rest_neighbours.hpp"
 #include "common/simulation/step.hpp"
 
 #include <algorithm>
@@ -12,12 +13,20 @@
 
 namespace enduring {
 
+/// Which features of two bodies never meet: none, but for a body with itself.
+inline const RestNeighbours* rest_neighbours(const World& world, int body_a, int body_b)
+{
+    return body_a == body_b ? rest_neighbours(*world.bodies[body_a]) : nullptr;
+}
+
 /// The surfaces of a pair's two bodies at one moment of the step.
 struct PairSurfaces {
     SurfaceMoment a, b;
+    const RestNeighbours* neighbours;
 
     PairSurfaces(const World& world, int body_a, int body_b, double tau)
-        : a(surface_at(*world.bodies[body_a], tau)), b(surface_at(*world.bodies[body_b], tau))
+        : a(surface_at(*world.bodies[body_a], tau)), b(surface_at(*world.bodies[body_b], tau)),
+          neighbours(rest_neighbours(world, body_a, body_b))
     {}
     PairSurfaces(const World& world, const Contact& contact, double tau)
         : PairSurfaces(world, contact.body_a, contact.body_b, tau)

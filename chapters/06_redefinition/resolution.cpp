@@ -135,8 +135,11 @@ bool is_outside(const World& world, const CandidateSearch& search, const VertexC
     if (in_contact.find(edge_body, e0, other) >= 0 || in_contact.find(edge_body, e1, other) >= 0)
         return false;
     const Vec3 &from = mine.end(e0), &to = mine.end(e1);
+    const RestNeighbours* neighbours = rest_neighbours(world, edge_body, other);
     bool pierces = false;
     search.visit_faces_near(other, edge_box(mine, edge), [&](int face) {
+        if (neighbours && neighbours->edge_and_face(edge, face))
+            return;
         const auto [f0, f1, f2] = theirs.face(face);
         pierces = pierces || find_edge_triangle_hit(from, to, theirs.end(f0), theirs.end(f1), theirs.end(f2));
     });

@@ -21,7 +21,8 @@ void hand_on(const World& world, Contact& contact, double tau, const FaceTrial& 
     contact.hold(false);
 }
 
-/// Whether a foot beyond the face lies beyond an edge that has no other face.
+}  // namespace
+
 bool past_border(const SurfaceTopology& surface, int face, const std::array<double, 3>& weights)
 {
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -32,6 +33,8 @@ bool past_border(const SurfaceTopology& surface, int face, const std::array<doub
     }
     return false;
 }
+
+namespace {
 
 //! [redefine_enduring]
 void redefine(const World& world, Contact& contact, Redefinitions& redefinitions)

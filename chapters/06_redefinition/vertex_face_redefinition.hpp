@@ -17,6 +17,10 @@ struct Redefinition {
 
 using Redefinitions = std::vector<Redefinition>;
 
+/// Whether a foot beyond the face lies beyond an edge that has no other face.
+/// @param weights  of the foot
+bool past_border(const SurfaceTopology& surface, int face, const std::array<double, 3>& weights);
+
 /// Follows the vertices that have been inside since an earlier step, thesis 6.2.3 with 6.2.4, from where
 /// everything lies at the start of the step:
 ///   the foot of the vertex is on its face      the pair stays and acts at the foot

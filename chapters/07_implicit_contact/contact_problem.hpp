@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace enduring {
@@ -28,6 +29,10 @@ struct PairRow {
     Vec3 velocity = Vec3::Zero();
     Vec3 acting = Vec3::Zero();  ///< impulse on p that the prediction contains already [N s]
 
+    std::span<const VertexMotion> moving() const
+    {
+        return {parts.data(), static_cast<std::size_t>(part_count)};
+    }
     Vec3 velocity_after(const Eigen::VectorXd& change) const;  ///< if the coordinates change by this
     Vec3 rate_of(const Eigen::VectorXd& change) const;         ///< change of its velocity
     /// what an impulse on p does to the coordinates
@@ -35,6 +40,17 @@ struct PairRow {
     /// change of its velocity per impulse on p [1/kg]
     Mat3 response(const std::vector<BodyBlock>& blocks) const;
 };
+
+/// Calls visit(first, rate) with a part's rate as a matrix of 3 or 6 columns, which the compiler can unroll:
+/// three of a soft body's vertex, six of a rigid body.
+template <class Visit>
+void with_fixed_size(const VertexMotion& part, const Visit& visit)
+{
+    if (part.rate.cols() == 6)
+        visit(part.first, Eigen::Map<const Eigen::Matrix<double, 3, 6>>(part.rate.data()));
+    else
+        visit(part.first, Eigen::Map<const Mat3>(part.rate.data()));
+}
 
 class NewtonMatrix;
 
@@ -58,13 +74,27 @@ struct ProblemSolution {
     bool converged = false;
 };
 
+/// A x.
+Eigen::VectorXd times_mass(const ContactProblem& problem, const Eigen::VectorXd& x);
+
+/// What the pairs answer to a change, all impulses as momentum of the coordinates.
+struct Answers {
+    Eigen::VectorXd total, missing;  ///< all; without what acts already
+};
+Answers answers_to(const ContactProblem& problem, const Eigen::VectorXd& change);
+
 /// The part of the pairs' momentum that a change of the velocities does
 /// not account for: |A x - J^T (I - acting)| over
 /// |J^T I|, both measured by the speed that they would give (by A^-1), and
 ///   `least_speed` as the least of the latter.
 double residual_of(const ContactProblem& problem, const Eigen::VectorXd& change, double least_speed);
 
-/// Newton's method with the exact Hessian and a line search, with limits of friction that are lagged.
+/// The same from A x - J^T (I - acting) and J^T I.
+double residual_from(const ContactProblem& problem, const Eigen::VectorXd& gradient,
+                     const Eigen::VectorXd& total, double least_speed);
+
+/// Newton's method with a line search, with limits of friction that are lagged and a guess
+/// of each pair's friction beside the velocities.
 /// @param change       where it begins
 /// @param matrix       of the step's problems, kept from one to the next
 /// @param tolerance    of the residual
@@ -74,10 +104,10 @@ ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix
                              int most_steps = 100);
 
 /// Newton's method on the real equation, whose limits of friction are those that the same motion makes. Far
-/// from the answer, and where a step does not let the residual fall, the convex problem leads on, with the
-/// limits of the present answer.
+/// from the answer, and where a step does not let the residual fall, the convex problem leads on, with
+/// limits that a search brings nearer.
 /// @param problem  its rows hold the limits to begin with; the other parameters as above
 ProblemSolution solve(ContactProblem problem, NewtonMatrix& matrix, double tolerance, double least_speed,
-                      int most_steps = 200);
+                      int most_steps = 500);
 
 }  // namespace enduring

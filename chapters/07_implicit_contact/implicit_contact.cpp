@@ -2,7 +2,6 @@
 
 #include "chapters/04_friction/surface_turn.hpp"
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
-#include "chapters/07_implicit_contact/newton_matrix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,9 +36,35 @@ void tell_unconverged(const SolveRecord& record)
                   << record.rounds << " rounds\n";
 }
 
-//! [answer_all_pairs]
-void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& settings, double dt)
+namespace {
+
+/// Residual up to which an answer is still better than one with limits of friction that are old.
+constexpr double nearly_solved = 0.01;
+
+//! [answer_safely]
+/// With the limits of friction that the last step's loads give. They may be wrong, but they are known: the
+/// problem is convex, and its answer takes energy only.
+void answer_safely(World& world, StepProblem& step, NewtonMatrix& matrix, double tolerance, double least)
 {
+    apply_impulses(world, step, Eigen::VectorXd::Zero(3 * static_cast<Eigen::Index>(step.of_row.size())));
+    look_again(world, step);
+    step.problem.step.limit = FrictionLimit::lagged;
+    for (std::size_t i = 0; i < step.of_row.size(); ++i)
+        step.problem.rows[i].law.pressing = step.of_row[i]->load * step.problem.step.dt;
+    const ProblemSolution solution = solve_convex(step.problem, matrix,
+                                                  Eigen::VectorXd::Zero(step.problem.size), tolerance, least);
+    apply_impulses(world, step, impulses_after(step, solution.change));
+    look_again(world, step);
+}
+//! [answer_safely]
+
+}  // namespace
+
+//! [answer_all_pairs]
+void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& settings,
+                      NewtonMatrix& matrix, double dt)
+{
+    matrix.begin_step();
     const bool first = first_of_the_step(contacts);
     StepProblem step = set_up(world, contacts, settings.stiffness, settings.friction, {settings.centre, dt},
                               first);
@@ -47,7 +72,6 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         apply_impulses(world, step, last_impulses(world, step));
     SolveRecord record{world.step, static_cast<int>(step.problem.rows.size())};
     const double least = least_speed(world, dt);
-    NewtonMatrix matrix;
     AndersonMixing mixing;
     for (;; ++record.rounds) {
         look_again(world, step);
@@ -61,6 +85,8 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         const Eigen::VectorXd after = impulses_after(step, solution.change);
         apply_impulses(world, step, mixing.next(impulses_acting(step), after));
     }
+    if (record.residual > nearly_solved)
+        answer_safely(world, step, matrix, settings.tolerance, least);
     find_slip(step);
     for (Contact& contact : contacts)
         if (contact.waiting())

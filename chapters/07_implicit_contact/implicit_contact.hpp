@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/07_implicit_contact/newton_matrix.hpp"
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
 #include <functional>
@@ -31,7 +32,9 @@ struct ImplicitSettings {
 };
 
 /// Response: finds the impulses of all pairs together, from the motion that they make, and applies them.
-void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& settings, double dt);
+/// @param matrix  keeps its memory and its order from step to step
+void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& settings,
+                      NewtonMatrix& matrix, double dt);
 
 /// Before the step is settled: what each pair hands on to the next one,
 /// its load and the stretch of its friction.

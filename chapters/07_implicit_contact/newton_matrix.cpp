@@ -1,54 +1,41 @@
 #include "chapters/07_implicit_contact/newton_matrix.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/SparseLU>
-
 #include <algorithm>
-#include <memory>
 
 namespace enduring {
 namespace {
 
 using Eigen::VectorXd;
 
-/// Hands each block of A + J^T S J to `add(row, column, block)`.
-template <class Add>
-void for_each_block(const ContactProblem& problem, const std::vector<Mat3>& stiffenings, const Add& add)
+//! [assemble]
+/// Adds A + J^T S J to a matrix of zeros. `at(row, column)` is where its blocks are; above its diagonal a
+/// symmetric one is left empty.
+template <class At>
+void assemble(const ContactProblem& problem, const std::vector<Mat3>& stiffenings, bool symmetric,
+              const At& at)
 {
-    for (const BodyBlock& block : problem.blocks)
-        add(block.first, block.first, block.mass);
+    for (const BodyBlock& body : problem.blocks) {
+        const int size = static_cast<int>(body.mass.rows());
+        at(body.first, body.first).template block<Eigen::Dynamic, Eigen::Dynamic>(size, size) += body.mass;
+    }
     for (std::size_t pair = 0; pair < problem.rows.size(); ++pair) {
-        const PairRow& row = problem.rows[pair];
-        for (int i = 0; i < row.part_count; ++i)
-            for (int j = 0; j < row.part_count; ++j) {
-                const VertexMotion &one = row.parts[static_cast<std::size_t>(i)],
-                                   &other = row.parts[static_cast<std::size_t>(j)];
-                add(one.first, other.first, (one.rate.transpose() * stiffenings[pair] * other.rate).eval());
-            }
+        const Mat3& stiffening = stiffenings[pair];
+        if (stiffening.isZero(0))
+            continue;
+        for (const VertexMotion& other : problem.rows[pair].moving())
+            with_fixed_size(other, [&](int column, const auto& other_rate) {
+                const auto force = (stiffening * other_rate).eval();
+                for (const VertexMotion& one : problem.rows[pair].moving())
+                    with_fixed_size(one, [&](int row, const auto& rate) {
+                        constexpr int rows = rate.ColsAtCompileTime, columns = other_rate.ColsAtCompileTime;
+                        if (row >= column || !symmetric)
+                            at(row, column).template block<rows, columns>().noalias() += rate.transpose() *
+                                                                                         force;
+                    });
+            });
     }
 }
-
-Eigen::MatrixXd dense_matrix(const ContactProblem& problem, const std::vector<Mat3>& stiffenings)
-{
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(problem.size, problem.size);
-    for_each_block(problem, stiffenings, [&](int row, int column, const auto& block) {
-        matrix.block(row, column, block.rows(), block.cols()) += block;
-    });
-    return matrix;
-}
-
-Eigen::SparseMatrix<double> sparse_matrix(const ContactProblem& problem, const std::vector<Mat3>& stiffenings)
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    for_each_block(problem, stiffenings, [&](int row, int column, const auto& block) {
-        for (Eigen::Index j = 0; j < block.cols(); ++j)
-            for (Eigen::Index i = 0; i < block.rows(); ++i)
-                entries.emplace_back(row + static_cast<int>(i), column + static_cast<int>(j), block(i, j));
-    });
-    Eigen::SparseMatrix<double> matrix(problem.size, problem.size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
-}
+//! [assemble]
 
 /// Soft bodies fill the matrix, since each coordinate of one is coupled with all others of it.
 bool is_dense(const ContactProblem& problem)
@@ -64,7 +51,7 @@ bool is_dense(const ContactProblem& problem)
 bool NewtonMatrix::fits(const std::vector<Mat3>& stiffenings) const
 {
     // A matrix that is wrong by a thousandth leaves a thousandth of the error in each step.
-    return solve_ && stiffenings.size() == stiffenings_.size() &&
+    return kind_ != Kind::none && stiffenings.size() == stiffenings_.size() &&
            std::equal(stiffenings.begin(), stiffenings.end(), stiffenings_.begin(),
                       [](const Mat3& one, const Mat3& other) {
                           return (one - other).squaredNorm() <= 1e-6 * other.squaredNorm();
@@ -76,40 +63,71 @@ void NewtonMatrix::factor(const ContactProblem& problem)
 {
     const bool symmetric = std::all_of(stiffenings_.begin(), stiffenings_.end(),
                                        [](const Mat3& s) { return s.isApprox(s.transpose(), 1e-12); });
-    if (is_dense(problem)) {
-        const Eigen::MatrixXd matrix = dense_matrix(problem, stiffenings_);
-        if (symmetric)
-            solve_ = [factor = matrix.llt()](const VectorXd& b) { return VectorXd(factor.solve(b)); };
-        else
-            solve_ = [factor = matrix.lu()](const VectorXd& b) { return VectorXd(factor.solve(b)); };
-        return;
-    }
-    const Eigen::SparseMatrix<double> matrix = sparse_matrix(problem, stiffenings_);
-    if (symmetric) {
-        if (!is_analysed_)
-            sparse_.analyzePattern(matrix);
-        is_analysed_ = true;
-        sparse_.factorize(matrix);
-        solve_ = [this](const VectorXd& b) { return VectorXd(sparse_.solve(b)); };
-    } else {
-        using Factor = Eigen::SparseLU<Eigen::SparseMatrix<double>>;
-        solve_ = [factor = std::make_shared<Factor>(matrix)](const VectorXd& b) {
-            return factor->info() == Eigen::Success ? VectorXd(factor->solve(b)) : VectorXd::Zero(b.size());
-        };
-    }
+    if (is_dense(problem))
+        factor_dense(problem, symmetric);
+    else
+        factor_sparse(problem, symmetric);
+}
+
+void NewtonMatrix::factor_dense(const ContactProblem& problem, bool symmetric)
+{
+    dense_.setZero(problem.size, problem.size);
+    assemble(problem, stiffenings_, symmetric, [&](int row, int column) {
+        return BlockPlace{&dense_(row, column), dense_.rows()};
+    });
+    kind_ = symmetric ? Kind::dense_symmetric : Kind::dense;
+    if (symmetric)
+        dense_cholesky_.compute(dense_);
+    else
+        dense_lu_.compute(dense_);
+}
+
+void NewtonMatrix::factor_sparse(const ContactProblem& problem, bool symmetric)
+{
+    // where a factor is there, its step is the same, and so is its pattern
+    if (blocks_.reset(problem))
+        is_ordered_ = is_lu_ordered_ = false;
+    assemble(problem, stiffenings_, symmetric, [&](int row, int column) { return blocks_.at(row, column); });
+    const auto order_once = [&](auto& solver, bool& is_done) {
+        if (!is_done)
+            solver.analyzePattern(blocks_.matrix());
+        is_done = true;
+        solver.factorize(blocks_.matrix());
+    };
+    kind_ = symmetric ? Kind::sparse_symmetric : Kind::sparse;
+    if (symmetric)
+        order_once(sparse_cholesky_, is_ordered_);
+    else
+        order_once(sparse_lu_, is_lu_ordered_);
 }
 //! [factor]
 
-VectorXd NewtonMatrix::solve(const ContactProblem& problem, const VectorXd& change, const VectorXd& b)
+VectorXd NewtonMatrix::solve_with_factor(const VectorXd& b) const
 {
-    std::vector<Mat3> stiffenings;
-    for (const PairRow& row : problem.rows)
-        stiffenings.push_back(answer(row.law, row.velocity_after(change), problem.step).stiffening);
+    switch (kind_) {
+        case Kind::dense_symmetric: return dense_cholesky_.solve(b);
+        case Kind::dense: return dense_lu_.solve(b);
+        case Kind::sparse_symmetric:
+            if (sparse_cholesky_.info() == Eigen::Success)
+                return sparse_cholesky_.solve(b);
+            break;
+        case Kind::sparse:
+            if (sparse_lu_.info() == Eigen::Success)
+                return sparse_lu_.solve(b);
+            break;
+        case Kind::none: break;
+    }
+    return VectorXd::Zero(b.size());
+}
+
+VectorXd NewtonMatrix::solve(const ContactProblem& problem, const std::vector<Mat3>& stiffenings,
+                             const VectorXd& b)
+{
     if (!fits(stiffenings)) {
-        stiffenings_ = std::move(stiffenings);
+        stiffenings_ = stiffenings;
         factor(problem);
     }
-    const VectorXd x = solve_(b);
+    const VectorXd x = solve_with_factor(b);
     return x.allFinite() ? x : VectorXd(VectorXd::Zero(b.size()));
 }
 

@@ -1,31 +1,51 @@
 #pragma once
 
+#include "chapters/07_implicit_contact/block_matrix.hpp"
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 
-#include <functional>
+#include <memory>
 
 namespace enduring {
 
-/// The matrix of Newton's method for the problems of one step, A + J^T S J with the stiffening S of each
-/// pair, and its factors. It is factored anew where a stiffening has changed.
+/// The matrix of Newton's method, A + J^T S J with the stiffening S of each pair, and its factors. It is
+/// factored anew where a stiffening has changed, and ordered anew where other bodies touch.
 class NewtonMatrix {
 public:
+    /// Another step has begun: masses and levers are others.
+    void begin_step() { kind_ = Kind::none; }
+
     /// x of (A + J^T S J) x = b; zero where the matrix cannot be factored.
-    /// @param change  of the predicted velocities, where S is taken
-    /// @param problem  of the same step as in the calls before: masses and levers are the same
-    Eigen::VectorXd solve(const ContactProblem& problem, const Eigen::VectorXd& change,
+    /// @param problem      of the same step as in the calls before: masses and levers are the same
+    /// @param stiffenings  S of each pair
+    Eigen::VectorXd solve(const ContactProblem& problem, const std::vector<Mat3>& stiffenings,
                           const Eigen::VectorXd& b);
 
 private:
+    /// Which factor is the present one.
+    enum class Kind { none, dense_symmetric, dense, sparse_symmetric, sparse };
+
     bool fits(const std::vector<Mat3>& stiffenings) const;
     void factor(const ContactProblem& problem);
+    void factor_dense(const ContactProblem& problem, bool symmetric);
+    void factor_sparse(const ContactProblem& problem, bool symmetric);
+    Eigen::VectorXd solve_with_factor(const Eigen::VectorXd& b) const;
 
+    using Sparse = Eigen::SparseMatrix<double>;
+
+    Kind kind_ = Kind::none;
     std::vector<Mat3> stiffenings_;  ///< of each pair, when it was factored
-    std::function<Eigen::VectorXd(const Eigen::VectorXd&)> solve_;
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> sparse_;
-    bool is_analysed_ = false;  ///< the pattern of the sparse matrix, which is that of the step
+    Eigen::MatrixXd dense_;
+    Eigen::LLT<Eigen::MatrixXd> dense_cholesky_;
+    Eigen::PartialPivLU<Eigen::MatrixXd> dense_lu_;
+    BlockMatrix blocks_;
+    Eigen::SimplicialLLT<Sparse> sparse_cholesky_;
+    Eigen::SparseLU<Sparse> sparse_lu_;
+    bool is_ordered_ = false, is_lu_ordered_ = false;  ///< for the present pattern
 };
 
 }  // namespace enduring

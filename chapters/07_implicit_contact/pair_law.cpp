@@ -4,6 +4,12 @@
 
 namespace enduring {
 
+Vec3 spring_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step)
+{
+    const Vec3 stretch = pair.stretch + step.dt * velocity;
+    return -pair.stiffness * step.dt * (stretch - pair.normal.dot(stretch) * pair.normal);
+}
+
 //! [answer]
 PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step)
 {
@@ -19,7 +25,7 @@ PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step
 
     // A spring that gives: its end moves with p, its impulse never exceeds the limit.
     const Mat3 along = Mat3::Identity() - n * n.transpose();
-    const Vec3 wanted = -k * dt * (along * (pair.stretch + dt * velocity));
+    const Vec3 wanted = spring_impulse(pair, velocity, step);
     const double size = wanted.norm();
     result.slips = size > limit;
     if (!result.slips) {

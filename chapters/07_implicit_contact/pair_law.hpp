@@ -34,6 +34,9 @@ struct PairAnswer {
     bool slips = false;
 };
 
+/// What the spring along the surface would push if it never gave [N s].
+Vec3 spring_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
+
 /// @param velocity  of p against q over the step [m/s]
 PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 

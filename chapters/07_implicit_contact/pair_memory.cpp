@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/pair_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace enduring {
 
@@ -10,7 +11,8 @@ double wanted_stiffness(double mass, double load, const StiffnessChoice& choice,
 }
 
 //! [adapt_stiffness]
-void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt)
+void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
+                     double most_load)
 {
     const double wanted = wanted_stiffness(mass, contact.load, choice, dt);
     if (contact.stiffness == 0) {
@@ -19,12 +21,16 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
         return;
     }
     const double before = contact.stiffness, compressed = depth_t0 - contact.slack;
-    contact.stiffness = std::clamp(wanted, before, 2 * before);
+    const double least = choice.is_goal ? before * std::exp(-dt / choice.forgets_in) : before;
+    contact.stiffness = std::clamp(wanted, least, 2 * before);
     if (compressed < 0) {
         contact.slack = depth_t0 - compressed * before / contact.stiffness;
         contact.stretch *= before / contact.stiffness;
     }
-    contact.slack *= choice.keep;
+    // What moves out is not thrown, and a pair that cannot move out is not wound up for ever.
+    const double at_most = depth_t0 + most_load / contact.stiffness;
+    contact.slack = std::min({choice.keep * contact.slack, contact.slack + choice.leaving_speed * dt,
+                              std::max(contact.slack, at_most)});
 }
 //! [adapt_stiffness]
 

@@ -3,6 +3,9 @@
 #include "chapters/07_implicit_contact/pair_law.hpp"
 #include "common/simulation/contact.hpp"
 
+#include <cmath>
+#include <limits>
+
 namespace enduring {
 
 /// What decides a pair's stiffness, the same for all scenes.
@@ -10,6 +13,11 @@ struct StiffnessChoice {
     double of_its_mass = 100;    ///< h = k dt^2 / m of a pair with the mass that it feels itself
     double wanted_depth = 1e-5;  ///< how deep the load that a pair carries may press it [m]
     double keep = 0.9;           ///< part of a spring's slack that a step keeps
+    /// whether the wanted depth is to be reached, not only not to be passed: a stiffness may fall then
+    bool is_goal = false;
+    double forgets_in = 1;            ///< time in which it falls to 1/e at most [s]
+    double leaving_speed = 0.25;      ///< the fastest at which a slack fades [m/s]
+    double rubbing_slack = INFINITY;  ///< a pair whose spring is slack at a greater depth has no friction [m]
 };
 
 /// The stiffness that a pair should have: enough for the mass that it feels, and
@@ -18,10 +26,12 @@ struct StiffnessChoice {
 double wanted_stiffness(double mass, double load, const StiffnessChoice& choice, double dt);
 
 /// Gives an enduring pair its stiffness for the step, without a jump of its force: its spring gets a slack,
-/// which fades. A pair that is born inside begins slack altogether; one that comes from outside has none.
-/// @param depth_t0  at the start of the step [m], negative inside
-/// @param mass      as above; asked for a new pair only
-void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice,
-                     double dt);
+/// which fades, but winds no spring up above the most load. A pair that is born inside begins slack altogether;
+/// one that comes from outside has none.
+/// @param depth_t0   at the start of the step [m], negative inside
+/// @param mass       as above; asked for a new pair only
+/// @param most_load  that others can bring upon a pair [N]
+void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
+                     double most_load = std::numeric_limits<double>::infinity());
 
 }  // namespace enduring

@@ -1,25 +1,65 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 
 #include "chapters/06_redefinition/solver.hpp"
+#include "chapters/07_implicit_contact/false_hooks.hpp"
+#include "chapters/07_implicit_contact/touching_pairs.hpp"
+
+#include <memory>
+#include <utility>
 
 namespace enduring {
 
+namespace {
+
+//! [births]
+/// What lies on a surface at first is found, and what is hooked falsely pushes.
+void find_and_label(Solver& solver)
+{
+    solver.insert_before("categorise new", "pairs that touch at first",
+                         [](World& world, Contacts& contacts, double) {
+                             if (world.step == 0)
+                                 append_touching_pairs(world, contacts);
+                         });
+    solver.insert_before("admit new pairs", "ask the cone", [](World& world, Contacts& contacts, double) {
+        admit_falsely_hooked(world, contacts);
+    });
+    const Pass::Function redefine = solver.pass("redefine vertices").run;
+    solver.replace("redefine vertices", "redefine vertices",
+                   [redefine](World& world, Contacts& contacts, double dt) {
+                       const Contacts falsely = take_falsely_hooked(world, contacts);
+                       redefine(world, contacts, dt);
+                       follow_by_cone(world, falsely, contacts);
+                   });
+}
+//! [births]
+
+}  // namespace
+
 //! [solver]
-Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings)
+Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings,
+                        std::unique_ptr<CrossingDetection> detection)
 {
     settings.friction = coefficients_of(parameters.friction);
     ContactParameters frictionless = parameters;
     frictionless.friction = NoFriction{};
-    Solver solver = chapter06_solver(frictionless);
+    Solver solver = chapter06_solver_with(frictionless, std::move(detection));
     solver.name = "chapter 7";
-    solver.replace("impulses", "answer all pairs", [settings](World& world, Contacts& contacts, double dt) {
-        answer_all_pairs(world, contacts, settings, dt);
-    });
+    solver.replace(
+        "impulses", "answer all pairs",
+        [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {
+            answer_all_pairs(world, contacts, settings, *matrix, dt);
+        });
+    find_and_label(solver);
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
     return solver;
 }
 //! [solver]
+
+Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings)
+{
+    return chapter07_solver(parameters, std::move(settings), std::make_unique<CrossingDetection>());
+}
 
 Solver chapter07_solver(const ContactParameters& parameters) { return chapter07_solver(parameters, {}); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "common/simulation/contact_parameters.hpp"
 
@@ -10,5 +11,8 @@ namespace enduring {
 Solver chapter07_solver(const ContactParameters& parameters);
 /// The same with settings of one's own; the coefficients of friction are the scene's.
 Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings);
+/// The same with another search for pairs.
+Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings,
+                        std::unique_ptr<CrossingDetection> detection);
 
 }  // namespace enduring

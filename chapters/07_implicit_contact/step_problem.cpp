@@ -1,5 +1,6 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
+#include "chapters/07_implicit_contact/patch_mass.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
@@ -113,6 +114,17 @@ bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem&
 
 }  // namespace
 
+//! [most_load]
+double most_load(const World& world, double dt)
+{
+    constexpr double lever = 10;
+    double load = 0;
+    for (const auto& body : world.bodies)
+        load += body->mass() * (lever * world.gravity.norm() + body->mean_velocity().norm() / dt);
+    return load;
+}
+//! [most_load]
+
 StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step_law, bool first)
 {
@@ -121,6 +133,8 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
     step.problem.step.limit = FrictionLimit::coupled;
     step.vertices = touched_vertices(world, contacts);
     add_blocks(world, step);
+    step.problem.rows.reserve(contacts.size());
+    const double most = most_load(world, step_law.dt);
     for (Contact& contact : contacts) {
         if (!takes_part(contact))
             continue;
@@ -129,17 +143,21 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         look_at(world, contact, step_law, row);
         if (row.part_count == 0 || row.law.normal.isZero(0))
             continue;
-        if (first || contact.stiffness == 0) {
+        if (!choice.is_goal && (first || contact.stiffness == 0)) {
             const double mass = contact.stiffness == 0 ? mass_of(row, step.problem) : 0;
-            adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, choice, step_law.dt);
+            adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, choice, step_law.dt, most);
         }
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
-        row.law.mu = slides_on(contact, row, step.problem, friction) ? friction.mu_d : friction.mu_s;
+        row.law.mu = contact.slack < -choice.rubbing_slack             ? 0
+                     : slides_on(contact, row, step.problem, friction) ? friction.mu_d
+                                                                       : friction.mu_s;
         row.law.pressing = contact.waiting() ? contact.load * step_law.dt : contact.impulse.norm();
-        step.problem.rows.push_back(row);
+        step.problem.rows.push_back(std::move(row));
         step.of_row.push_back(&contact);
     }
+    if (choice.is_goal)
+        aim_at_wanted_depth(world, step, choice, most, first);
     return step;
 }
 

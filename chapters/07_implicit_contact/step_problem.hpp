@@ -21,6 +21,10 @@ struct StepProblem {
 StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step, bool first);
 
+/// What weight and motion of all bodies can bring upon a pair, with a lever as a wedge has it [N]. What
+/// presses harder than this comes from the pairs themselves.
+double most_load(const World& world, double dt);
+
 /// Brings normals, velocities and pressing impulses of all rows to the present prediction.
 void look_again(const World& world, StepProblem& step);
 

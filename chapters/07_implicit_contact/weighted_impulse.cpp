@@ -16,12 +16,11 @@ WayImpulse weighted_impulse(double depth_t0, double depth_t1, double centre, dou
     // up to tau of weight times depth, and of weight times tau. The ends of the
     // interval move with depth_t1 too, but there the depth is 0.
     const double p = centre / (1 - centre);
-    const auto weighted_depth = [&](double tau) {
-        return std::pow(tau, p) * (depth_t0 + centre * tau * (depth_t1 - depth_t0));
-    };
-    const auto weighted_tau = [&](double tau) { return std::pow(tau, p) * centre * tau; };
-    return {-k * dt * (weighted_depth(inside->end) - weighted_depth(inside->begin)),
-            -k * dt * (weighted_tau(inside->end) - weighted_tau(inside->begin))};
+    const auto weight_until = [&](double tau) { return tau == 0 || tau == 1 ? tau : std::pow(tau, p); };
+    const double at_end = weight_until(inside->end), at_begin = weight_until(inside->begin);
+    const auto mean_depth = [&](double tau) { return depth_t0 + centre * tau * (depth_t1 - depth_t0); };
+    return {-k * dt * (at_end * mean_depth(inside->end) - at_begin * mean_depth(inside->begin)),
+            -k * dt * centre * (at_end * inside->end - at_begin * inside->begin)};
 }
 //! [weighted_impulse]
 

@@ -2,7 +2,7 @@
 
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
-#include "chapters/08_deep_contacts/overlaps.hpp"
+#include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
 
@@ -11,14 +11,15 @@ namespace {
 
 //! [append]
 /// A pair for each of the vertices that has none with the other body.
-void append_pairs_of(const World& world, const VertexContacts& in_contact, int body_a,
-                     const std::vector<int>& vertices, int body_b, const StillSurface& other, const Vec3& way,
-                     Contacts& contacts)
+void append_pairs_of(int body_a, const StillSurface& inner, const std::vector<int>& vertices, int body_b,
+                     const StillSurface& other, const std::vector<Vec3>& ways,
+                     const VertexContacts& in_contact, Contacts& contacts)
 {
-    for (const int vertex : vertices) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const int vertex = vertices[i];
         if (in_contact.find(body_a, vertex, body_b) >= 0)
             continue;
-        const Exit exit = find_exit(other, world.bodies[body_a]->positions_t0()[vertex], way);
+        const Exit exit = find_exit(other, inner.positions[vertex], ways[i]);
         if (exit.face < 0)
             continue;
         Contact pair{ContactKind::vertex_face, body_a, body_b, vertex, exit.face};
@@ -38,6 +39,12 @@ StillSurface still(const Body& body, const FaceTree& tree)
 
 }  // namespace
 
+std::vector<Vec3> shared_way_out(const StillSurface&, const std::vector<int>& vertices, const StillSurface&,
+                                 const Vec3& way_out)
+{
+    return std::vector<Vec3>(vertices.size(), way_out);
+}
+
 void InsidePairs::fit_trees(const World& world)
 {
     const bool same = std::equal(bodies_.begin(), bodies_.end(), world.bodies.begin(), world.bodies.end(),
@@ -54,10 +61,18 @@ void InsidePairs::fit_trees(const World& world)
         trees_[i].refit({bodies_[i]->surface(), bodies_[i]->positions_t0(), bodies_[i]->positions_t0()});
 }
 
+void InsidePairs::note_ways(int body_a, const std::vector<int>& vertices, int body_b,
+                            const std::vector<Vec3>& ways)
+{
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        way_of_vertex_[{body_a, vertices[i], body_b}] = ways[i];
+}
+
 //! [append_missing]
 void InsidePairs::append_missing(const World& world, Contacts& contacts)
 {
     fit_trees(world);
+    way_of_vertex_.clear();
     VertexContacts in_contact;
     in_contact.fill(contacts);
     const int count = static_cast<int>(bodies_.size());
@@ -69,20 +84,38 @@ void InsidePairs::append_missing(const World& world, Contacts& contacts)
                 continue;
             const StillSurface still_a = still(a, trees_[i]), still_b = still(b, trees_[j]);
             for (const Overlap& overlap : find_overlaps(still_a, still_b)) {
-                append_pairs_of(world, in_contact, i, overlap.vertices_of_a, j, still_b, overlap.way_out,
-                                contacts);
-                append_pairs_of(world, in_contact, j, overlap.vertices_of_b, i, still_a, -overlap.way_out,
-                                contacts);
+                const auto &of_a = overlap.vertices_of_a, &of_b = overlap.vertices_of_b;
+                const std::vector<Vec3> ways_a = ways_(still_a, of_a, still_b, overlap.way_out),
+                                        ways_b = ways_(still_b, of_b, still_a, -overlap.way_out);
+                append_pairs_of(i, still_a, of_a, j, still_b, ways_a, in_contact, contacts);
+                append_pairs_of(j, still_b, of_b, i, still_a, ways_b, in_contact, contacts);
+                note_ways(i, of_a, j, ways_a);
+                note_ways(j, of_b, i, ways_b);
             }
         }
 }
 //! [append_missing]
 
 //! [fade_slack]
-void fade_slack(Contacts& contacts, double keep, double dt)
+void fade_slack(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most)
 {
     for (Contact& contact : contacts)
-        contact.slack = std::min(keep * contact.slack, contact.slack + leaving_speed * dt);
+        if (contact.slack < 0)
+            contact.slack = std::min(keep * contact.slack, contact.slack + most(contact));
+}
+
+double InsidePairs::part_along_the_way(const World& world, const Contact& contact) const
+{
+    for (int i = 0; contact.kind != ContactKind::vertex_plane && i < contact.vertex_count(); ++i) {
+        const bool of_a = i < contact.vertices_of_a();
+        const auto way = way_of_vertex_.find({of_a ? contact.body_a : contact.body_b,
+                                              contact.vertices[static_cast<std::size_t>(i)],
+                                              of_a ? contact.body_b : contact.body_a});
+        if (way != way_of_vertex_.end())
+            return std::max(0.0,
+                            (of_a ? 1 : -1) * way->second.dot(contact_geometry(world, contact, 0).normal));
+    }
+    return 1;
 }
 //! [fade_slack]
 

@@ -57,6 +57,22 @@ Vec3 vector_area(const Intersection& intersection, const IntersectionCurve& curv
 }
 //! [vector_area]
 
+Vec3 nearest_normal(const StillSurface& surface, const Vec3& point)
+{
+    double bound = INFINITY;
+    int nearest = 0;
+    surface.tree.visit_near(point, bound, [&](int face) {
+        const auto [a, b, c] = surface.topology.faces()[face];
+        const double distance = distance_to_triangle(point, surface.positions[a], surface.positions[b],
+                                                     surface.positions[c]);
+        if (distance * distance < bound) {
+            bound = distance * distance;
+            nearest = face;
+        }
+    });
+    return normal_of(surface, nearest).normalized();
+}
+
 namespace {
 
 /// Curves and regions inside, each a number; those that meet are of one volume.
@@ -104,23 +120,6 @@ private:
     SurfaceRegions regions_a_, regions_b_;
     std::vector<int> parent_;
 };
-
-/// The normal of the face that is nearest to a point.
-Vec3 nearest_normal(const StillSurface& surface, const Vec3& point)
-{
-    double bound = INFINITY;
-    int nearest = 0;
-    surface.tree.visit_near(point, bound, [&](int face) {
-        const auto [a, b, c] = surface.topology.faces()[face];
-        const double distance = distance_to_triangle(point, surface.positions[a], surface.positions[b],
-                                                     surface.positions[c]);
-        if (distance * distance < bound) {
-            bound = distance * distance;
-            nearest = face;
-        }
-    });
-    return normal_of(surface, nearest).normalized();
-}
 
 //! [shortest_way]
 /// Of the ways along the normals next to some vertices, the one on which the last of them is out first.

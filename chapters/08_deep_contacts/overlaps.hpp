@@ -16,6 +16,9 @@ struct Overlap {
 Vec3 vector_area(const Intersection& intersection, const IntersectionCurve& curve, const StillSurface& a,
                  const StillSurface& b);
 
+/// The normal of the face that is nearest to a point, unit length.
+Vec3 nearest_normal(const StillSurface& surface, const Vec3& point);
+
 /// All volumes that two closed surfaces share.
 ///
 /// The way out is the one on which the volume shrinks fastest: if A moves by a small s, it grows by s times

@@ -1,8 +1,9 @@
 #include "chapters/08_deep_contacts/solver.hpp"
 
 #include "chapters/07_implicit_contact/solver.hpp"
-#include "chapters/08_deep_contacts/inside_pairs.hpp"
+#include "chapters/07_implicit_contact/step_problem.hpp"
 #include "chapters/08_deep_contacts/neighbours.hpp"
+#include "chapters/08_deep_contacts/self_detection.hpp"
 #include "chapters/08_deep_contacts/spring_compression.hpp"
 
 #include <memory>
@@ -28,10 +29,12 @@ Solver asking_neighbours(Solver solver)
 //! [asking_neighbours]
 
 //! [solver]
-Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings settings)
+Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings settings, WaysOut ways)
 {
     const double keep = std::exchange(settings.stiffness.keep, 1);  // slack fades here, not there
-    Solver solver = asking_neighbours(chapter07_solver(parameters, settings));
+    settings.stiffness.rubbing_slack = 1e-3;                        // what is let out does not rub
+    Solver solver =
+        asking_neighbours(chapter07_solver(parameters, settings, std::make_unique<SelfDetection>()));
     solver.name = "chapter 8";
     const auto springs = std::make_shared<SpringCompressions>();
     solver.insert_before(
@@ -40,12 +43,19 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
     solver.insert_before(
         "dismiss edges", "keep compressions",
         [springs](World& world, Contacts& contacts, double) { springs->keep(world, contacts); });
-    solver.append(StepStage::refresh, "let out",
-                  [keep](World&, Contacts& contacts, double dt) { fade_slack(contacts, keep, dt); });
-    solver.append(StepStage::refresh, "find what is inside",
-                  [inside = std::make_shared<InsidePairs>()](World& world, Contacts& contacts, double) {
-                      inside->append_missing(world, contacts);
-                  });
+    const auto inside = std::make_shared<InsidePairs>(std::move(ways));
+    solver.append(
+        StepStage::refresh, "find what is inside",
+        [inside](World& world, Contacts& contacts, double) { inside->append_missing(world, contacts); });
+    solver.append(
+        StepStage::refresh, "let out",
+        [inside, keep, speed = parameters.leaving_speed](World& world, Contacts& contacts, double dt) {
+            const double most = most_load(world, dt);
+            fade_slack(contacts, keep, [&](const Contact& contact) {
+                // what carries more than others can bring upon it does not move out, and is not wound up
+                return contact.load > most ? 0 : speed * dt * inside->part_along_the_way(world, contact);
+            });
+        });
     return solver;
 }
 //! [solver]

@@ -1,5 +1,6 @@
 #include "chapters/08_deep_contacts/spring_compression.hpp"
 
+#include "common/geometry/triangle_distance.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
@@ -11,6 +12,16 @@ double depth_of(const World& world, const Contact& contact)
 {
     return contact_geometry(world, contact, 0).depth;
 }
+
+/// Of the vertex from the face [m].
+double distance_to_face(const World& world, const Contact& contact)
+{
+    const auto x = [&](int i) { return contact_vertex(world, contact, i, 0); };
+    return distance_to_triangle(x(0), x(1), x(2), x(3));
+}
+
+/// What a body that rests is pressed in deeper than a face that it has left [m].
+constexpr double tolerance = 1e-3;
 
 bool has_spring(const Contact& contact)
 {
@@ -27,7 +38,8 @@ void SpringCompressions::note(const World& world, const Contacts& contacts)
             springs_.push_back({{c.body_a, c.feature_a, c.body_b},
                                 c.feature_b,
                                 c.held(),
-                                std::min(0.0, depth_of(world, c) - c.slack)});
+                                std::min(0.0, depth_of(world, c) - c.slack),
+                                distance_to_face(world, c)});
     std::sort(springs_.begin(), springs_.end(),
               [](const Spring& one, const Spring& other) { return one.key < other.key; });
 }
@@ -46,6 +58,9 @@ void SpringCompressions::keep(const World& world, Contacts& contacts) const
             continue;
         if (spring->held)
             contact.slack = std::min(0.0, depth_of(world, contact));
+        else if (spring->face != contact.feature_b &&
+                 -depth_of(world, contact) > spring->distance + tolerance)
+            contact.resolved = true;  // no motion has led there: it has left its face, and that is all
         else if (spring->face != contact.feature_b)
             contact.slack = std::min(0.0, depth_of(world, contact) - spring->compression);
     }

@@ -1,6 +1,7 @@
 #include "chapters/motivating_scenes/buried_vertex.hpp"
 #include "chapters/motivating_scenes/motivating_scene.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/energy.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -143,6 +144,41 @@ Gauge::Reading error_of_way(const std::string& body, double exact)
     };
 }
 
+/// How far above its floor, at height 0, the lowest vertex of a body comes [mm], unless it is in the floor at
+/// the end.
+Gauge::Reading highest_over_floor(const std::string& body)
+{
+    return [body, highest = -1e9](Value& value, const World& world, const Contacts&, double) mutable {
+        double lowest = 1e9;
+        for (const Vec3& x : body_named(world, body).positions_t0())
+            lowest = std::min(lowest, 1000 * x.y());
+        highest = std::max(highest, lowest);
+        value = lowest < -10 ? Value() : Value(std::max(0.0, highest));
+    };
+}
+
+/// Most energy that a tower has over that at a time [J], from then on, unless its last cube has come down by
+/// half of itself.
+Gauge::Reading energy_gained_after(double time, const std::string& last, double lowest_height)
+{
+    return [=, before = 0.0, most = 0.0](Value& value, const World& world, const Contacts&, double) mutable {
+        const double energy = total_energy(world).total();
+        before = world.time <= time ? energy : before;
+        most = std::max(most, energy - before);
+        value = body_named(world, last).centre().y() < lowest_height ? Value() : Value(most);
+    };
+}
+
+/// Kinetic energy at the end over that at the start, unless the body's middle is below height 0.
+Gauge::Reading energy_if_above(const std::string& body)
+{
+    return [body, before = 0.0](Value& value, const World& world, const Contacts&, double) mutable {
+        const double energy = body_named(world, body).energy(world.gravity).kinetic;
+        before = world.step == 0 ? energy : before;
+        value = body_named(world, body).centre().y() < 0 ? Value() : Value(energy / before);
+    };
+}
+
 //! [expectations]
 std::vector<MotivatingScene> all_scenes()
 {
@@ -279,6 +315,54 @@ std::vector<MotivatingScene> all_scenes()
          'p',
          energy_after_bounce("cube"),
          {0.03, 0.06, 0.15}},
+        {"born_inside",
+         "born_inside",
+         "",
+         "height over the floor, at most",
+         "mm",
+         Bound::at_most,
+         10,
+         "it has no reason to leave the floor; a centimetre is left for tipping over",
+         "fffffffp",
+         'p',
+         highest_over_floor("block"),
+         {0.3, 0.8, 2}},
+        {"wholly_inside",
+         "born_inside",
+         R"({"/bodies/block/position": [0.013, -0.3, 0.021]})",
+         "height over the floor, at most",
+         "mm",
+         Bound::at_most,
+         10,
+         "as above; nothing crosses at the start, so nothing tells where the floor ends but its surface",
+         "fffffffp",
+         'f',
+         highest_over_floor("block"),
+         {0.3, 0.8, 2}},
+        {"thin",
+         "thin",
+         "",
+         "energy after the impact over that before",
+         "",
+         Bound::at_most,
+         1.01,
+         "it came from above; its middle may not be under the plate, and nothing adds energy",
+         "ffffffpp",
+         'p',
+         energy_if_above("ball"),
+         {0.02, 0.05, 0.2}},
+        {"tower",
+         "tower",
+         "",
+         "energy gained in the last second",
+         "J",
+         Bound::at_most,
+         0.03,
+         "0.1 % of 29 J, with which the cubes fell on each other",
+         "ffffffpp",
+         'p',
+         energy_gained_after(2, "cube 5", 2.3),
+         {0.1, 0.5, 3}},
     };
 }
 //! [expectations]

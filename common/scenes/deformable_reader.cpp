@@ -85,6 +85,7 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
         settings.impulse_response = response->choice({"lumped", "implicit"}) == 1 ? ImpulseResponse::implicit
                                                                                   : ImpulseResponse::lumped;
 
+    settings.self_contact = value.flag_or("self_contact", false);
     settings.options.solver_tolerance = value.number_or("solver_tolerance", {1e-14, 1e-2},
                                                         settings.options.solver_tolerance);
 
@@ -103,8 +104,8 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
 std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis",
-                        "fixed", "impulse_response", "solver_tolerance", "position", "rotation", "velocity",
-                        "angular_velocity", "look"});
+                        "fixed", "impulse_response", "self_contact", "solver_tolerance", "position",
+                        "rotation", "velocity", "angular_velocity", "look"});
     try {
         return build(value, surroundings);
     } catch (const InputError& error) {

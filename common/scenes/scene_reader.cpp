@@ -21,7 +21,7 @@ const NumberRange stiffness_range{0, 1e12, false, true, "N/m"};
 
 ContactParameters read_contact(const JsonValue& value)
 {
-    value.require_keys({"method", "stiffness", "friction"});
+    value.require_keys({"method", "stiffness", "friction", "leaving_speed"});
     ContactParameters contact;
     Mistakes mistakes;
     mistakes.gather([&] {
@@ -30,6 +30,10 @@ ContactParameters read_contact(const JsonValue& value)
     });
     mistakes.gather(
         [&] { contact.stiffness = value.number_or("stiffness", stiffness_range, contact.stiffness); });
+    mistakes.gather([&] {
+        contact.leaving_speed = value.number_or("leaving_speed", {0, 10, false, true, "m/s"},
+                                                contact.leaving_speed);
+    });
     mistakes.gather([&] {
         if (const std::optional<JsonValue> friction = value.find("friction"))
             contact.friction = read_friction(*friction, contact.stiffness);

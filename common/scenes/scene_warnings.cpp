@@ -7,14 +7,20 @@
 namespace enduring {
 namespace {
 
-std::string sentence(const StartOverlap& overlap)
+/// Solvers differ in what becomes of such a body: the scene does not say which of them will run it.
+std::string sentence(const StartOverlap& overlap, double leaving_speed)
 {
     const std::string place = "'" + overlap.inner + "' begins " + (overlap.whole ? "wholly " : "") +
-                              "inside '" + overlap.outer + "', " + readable(overlap.depth, 3) + " m deep";
+                              "inside '" + overlap.outer + "', " + readable(overlap.depth, 3) + " m deep",
+                      let_out = ": a solver that traces intersections lets it out at " +
+                                readable(leaving_speed, 3) + " m/s (/contact/leaving_speed), ";
     if (overlap.in_plane)
-        return place + ": all weight of the scene would not press it so far, so the plane throws it out";
-    return place +
-           ": pairs are found where surfaces cross, so nothing holds what never crossed; move one of them";
+        return place + let_out +
+               "one that does not throws it out, since all weight of the scene would not press it so far";
+    if (!overlap.closed)
+        return place +
+               ": a surface with a border has no inside to be let out of, so it falls through; move one of them";
+    return place + let_out + "one that waits for surfaces to cross lets it fall through";
 }
 
 std::string sentence(const StiffestContact& contact, double dt)
@@ -32,7 +38,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const std::string& f
 {
     std::vector<std::string> warnings;
     for (const StartOverlap& overlap : start_overlaps(scene.world, scene.contact))
-        warnings.push_back(file + ": " + sentence(overlap));
+        warnings.push_back(file + ": " + sentence(overlap, scene.contact.leaving_speed));
     const std::optional<StiffestContact> contact = stiffest_contact(scene.world, scene.contact);
     if (contact && contact->stable_step < scene.dt)
         warnings.push_back(file + ": " + sentence(*contact, scene.dt));

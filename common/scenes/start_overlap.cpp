@@ -102,8 +102,12 @@ std::optional<StartOverlap> overlap_of(Placed& one, Placed& other)
                                                : other.body().is_static() ||
                                                      of_one > of_other + rounding(one.box(), other.box());
     Placed &inner = is_one ? one : other, &outer = is_one ? other : one;
-    return StartOverlap{inner.body().name(), outer.body().name(), std::max(of_one, of_other),
-                        lies_wholly_in(inner, outer), false};
+    return StartOverlap{inner.body().name(),
+                        outer.body().name(),
+                        std::max(of_one, of_other),
+                        lies_wholly_in(inner, outer),
+                        false,
+                        one.body().surface().is_closed() && other.body().surface().is_closed()};
 }
 
 /// A scene may begin with its bodies as deep in the ground as they rest, so

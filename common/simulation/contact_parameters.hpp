@@ -76,6 +76,8 @@ struct ContactParameters {
     double stiffness = 1000;  ///< k of one pair [N/m], positive
     FrictionParameters friction{};
     NormalLaw law{};  ///< a normal law of one's own, in place of the method's
+    /// of what begins inside another body or a plane, under a solver that lets it out [m/s]
+    double leaving_speed = 0.35;
 };
 
 }  // namespace enduring

@@ -110,6 +110,8 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
     positions_t0_.resize(static_cast<std::size_t>(embedding_.vertex_count()));
     embedding_.evaluate(elastic_.positions(), positions_t0_);
     positions_t1_ = positions_t0_;
+    if (settings.self_contact)
+        rest_neighbours_ = std::make_unique<RestNeighbours>(this->surface(), positions_t0_);
 }
 
 void DeformableBody::predict(const Vec3& gravity, double dt)
@@ -204,6 +206,12 @@ std::unique_ptr<Trial> DeformableBody::begin_trial() const
     if (impulse_response_ == ImpulseResponse::implicit)
         return std::make_unique<ImplicitTrial>(*this, vertex_response_);
     return std::make_unique<LumpedTrial>(elastic_, embedding_);
+}
+
+const RestNeighbours* rest_neighbours(const Body& body)
+{
+    const auto* soft = dynamic_cast<const DeformableBody*>(&body);
+    return soft ? soft->rest_neighbours() : nullptr;
 }
 
 Energy energy_of(const ElasticBody& elastic, const Vec3& gravity)

@@ -4,6 +4,7 @@
 #include "common/fem/surface_embedding.hpp"
 #include "common/geometry/meshes.hpp"
 #include "common/simulation/body.hpp"
+#include "common/simulation/rest_neighbours.hpp"
 #include "common/simulation/vertex_response.hpp"
 
 namespace enduring {
@@ -28,6 +29,7 @@ struct DeformableSettings {
     Vec3 angular_velocity = Vec3::Zero();  ///< about it, in world axes [rad/s]
     std::vector<int> fixed_nodes;          ///< nodes of the mesh that never move
     ImpulseResponse impulse_response = ImpulseResponse::lumped;
+    bool self_contact = false;  ///< whether its surface is looked at for contact with itself, too
     ElasticOptions options;
 };
 
@@ -72,6 +74,7 @@ public:
 
     const ElasticBody& elastic() const { return elastic_; }
     const SurfaceEmbedding& embedding() const { return embedding_; }
+    const RestNeighbours* rest_neighbours() const { return rest_neighbours_.get(); }
 
 private:
     DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh, SurfaceEmbedding embedding,
@@ -86,6 +89,7 @@ private:
     NodalVectors waiting_impulses_;
     mutable VertexResponse vertex_response_;  ///< filled when asked; only for the implicit response
     std::unique_ptr<const MassParts> parts_;
+    std::unique_ptr<const RestNeighbours> rest_neighbours_;  ///< only if it meets itself
 };
 
 }  // namespace enduring

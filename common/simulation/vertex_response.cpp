@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cmath>
 
 namespace enduring {
 namespace {
@@ -44,12 +45,17 @@ void VertexResponse::begin_step(double dt)
     for (const int place : new_)
         vertices_[place].responses = {};
     new_.clear();
-    if (dt != dt_) {
-        vertices_.clear();
-        place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
-        massive_.clear();
-    }
+    if (dt != dt_)
+        forget();
     dt_ = dt;
+}
+
+void VertexResponse::forget()
+{
+    vertices_.clear();
+    new_.clear();
+    place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
+    massive_.clear();
 }
 
 const Mat3& VertexResponse::frame(Vertex& vertex)
@@ -100,6 +106,7 @@ int VertexResponse::column_of(int vertex)
                          {}});
     Vertex& own = vertices_.back();
     const Mat3 own_frame = frame(own);
+    own.first_frame = own_frame;
     for (Vertex& other : vertices_) {
         // Both responses tell the same block up to rounding; the lower vertex's does where there is a choice.
         const bool others = other.responses[0].size() > 0 && other.vertex < vertex;
@@ -188,9 +195,32 @@ Eigen::MatrixXd VertexResponse::local_mass_of(std::span<const int> vertices)
     return softened_inverse(response);
 }
 
+//! [has_bent]
+/// Whether the elements around these vertices have turned against each other since their responses were
+/// computed, by more than a mean turn of all of them explains.
+bool VertexResponse::has_bent(std::span<const int> vertices)
+{
+    constexpr double largest_turn = 0.07;  // [rad], see chapter 7
+    std::vector<Vertex*> known;
+    Mat3 sum = Mat3::Zero();
+    for (const int vertex : vertices)
+        if (!place_.empty() && place_[vertex] >= 0) {
+            known.push_back(&vertices_[place_[vertex]]);
+            sum += frame(*known.back()) * known.back()->first_frame.transpose();
+        }
+    const Mat3 turn = polar_rotation(sum);
+    return std::any_of(known.begin(), known.end(), [&](Vertex* vertex) {
+        // a turn by a small angle is this length away from none
+        return (frame(*vertex) - turn * vertex->first_frame).norm() > std::sqrt(2.0) * largest_turn;
+    });
+}
+//! [has_bent]
+
 //! [mass_of]
 Eigen::MatrixXd VertexResponse::mass_of(std::span<const int> vertices)
 {
+    if (has_bent(vertices))
+        forget();
     if (!std::equal(vertices.begin(), vertices.end(), massive_.begin(), massive_.end())) {
         local_mass_ = local_mass_of(vertices);
         massive_.assign(vertices.begin(), vertices.end());

@@ -34,6 +34,7 @@ public:
 
     /// The inverse of the blocks of these vertices, as one matrix [kg]. Learned in other positions of the
     /// elements, they need not belong to a positive matrix: a part of their diagonal on top makes it one.
+    /// Where the elements have turned far against each other, all is computed anew.
     Eigen::MatrixXd mass_of(std::span<const int> vertices);
 
 private:
@@ -51,9 +52,11 @@ private:
         UnitResponses responses;    ///< kept for the step in which it was computed
         /// of this vertex with each one computed before and itself, in the frames of both
         std::vector<Block> blocks;
-        Mat3 frame = Mat3::Identity();
+        Mat3 frame = Mat3::Identity(), first_frame = Mat3::Identity();  ///< now; when it was computed
         int frame_of_step = -1;
     };
+    void forget();
+    bool has_bent(std::span<const int> vertices);
     int column_of(int vertex);
     const Block& stored(int i, int j) const;
     UnitResponses unit_responses(int vertex) const;

@@ -1,5 +1,7 @@
 #include "chapters/02_collision_detection/solver.hpp"
+#include "chapters/02_collision_detection/candidate_search.hpp"
 #include "common/experiments/run/run.hpp"
+#include "common/simulation/tests/block_of_any_kind.hpp"
 
 #include <doctest/doctest.h>
 
@@ -51,4 +53,33 @@ TEST_CASE("collision list: nothing answers what it lists")
     for (const Contact& pair : end.pairs)
         CHECK(pair.held());
     CHECK((end.velocity - Vec3(4, -36 - 9.81 * 0.06, 0)).norm() < 1e-12);
+}
+
+TEST_CASE(
+    "candidate search: of a thousand bodies only those are looked at whose boxes overlap in this step, and no two static ones")
+{
+    World world;
+    const auto add = [&](tests::BodyKind kind, const Vec3& place) {
+        world.bodies.push_back(
+            tests::block("block " + std::to_string(world.bodies.size()), kind, place, {0, -1, 0}));
+    };
+    const int rows = 20, columns = 25;
+    for (int i = 0; i < rows * columns; ++i) {
+        const Vec3 place(2.0 * (i % rows), 0, 2.0 * (i / rows));
+        add(tests::BodyKind::still, place);
+        // every second one in its static block
+        add(tests::BodyKind::rigid, place + Vec3(0, i % 2 == 0 ? 0.85 : 1.5, 0));
+    }
+    add(tests::BodyKind::still, {0, 0, 0});  // in another static block, and in the rigid one above that
+    const auto pairs_of_a_step = [&](CandidateSearch& search, const Vec3& gravity) {
+        for (const auto& body : world.bodies)
+            body->predict(gravity, 0.01);
+        search.find_candidates(world);
+        for (const auto& body : world.bodies)
+            body->commit(0.01);
+        return search.body_pair_count();
+    };
+    CandidateSearch search;
+    CHECK(pairs_of_a_step(search, {0, 1e5, 0}) == rows * columns / 2 + 1);
+    CHECK(pairs_of_a_step(search, {0, 1e5, 0}) == 0);  // 10 m higher
 }

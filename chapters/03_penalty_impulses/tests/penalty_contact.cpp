@@ -430,32 +430,3 @@ TEST_CASE("penalty contact: on a mesh the largest settling steps are chapter 1's
     CHECK(continuous == doctest::Approx(std::sqrt(0.02)).epsilon(0.01));
     CHECK(continuous / discrete == doctest::Approx(std::sqrt(1.5)).epsilon(0.01));
 }
-
-TEST_CASE(
-    "crossing detection: of a thousand bodies only those are looked at whose boxes overlap in this step, and no two static ones")
-{
-    World world;
-    const auto add = [&](BodyKind kind, const Vec3& place) {
-        world.bodies.push_back(
-            tests::block("block " + std::to_string(world.bodies.size()), kind, place, {0, -1, 0}));
-    };
-    const int rows = 20, columns = 25;
-    for (int i = 0; i < rows * columns; ++i) {
-        const Vec3 place(2.0 * (i % rows), 0, 2.0 * (i / rows));
-        add(BodyKind::still, place);
-        // every second one in its static block
-        add(BodyKind::rigid, place + Vec3(0, i % 2 == 0 ? 0.85 : 1.5, 0));
-    }
-    add(BodyKind::still, {0, 0, 0});  // in another static block, and in the rigid one above that
-    const auto pairs_of_a_step = [&](CrossingDetection& detection, const Vec3& gravity) {
-        for (const auto& body : world.bodies)
-            body->predict(gravity, 0.01);
-        detection.find_candidates(world);
-        for (const auto& body : world.bodies)
-            body->commit(0.01);
-        return detection.body_pair_count();
-    };
-    CrossingDetection detection;
-    CHECK(pairs_of_a_step(detection, {0, 1e5, 0}) == rows * columns / 2 + 1);
-    CHECK(pairs_of_a_step(detection, {0, 1e5, 0}) == 0);  // 10 m higher
-}

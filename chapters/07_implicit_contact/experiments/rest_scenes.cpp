@@ -136,7 +136,7 @@ Scene wedge_on_edge(double dt)
 
 Scene cube_between_planes(double half_angle_deg, double mu, double dt)
 {
-    const double angle = half_angle_deg * pi / 180, touching = 0.5 / std::tan(angle) + 0.5;
+    const double angle = half_angle_deg * pi / 180, touching = 0.55 / std::tan(angle) + 0.5;
     Scene scene = scene_of({{.centre = Vec3(0.05, touching + 0.2, 0)}}, dt, 0, mu, mu);
     scene.world.planes = {{"left", Vec3::Zero(), Vec3(std::cos(angle), std::sin(angle), 0)},
                           {"right", Vec3::Zero(), Vec3(-std::cos(angle), std::sin(angle), 0)}};

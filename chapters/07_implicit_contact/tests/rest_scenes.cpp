@@ -4,10 +4,13 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/energy.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace enduring;
 using namespace enduring::chapter07;
@@ -24,6 +27,17 @@ std::pair<double, double> extent(const Body& body, int axis)
     }
     return {least, most};
 }
+
+/// The largest normal force on a pair [N].
+struct MostLoad : Probe {
+    double at_end = 0;
+    void observe(const World&, const Contacts& contacts, double dt) override
+    {
+        at_end = 0;
+        for (const Contact& contact : contacts)
+            at_end = std::max(at_end, contact.impulse.norm() / dt);
+    }
+};
 
 std::pair<double, double> heights(const Body& body) { return extent(body, 1); }
 
@@ -117,17 +131,62 @@ TEST_CASE("wedge on an edge: it begins in the air, off the middle, and ends on t
     CHECK(heights(*scene.world.bodies[1]).first == doctest::Approx(0).epsilon(1e-3));
 }
 
-TEST_CASE("wedged cube: it begins 20 cm above both planes, and rests where it touches both")
+TEST_CASE("wedged cube: it begins off both planes, and rests where it touches both")
 {
-    Scene scene = cube_between_planes(40, 0.2, 0.01);
-    double nearest = 1e300;
-    for (const Plane& plane : scene.world.planes)
-        for (const Vec3& x : scene.world.bodies[0]->positions_t0())
-            nearest = std::min(nearest, plane.normal.dot(x - plane.point));
-    CHECK(nearest > 0.05);
-    const PileOutcome outcome = watch(scene, 2);
-    CHECK(is_at_rest(outcome));
-    CHECK(outcome.deepest_mm > 0);
+    for (const double half_angle_deg : {10.0, 40.0}) {
+        Scene scene = cube_between_planes(half_angle_deg, 0.2, 0.01);
+        double nearest = 1e300;
+        for (const Plane& plane : scene.world.planes)
+            for (const Vec3& x : scene.world.bodies[0]->positions_t0())
+                nearest = std::min(nearest, plane.normal.dot(x - plane.point));
+        CHECK(nearest == doctest::Approx(0.2 * std::sin(half_angle_deg * std::acos(-1.0) / 180)));
+        const PileOutcome outcome = watch(scene, 2);
+        CHECK(is_at_rest(outcome));
+        CHECK(outcome.deepest_mm > 0);
+    }
+}
+
+TEST_CASE("wedged cube: where it holds itself it rests, every solve comes to an end, and no pair is wound up")
+{
+    for (const double dt : {0.01, 1.0 / 60})
+        for (const auto& [half_angle_deg, mu] :
+             {std::pair(10.0, 0.3), {10.0, 1.0}, {20.0, 0.5}, {30.0, 0.8}}) {
+            Scene scene = cube_between_planes(half_angle_deg, mu, dt);
+            MostLoad most;
+            const PileOutcome outcome = watch(scene, 3, &most);
+            CAPTURE(half_angle_deg);
+            CAPTURE(mu);
+            CHECK(is_at_rest(outcome));
+            CHECK(outcome.deepest_mm < 0.6);
+            CHECK(outcome.solves.unconverged == 0);
+            CHECK(most.at_end < 50 * 98.1);
+        }
+}
+
+TEST_CASE(
+    "unsolved steps: with no round to find friction's limits a cube, tips and cards come to rest and gain no energy")
+{
+    std::vector<Scene> scenes;
+    for (const double half_angle_deg : {10.0, 30.0})
+        scenes.push_back(cube_between_planes(half_angle_deg, 0.8, 0.01));
+    for (const Tip tip : {Tip::wedge, Tip::spike})
+        scenes.push_back(tip_in_crack(tip, 33, 20, 0.01));
+    scenes.push_back(scene_of(card_house(2, 15), 0.01));
+    for (Scene& scene : scenes) {
+        ImplicitSettings settings;
+        settings.most_rounds = 0;
+        int unsolved = 0;
+        settings.record = [&](const SolveRecord& record) { unsolved += !record.converged; };
+        const Solver solver = chapter07_solver(scene.contact, settings);
+        Contacts contacts;
+        const double first = total_energy(scene.world).total();
+        for (int i = 0; i < 200; ++i) {
+            advance(scene.world, contacts, solver, scene.dt);
+            CHECK(total_energy(scene.world).total() <= first + 1e-6);
+        }
+        CHECK(unsolved > 50);
+        CHECK(scene.world.bodies.back()->mean_velocity().norm() < 1e-3);
+    }
 }
 
 TEST_CASE("loaded block: the ton begins just above the soft cube, and presses it down by its weight over E A")

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace enduring;
@@ -98,6 +99,24 @@ TEST_CASE("pair memory: where the stiffness rises, friction holds what it held b
     const Vec3 force = contact.stiffness * contact.stretch;
     adapt_stiffness(contact, -1e-4, 0, {}, 0.01);
     CHECK((contact.stiffness * contact.stretch - force).norm() <= 1e-12 * force.norm());
+}
+
+TEST_CASE(
+    "pair memory: a pair that cannot move out is not wound up above the most load, and keeps what it carries")
+{
+    for (const double carried : {20.0, 1e4}) {
+        Contact contact;
+        const double depth = -0.02, most_load = 5e3;
+        adapt_stiffness(contact, 0, 1, {}, 0.01, most_load);
+        contact.slack = depth + carried / contact.stiffness;
+        double force = carried;
+        for (int step = 0; step < 200; ++step) {
+            contact.load = force;
+            adapt_stiffness(contact, depth, 0, {}, 0.01, most_load);
+            force = contact.stiffness * (contact.slack - depth);
+        }
+        CHECK(force == doctest::Approx(std::max(carried, most_load)).epsilon(1e-9));
+    }
 }
 
 TEST_CASE("pair memory: a pair that is born inside pushes nobody, one from outside at its full depth")

@@ -1,66 +1,34 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
+#include "chapters/08_deep_contacts/experiments/inside_scenes.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
-#include "chapters/motivating_scenes/buried_vertex.hpp"
 #include "common/experiments/render/film_probes.hpp"
 #include "common/experiments/run/run.hpp"
-#include "common/geometry/box_shapes.hpp"
-#include "common/geometry/round_shapes.hpp"
-#include "common/simulation/rigid_body.hpp"
-#include "common/simulation/static_body.hpp"
+#include "common/experiments/run/spring_ledger.hpp"
+#include "common/simulation/energy.hpp"
 
 #include <algorithm>
 
 namespace enduring::chapter08 {
 namespace {
 
-/// A body of 20 kg whose lowest vertex begins so deep in a floor of 1 m [m].
-Scene in_floor(SurfaceMesh mesh, const Eigen::Quaterniond& turn, double depth, double dt)
-{
-    Scene scene;
-    scene.name = "born_inside";
-    scene.dt = dt;
-    scene.contact.friction = MassSplitting{.mu_s = 0.5, .mu_d = 0.4};
-    double lowest = 0;
-    for (Vec3& x : mesh.vertices) {
-        x = turn * x;
-        lowest = std::min(lowest, x.y());
-    }
-    for (Vec3& x : mesh.vertices)
-        x += Vec3(0.013, -lowest - depth, 0.021);
-    SurfaceMesh floor = box({2, 1, 2}, {7, 3, 7});
-    for (Vec3& x : floor.vertices)
-        x.y() -= 0.5;
-    scene.world.bodies.push_back(std::make_unique<StaticBody>(
-        "floor", SurfaceTopology(static_cast<int>(floor.vertices.size()), floor.faces), floor.vertices));
-    scene.world.bodies.push_back(
-        std::make_unique<RigidBody>("body", mesh, with_mass(mass_properties(mesh, 1000), 20)));
-    scene.camera = {{1.6, 0.7, 2.4}, {0, -0.05, 0}, 30};
-    return scene;
-}
-
-struct Case {
-    std::string name;
-    SurfaceMesh mesh;
-    Eigen::Quaterniond turn;
-};
-
-std::vector<Case> cases()
-{
-    const Eigen::Quaterniond none = Eigen::Quaterniond::Identity();
-    const Eigen::Quaterniond leaning(Eigen::AngleAxisd(0.3, Vec3(1, 0.2, 0.7).normalized()));
-    return {{"block", box(Vec3::Constant(0.4), {2, 2, 2}), none},
-            {"leaning block", box(Vec3::Constant(0.4), {2, 2, 2}), leaning},
-            {"plate", box({0.6, 0.05, 0.6}, {3, 1, 3}), none},
-            {"ball", sphere(0.2, 2), none}};
-}
-
-/// Where a body comes to, and how.
+/// How a body comes out; of several ways the worst of each.
 struct Way {
-    double height = 0;      ///< of its lowest vertex at the end [m]
-    double highest = -1e9;  ///< that of any step
-    double fastest = 0;     ///< its middle, in any step [m/s]
-    long left = 0;          ///< vertices that are more than 1 mm deep at the end
+    double height = -1e9;   ///< of the lowest vertex at the end [m]
+    double highest = -1e9;  ///< that after any step
+    double fastest = 0;     ///< its centre of mass, while a vertex is more than 1 mm deep [m/s]
+    double moving = 0;      ///< last time that it was faster than 1 cm/s [s]
+    double energy = -1e9;   ///< of all bodies, at most [J]
+    long left = 0;          ///< 1 if a vertex is more than 1 mm deep at the end
+
+    void worsen(const Way& other)
+    {
+        highest = std::max(highest, other.highest);
+        fastest = std::max(fastest, other.fastest);
+        moving = std::max(moving, other.moving);
+        energy = std::max(energy, other.energy);
+        left += other.left;
+    }
 };
 
 /// How many of a run's problems were solved, and how many were not solved to a millionth.
@@ -78,90 +46,149 @@ ImplicitSettings counting(Solves& solves)
     return settings;
 }
 
-double lowest(const Body& body)
-{
-    double height = 1e9;
-    for (const Vec3& x : body.positions_t0())
-        height = std::min(height, x.y());
-    return height;
-}
-
-Way watch(Scene& scene, const Solver& solver, double duration, Probe* film = nullptr)
+Way watch(Scene& scene, const Solver& solver, double duration, const std::vector<Probe*>& more = {})
 {
     Way way;
+    bool inside = true;
     WatchProbe watch([&](const World& world, const Contacts&, double) {
-        const Body& body = *world.bodies[1];
-        way.height = lowest(body);
+        const double speed = world.bodies.back()->mean_velocity().norm();
+        way.height = lowest_vertex(world);
         way.highest = std::max(way.highest, way.height);
-        way.fastest = std::max(way.fastest, body.mean_velocity().y());
+        way.energy = std::max(way.energy, total_energy(world).total());
+        way.moving = speed > 0.01 ? world.time : way.moving;
+        inside = inside && deepest_inside(world) > 1e-3;
+        way.fastest = std::max(way.fastest, inside ? speed : 0);
     });
     std::vector<Probe*> probes{&watch};
-    if (film != nullptr)
-        probes.push_back(film);
+    probes.insert(probes.end(), more.begin(), more.end());
     run(scene, solver, probes, failure_on_purpose({.steps = static_cast<int>(duration / scene.dt + 0.5)}));
-    const World& world = scene.world;
-    for (const Vec3& x : world.bodies[1]->positions_t0())
-        way.left += motivating::depth_inside(*world.bodies[0], x) > 1e-3;
+    way.left = deepest_inside(scene.world) > 1e-3;
     return way;
 }
 
-/// How fast the leaning block rises from the depth where it is wholly inside if handed-on springs do not keep
+//! [against_a_twin]
+/// The way out of a body, measured against a twin that begins just above and falls to its place of rest:
+/// heights over that place, energy over the most that the twin has.
+Way way_out(const Surroundings& surroundings, const std::string& body, double depth, double dt,
+            Solves& solves)
+{
+    constexpr double above = 1e-4;
+    Scene twin = scene_inside(surroundings, body, -above, dt),
+          scene = scene_inside(surroundings, body, depth, dt);
+    const Way landed = watch(twin, chapter08_solver(twin.contact, counting(solves)), 2);
+    Way way = watch(scene, chapter08_solver(scene.contact, counting(solves)), 3);
+    way.height -= landed.height;
+    way.highest -= landed.height;
+    way.energy -= landed.energy;
+    return way;
+}
+//! [against_a_twin]
+
+/// How fast the leaning block leaves the floor, in which it is wholly inside, if handed-on springs do not keep
 /// their compression [m/s].
 double fastest_without_keeping()
 {
-    const Case leaning = cases()[1];
-    Scene scene = in_floor(leaning.mesh, leaning.turn, 0.4, 0.01);
+    Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.4, 0.01);
     Solves solves;
     Solver solver = chapter08_solver(scene.contact, counting(solves));
     solver.remove("keep compressions");
     return watch(scene, solver, 2).fastest;
 }
 
+/// The leaning block, 30 cm deep: pictures, and the accounts of its energy over time.
 void show(Report& report)
 {
-    const Case shown = cases()[1];
-    Scene scene = in_floor(shown.mesh, shown.turn, 0.3, 0.01);
+    Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.3, 0.01);
     StripProbe film(
-        scene, {0, 0.4, 0.8, 2.5}, [](auto&&...) {}, 400, 284);
+        scene, {0, 0.3, 0.6, 2}, [](auto&&...) {}, 400, 284);
+    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
+    const double before = total_energy(scene.world).total();
+    Table table({"time_s", "bodies_j", "lifted_j", "damped_j", "rubbed_j", "brought_j"});
+    WatchProbe accounts([&](const World& world, const Contacts& contacts, double dt) {
+        if (world.step > 0)
+            ledger.add_step(world, contacts, dt);
+        const SpringAccounts& sums = ledger.accounts();
+        table.add({world.time, total_energy(world).total() - before, sums.lifted, -sums.damped, sums.rubbed,
+                   sums.brought()});
+    });
     Solves solves;
-    watch(scene, chapter08_solver(scene.contact, counting(solves)), 2.6, &film);
+    watch(scene, chapter08_solver(scene.contact, counting(solves)), 2.2, {&film, &accounts});
     write_png(film.all(2), report.file("born_inside.png"));
+    report.table("let_out_energy", table);
+    report.plot("chapters/08_deep_contacts/plots/let_out_energy.gp");
+    const SpringAccounts& sums = ledger.accounts();
+    report.fact("born_inside", "lifted", sums.lifted);
+    report.fact("born_inside", "gained", total_energy(scene.world).total() - before);
+    report.fact("born_inside", "brought", sums.brought());
+}
+
+/// One run in each of the surroundings in which the body begins 30 cm deep.
+void show_surroundings(Report& report)
+{
+    std::vector<StripPicture> rows;
+    for (const Surroundings& surroundings : all_surroundings()) {
+        Scene scene = scene_inside(surroundings, surroundings.inner.back(), 0.3, 0.01);
+        if (surroundings.name == "bowl")
+            scene.camera = {{1.2, 2.6, 1.8}, {0, 0.25, 0}, 30};
+        StripProbe film(
+            scene, {0, 0.4, 2}, [](auto&&...) {}, 320, 220);
+        Solves solves;
+        watch(scene, chapter08_solver(scene.contact, counting(solves)), 2, {&film});
+        rows.push_back({film.all(3), surroundings.name});
+    }
+    write_png(strip(rows, 1), report.file("surroundings.png"));
+}
+
+std::vector<double> depths_for(double height, bool quick)
+{
+    if (quick)
+        return {0.001, 0.4};
+    return {0.001, 0.01, 0.05, 0.1, 0.4, height + 0.05};
 }
 
 }  // namespace
 
-/// Bodies that begin inside a floor, from a millimetre to wholly: what becomes of them.
+/// Bodies that begin inside something else, from a millimetre to wholly: what becomes of them.
 void born_inside(const RunOptions& options, Report& report)
 {
-    Table table({"body", "dt_s", "depth_mm", "height_with_chapter_7_m", "height_mm", "highest_mm",
-                 "fastest_up_m_per_s", "left_inside"});
-    double highest = -1e9, fastest = 0;
-    long left = 0;
+    Table table({"inside", "body", "dt_s", "depth_mm", "height_mm", "highest_mm", "fastest_m_per_s",
+                 "last_moving_s", "excess_energy_j", "left_inside"});
+    Table page({"inside", "body", "runs", "highest_mm", "fastest_m_per_s", "last_moving_s", "excess_energy_j",
+                "left_inside"});
     Solves solves;
-    for (const Case& c : cases())
-        for (const double dt : {0.01, 1.0 / 60})
-            for (const double depth : {0.001, 0.01, 0.05, 0.1, 0.4}) {
-                if (options.quick && (dt != 0.01 || depth == 0.05 || depth == 0.01))
-                    continue;
-                Scene without = in_floor(c.mesh, c.turn, depth, dt),
-                      scene = in_floor(c.mesh, c.turn, depth, dt);
-                const Way before = watch(without, chapter07_solver(without.contact), 1);
-                const Way way = watch(scene, chapter08_solver(scene.contact, counting(solves)), 3);
-                table.add({c.name, dt, 1000 * depth, before.height, 1000 * way.height, 1000 * way.highest,
-                           way.fastest, way.left});
-                highest = std::max(highest, 1000 * way.highest);
-                fastest = std::max(fastest, way.fastest);
-                left += way.left;
-            }
+    Way worst;
+    double at_rest = 0;  // of those that do not roll
+    for (const Surroundings& surroundings : all_surroundings())
+        for (const std::string& body : surroundings.inner) {
+            Way of_body;
+            long runs = 0;
+            for (const double dt :
+                 options.quick ? std::vector<double>{0.01} : std::vector<double>{0.01, 1.0 / 60})
+                for (const double depth : depths_for(height_of(surroundings, body), options.quick)) {
+                    const Way way = way_out(surroundings, body, depth, dt, solves);
+                    table.add({surroundings.name, body, dt, 1000 * depth, 1000 * way.height,
+                               1000 * way.highest, way.fastest, way.moving, way.energy, way.left});
+                    of_body.worsen(way);
+                    ++runs;
+                }
+            page.add({surroundings.name, body, runs, 1000 * of_body.highest, of_body.fastest, of_body.moving,
+                      of_body.energy, of_body.left});
+            worst.worsen(of_body);
+            if (body != "ball")
+                at_rest = std::max(at_rest, of_body.moving);
+        }
     show(report);
-    report.fact("born_inside", "thrown", fastest_without_keeping());
+    show_surroundings(report);
     report.table("born_inside", table);
-    report.page_table("born_inside", table);
-    report.fact("born_inside", "highest_mm", std::max(0.0, highest));
-    report.fact("born_inside", "fastest", fastest);
+    report.page_table("born_inside", page);
+    report.fact("born_inside", "thrown", fastest_without_keeping());
+    report.fact("born_inside", "highest_mm", 1000 * worst.highest);
+    report.fact("born_inside", "fastest", worst.fastest);
+    report.fact("born_inside", "at_rest", at_rest);
+    report.fact("born_inside", "energy_over", worst.energy);
     report.fact("born_inside", "solves", static_cast<double>(solves.all), 6);
     report.fact("born_inside", "unconverged", static_cast<double>(solves.unconverged), 6);
-    report.fact("born_inside", "left", static_cast<double>(left));
+    report.fact("born_inside", "left", static_cast<double>(worst.left));
 }
 
 }  // namespace enduring::chapter08

@@ -7,9 +7,13 @@ namespace enduring::chapter08 {
 void deep(const RunOptions& options, Report& report);
 void tracing(const RunOptions& options, Report& report);
 void bunny_curve(const RunOptions& options, Report& report);
+void way_out(const RunOptions& options, Report& report);
 void born_inside(const RunOptions& options, Report& report);
 void born_loaded(const RunOptions& options, Report& report);
+void ways_compared(const RunOptions& options, Report& report);
+void thin(const RunOptions& options, Report& report);
 void unpaired(const RunOptions& options, Report& report);
+void folding(const RunOptions& options, Report& report);
 void cost(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08

@@ -16,11 +16,6 @@
 namespace enduring::chapter08 {
 namespace {
 
-SurfaceTopology topology_of(const SurfaceMesh& mesh)
-{
-    return SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces);
-}
-
 /// Scaled and moved so that its box is 2 m large and around the origin.
 SurfaceMesh centred(SurfaceMesh mesh)
 {
@@ -92,12 +87,6 @@ void check_regions(const OverlapShape& a, const OverlapShape& b, const SurfaceRe
 }
 
 }  // namespace
-
-OverlapShape::OverlapShape(const SurfaceMesh& mesh)
-    : topology_(topology_of(mesh)), positions_(mesh.vertices), tree_(topology_, positions_)
-{
-    tree_.refit({topology_, positions_, positions_});
-}
 
 std::vector<std::pair<std::string, SurfaceMesh>> overlap_meshes()
 {

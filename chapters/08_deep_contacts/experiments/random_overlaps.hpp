@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/08_deep_contacts/intersection_curve.hpp"
+#include "chapters/08_deep_contacts/overlap_shape.hpp"
 #include "common/geometry/meshes.hpp"
 
 #include <random>
@@ -8,19 +9,6 @@
 #include <vector>
 
 namespace enduring::chapter08 {
-
-/// A closed surface with what tracing needs; does not move.
-class OverlapShape {
-public:
-    explicit OverlapShape(const SurfaceMesh& mesh);
-    StillSurface still() const { return {topology_, positions_, tree_}; }
-    const std::vector<Vec3>& positions() const { return positions_; }
-
-private:
-    SurfaceTopology topology_;
-    std::vector<Vec3> positions_;
-    FaceTree tree_;
-};
 
 /// Bunny, bowl, spikes and two boxes, each about 2 m large.
 std::vector<std::pair<std::string, SurfaceMesh>> overlap_meshes();

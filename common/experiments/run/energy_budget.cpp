@@ -4,7 +4,6 @@
 #include "common/simulation/energy.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <numeric>
 
 namespace enduring {
@@ -25,23 +24,6 @@ double slack_of(const Scene& scene)
     return mass * (fall * fall + rounding * rounding);
 }
 
-double energy_of(const std::vector<PressedBodies>& pressed)
-{
-    double sum = 0;
-    for (const PressedBodies& bodies : pressed)
-        sum += bodies.energy;
-    return sum;
-}
-
-/// Pairs that pushed from the start of the first step: their springs were pressed before anything had moved.
-Contacts there_from_the_start(const Contacts& contacts)
-{
-    Contacts there;
-    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(there),
-                 [](const Contact& contact) { return contact.endures(); });
-    return there;
-}
-
 const Body& fastest_body(const World& world)
 {
     const auto kinetic = [&](const auto& body) { return body->energy(world.gravity).kinetic; };
@@ -53,7 +35,8 @@ const Body& fastest_body(const World& world)
 }  // namespace
 
 EnergyBudget::EnergyBudget(const Scene& scene)
-    : dt_(scene.dt), slack_(slack_of(scene)), parameters_(scene.contact)
+    : dt_(scene.dt), slack_(slack_of(scene)), parameters_(scene.contact),
+      springs_(scene.world, scene.contact.stiffness, scene.contact.leaving_speed)
 {
     const Energy energy = total_energy(scene.world);
     start_ = energy.total();
@@ -72,14 +55,13 @@ double EnergyBudget::held() const
 //! [exceeded]
 std::optional<std::string> EnergyBudget::exceeded(const World& world, const Contacts& contacts)
 {
+    springs_.add_step(world, contacts, dt_);
     if (world.step == 1)
-        start_ += energy_of(pressed_bodies(world, there_from_the_start(contacts), parameters_.stiffness));
-    const std::vector<PressedBodies> pressed = pressed_bodies(world, contacts, parameters_.stiffness);
+        start_ += springs_.accounts().born;  // pressed before anything had moved
     const Energy energy = total_energy(world);
     lowest_ = std::min(lowest_, energy.gravitational);
     last_held_[static_cast<std::size_t>(world.step) % last_held_.size()] =
-        energy.total() - lowest_ + energy_of(pressed) +
-        friction_spring_energy(contacts, parameters_.friction);
+        energy.total() - lowest_ + springs_.held() + friction_spring_energy(contacts, parameters_.friction);
     watch_springs(world, contacts);
     if (held() <= (1 + tolerated_gain) * put_in() + slack_)
         return std::nullopt;
@@ -102,7 +84,8 @@ std::string EnergyBudget::explanation(const World& world) const
     std::string text = "step " + std::to_string(world.step) + ", time " + readable(world.time, 4) +
                        " s: energy out of nothing: bodies and springs hold " + readable(held(), 3) +
                        " J, where " + readable(put_in(), 3) +
-                       " J were put in, at the start and by gravity since; '" + fastest.name() +
+                       " J were put in, at the start and by gravity since" +
+                       (lifted() > 0 ? " and by letting bodies out" : "") + "; '" + fastest.name() +
                        "' moves with " + readable(fastest.energy(world.gravity).kinetic, 3) + " J. ";
     if (!least_stable_)
         return text + "No pair had pushed.";

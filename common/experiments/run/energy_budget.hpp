@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/experiments/run/spring_ledger.hpp"
 #include "common/simulation/pressed_bodies.hpp"
 
 #include <array>
@@ -12,9 +13,10 @@ namespace enduring {
 /// is too long for its springs, or its pairs are not those that should push.
 ///
 /// Held, as a mean over the last ten steps, is all that can turn into motion again: kinetic and elastic
-/// energy of the bodies, k depth^2 / 2 of every pair, k stretch^2 / 2 of every friction spring, and their
-/// weight above the lowest place that they came to. Put in are what was held at the start and the work of
-/// gravity down to that lowest place. Nothing else drives a scene, and its gravity does not turn.
+/// energy of the bodies, that of every pair's spring, k stretch^2 / 2 of every friction spring, and their
+/// weight above the lowest place that they came to. Put in are what was held at the start, the work of gravity
+/// down to that lowest place, and that of springs whose slack fades, which lift a body out that began inside
+/// another (see SpringAccounts). Nothing else drives a scene, and its gravity does not turn.
 class EnergyBudget {
 public:
     /// @param scene  before its first step
@@ -26,8 +28,9 @@ public:
     ///     the reader; nothing while all is well
     std::optional<std::string> exceeded(const World& world, const Contacts& contacts);
 
-    double put_in() const { return start_ - lowest_; }  ///< [J]
-    double held() const;                                ///< the mean over the last ten steps [J]
+    double put_in() const { return start_ - lowest_ + lifted(); }  ///< [J]
+    double lifted() const { return springs_.accounts().lifted; }   ///< by letting bodies out [J]
+    double held() const;                                           ///< the mean over the last ten steps [J]
 
 private:
     /// The bodies whose springs asked for the shortest step so far.
@@ -42,6 +45,7 @@ private:
 
     double dt_, slack_;
     ContactParameters parameters_;
+    SpringLedger springs_;
     double start_ = 0;   ///< all energy at the start, the gravitational part from the origin [J]
     double lowest_ = 0;  ///< gravitational energy at its lowest, from the origin [J]
     /// after each of the last steps; before them what was there at the start [J]

@@ -15,7 +15,7 @@ namespace {
 
 const std::string ball_text = R"({
   "name": "ball", "gravity": [0, -10, 0], "dt": 0.01, "duration": 0.5,
-  "contact": {"method": "dpf", "stiffness": 500},
+  "contact": {"method": "dpf", "stiffness": 500, "leaving_speed": 0.2},
   "planes": [{"name": "ground", "point": [0, -1, 0], "normal": [0, 2, 0], "stiffness": 9000}],
   "bodies": [
     {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.5}}, "mass": 2,
@@ -50,6 +50,7 @@ TEST_CASE("scene: every entry of the file arrives")
     CHECK(scene.duration == 0.5);
     CHECK(scene.contact.method == PenaltyMethod::discrete);
     CHECK(scene.contact.stiffness == 500);
+    CHECK(scene.contact.leaving_speed == 0.2);
     CHECK(scene.world.gravity == Vec3(0, -10, 0));
     REQUIRE(scene.world.planes.size() == 1);
     CHECK(scene.world.planes[0].normal == Vec3(0, 1, 0));
@@ -76,6 +77,7 @@ TEST_CASE("scene: what the file leaves out has the documented value")
     CHECK(scene.world.gravity == Vec3(0, -9.81, 0));
     CHECK(scene.contact.method == PenaltyMethod::continuous);
     CHECK(scene.contact.stiffness == 1000);
+    CHECK(scene.contact.leaving_speed == 0.35);
     CHECK(scene.world.planes.empty());
 }
 
@@ -99,6 +101,29 @@ TEST_CASE("scene: a rotation turns the shape about its own origin before it is m
     CHECK((high - Vec3(12, 1, 3)).norm() < 1e-14);
 }
 
+TEST_CASE("scene: a soft body meets itself if it says so, and no other body may say it")
+{
+    const auto neighbours = [](const std::string& says) {
+        const Scene scene = ball(
+            R"({"/bodies/ball": {"type": "deformable", "young": 1e5, "poisson": 0.3,
+                "shape": {"sphere": null, "bar": {"size": [1, 1, 1]}})" +
+            says + "}}");
+        return rest_neighbours(*scene.world.bodies[0]);
+    };
+    CHECK(neighbours("") == nullptr);
+    CHECK(neighbours(R"(, "self_contact": false)") == nullptr);
+    const Scene scene = ball(
+        R"({"/bodies/ball": {"type": "deformable", "young": 1e5, "poisson": 0.3, "self_contact": true,
+            "shape": {"sphere": null, "bar": {"size": [1, 1, 1]}}}})");
+    CHECK(rest_neighbours(*scene.world.bodies[0]) != nullptr);
+    CHECK(complaint(R"({"/bodies/ball/self_contact": true})")
+              .find("ball.json: /bodies/0/self_contact: unknown key") == 0);
+    CHECK(
+        complaint(R"({"/bodies/ball": {"type": "deformable", "young": 1e5, "poisson": 0.3, "self_contact": 1,
+                        "shape": {"sphere": null, "bar": {"size": [1, 1, 1]}}}})") ==
+        "ball.json: /bodies/0/self_contact: expected true or false, found 1");
+}
+
 TEST_CASE("scene: a change reaches one number, by index or by name")
 {
     CHECK(ball(R"({"contact": {"stiffness": 750}})").contact.stiffness == 750);
@@ -118,6 +143,10 @@ TEST_CASE("scene: numbers out of range are named with their path, range, unit an
           "ball.json: /duration: expected a number above 0 up to 3600 [s], found -1");
     CHECK(complaint(R"({"contact": {"stiffness": 0}})") ==
           "ball.json: /contact/stiffness: expected a number above 0 up to 1e+12 [N/m], found 0");
+    CHECK(complaint(R"({"contact": {"leaving_speed": 0}})") ==
+          "ball.json: /contact/leaving_speed: expected a number above 0 up to 10 [m/s], found 0");
+    CHECK(complaint(R"({"contact": {"leaving_speed": 11}})") ==
+          "ball.json: /contact/leaving_speed: expected a number above 0 up to 10 [m/s], found 11");
     CHECK(complaint(R"({"/planes/ground/stiffness": 0})") ==
           "ball.json: /planes/0/stiffness: expected a number above 0 up to 1e+12 [N/m], found 0");
     CHECK(complaint(R"({"/bodies/0/mass": -3})") ==
@@ -146,7 +175,7 @@ TEST_CASE("scene: wrong types are named with what was expected")
           "ball.json: /contact/method: expected one of \"dpf\", \"cpf\", found \"cpg\"");
     CHECK(
         complaint(R"({"contact": 5})") ==
-        "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", found 5");
+        "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", \"leaving_speed\", found 5");
     CHECK(complaint(R"({"/bodies/0/look/smooth": 1})") ==
           "ball.json: /bodies/0/look/smooth: expected true or false, found 1");
     CHECK(complaint(R"({"/bodies/0/type": 7})") ==

@@ -224,17 +224,30 @@ TEST_CASE("scene: warnings name the file, the bodies and the numbers; a scene th
         read(R"("bodies": [)" + cube("lower", "[0, 0.5, 0]") + ", " + cube("upper", "[0.2, 1.25, 0.1]") + "]")
             .warnings ==
         std::vector<std::string>{
-            "trial.json: 'upper' begins inside 'lower', 0.25 m deep: pairs are found where surfaces cross, so nothing holds what never "
-            "crossed; move one of them"});
+            "trial.json: 'upper' begins inside 'lower', 0.25 m deep: a solver that traces intersections lets it out at 0.35 m/s "
+            "(/contact/leaving_speed), one that waits for surfaces to cross lets it fall through"});
+    CHECK(read(R"("contact": {"leaving_speed": 0.1}, )" + ground + cube("cube", "[0, 0.2, 0]") + "]")
+              .warnings ==
+          std::vector<std::string>{
+              "trial.json: 'cube' begins inside 'ground', 0.3 m deep: a solver that traces "
+              "intersections lets it out at 0.1 m/s (/contact/leaving_speed), one that does not "
+              "throws it out, since all weight of the scene would not press it so far"});
+    const std::string sheet = body("floor", "static", R"({"plane_grid": {"size": [6, 6], "cells": [2, 2]}})",
+                                   "[0, 0, 0]");
+    CHECK(
+        read(R"("bodies": [)" + sheet + ", " + cube("cube", "[0.1, 0.47, 0.2]") + "]").warnings ==
+        std::vector<std::string>{
+            "trial.json: 'cube' begins inside 'floor', 0.03 m deep: a surface with a border has no inside to be let "
+            "out of, so it falls through; move one of them"});
 }
 
-TEST_CASE("scene: none of the course's own scenes is warned of")
+TEST_CASE("scene: of the course's own scenes only the one that begins inside is warned of")
 {
     int scenes = 0;
     for (const auto& entry : std::filesystem::directory_iterator(scene_file("ground").parent_path()))
         if (entry.path().extension() == ".json") {
             CAPTURE(entry.path().string());
-            CHECK(load_scene(entry.path()).warnings.empty());
+            CHECK(load_scene(entry.path()).warnings.empty() == (entry.path().stem() != "born_inside"));
             ++scenes;
         }
     CHECK(scenes > 15);

@@ -208,3 +208,29 @@ TEST_CASE("contact mass: it turns with the body, without being found anew")
     CHECK((second - turned).norm() <= 1e-6 * first.norm());
     CHECK((second - first).norm() > 1e-3 * first.norm());
 }
+
+TEST_CASE("contact mass: where the body has bent it is as if it had never been found before")
+{
+    const auto asked = soft_bar(ImpulseResponse::implicit, true),
+               other = soft_bar(ImpulseResponse::implicit, true);
+    std::vector<int> touched;  // all over the bar
+    for (int vertex = 0; vertex < asked->surface().vertex_count(); vertex += 3)
+        touched.push_back(vertex);
+    const double dt = 0.01;
+    for (int step = 0; step < 20; ++step)
+        for (DeformableBody* body : {asked.get(), other.get()}) {
+            body->predict(Vec3::Zero(), dt);
+            if (step == 0 && body == asked.get())
+                body->contact_mass(touched);
+            for (const int vertex : touched) {  // one end is pushed up, and the other down
+                const double x = body->positions_t0()[static_cast<std::size_t>(vertex)].x();
+                body->apply_impulse(vertex, {0, std::abs(x - 0.5) < 0.2 ? 0.5 : -0.5, 0});
+            }
+            body->update_prediction(dt);
+            body->commit(dt);
+        }
+    asked->predict(Vec3::Zero(), dt);
+    other->predict(Vec3::Zero(), dt);
+    const Eigen::MatrixXd expected = other->contact_mass(touched);
+    CHECK((asked->contact_mass(touched) - expected).norm() <= 1e-9 * expected.norm());
+}

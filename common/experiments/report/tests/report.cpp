@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <locale>
 #include <random>
 #include <sstream>
 #include <stdexcept>
@@ -52,6 +53,36 @@ TEST_CASE("report: numbers for reading keep their significant digits and nothing
     CHECK(readable(9.996e5, 2) == "1·10⁶");
     CHECK(readable(0, 3) == "0");
     CHECK(readable(std::nan(""), 3) == "nan");
+}
+
+namespace {
+
+/// How numbers look in German: 12.345,5.
+struct GermanNumbers : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+/// The program's own locale, for a while.
+struct Locale {
+    std::locale before;
+    explicit Locale(const std::locale& other) : before(std::locale::global(other)) {}
+    ~Locale() { std::locale::global(before); }
+};
+
+}  // namespace
+
+TEST_CASE("report: a program whose own numbers have a decimal comma writes tables with a point")
+{
+    Table table({"steps", "dt_s"});
+    table.add({12345L, 1234.5});
+    const Locale german(std::locale(std::locale::classic(), new GermanNumbers));
+    std::ostringstream shown;
+    shown << 1234.5;
+    CHECK(shown.str() == "1.234,5");  // the locale is in force
+    CHECK(csv(table) == "steps,dt_s\n12345,1234.5\n");
+    CHECK(readable(1234.5, 5) == "1234.5");
 }
 
 TEST_CASE("report: text with a comma or a quote stays one CSV cell, and a bar does not break a Markdown row")

@@ -171,12 +171,42 @@ TEST_CASE(
     scene.world.gravity.setZero();
     scene.contact.friction = MassSplitting{.spring = 500};
     EnergyBudget budget(scene);
-    Contact pressed{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}},
-        held = pressed, resolved = pressed;
+    Contact pressed{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}};
+    pressed.state = ContactState::answered;
+    Contact held = pressed, resolved = pressed;
     pressed.stretch = {0.2, 0, 0};
     held.hold(true);
     resolved.resolved = true;
     for (scene.world.step = 2; scene.world.step < 12; ++scene.world.step)
         budget.exceeded(scene.world, {pressed, held, resolved});
     CHECK(budget.held() == doctest::Approx(0.5 * 1000 * 0.01 + 0.5 * 500 * 0.04));
+}
+
+TEST_CASE("energy budget: the work of slack that fades is put in, and a body that is lifted out keeps to it")
+{
+    Scene scene = points_above_ground(-0.5, 3000, 0.01);
+    Solver solver = ground_solver(scene.contact);
+    solver.append(StepStage::refresh, "let out", [&](World&, Contacts& contacts, double dt) {
+        for (Contact& pair : contacts)
+            pair.slack = std::min(0.0, pair.slack + scene.contact.leaving_speed * dt);
+    });
+    solver.append(StepStage::detect, "begin slack", [](World& world, Contacts& contacts, double) {
+        for (Contact& pair : contacts)
+            if (world.step == 0)
+                pair.slack = -0.5;
+    });
+    solver.replace("springs", "springs", [](World& world, Contacts& contacts, double dt) {
+        for (Contact& pair : contacts)
+            pair.impulse = -3000 * dt * std::min(0.0, contact_geometry(world, pair, 1).depth - pair.slack) *
+                           Vec3::UnitY();
+    });
+    EnergyBudget budget(scene);
+    Contacts contacts;
+    while (scene.world.step < 200) {
+        advance(scene.world, contacts, solver, scene.dt);
+        CHECK_FALSE(budget.exceeded(scene.world, contacts).has_value());
+    }
+    CHECK(scene.world.bodies[0]->positions_t0()[0].y() > -0.02);
+    CHECK(budget.lifted() == doctest::Approx(3 * 10 * 0.5).epsilon(0.05));
+    CHECK(budget.put_in() == doctest::Approx(budget.lifted()).epsilon(0.05));
 }

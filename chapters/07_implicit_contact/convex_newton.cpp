@@ -1,0 +1,81 @@
+#include "chapters/07_implicit_contact/contact_problem.hpp"
+#include "chapters/07_implicit_contact/dual_friction.hpp"
+#include "chapters/07_implicit_contact/newton_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enduring {
+
+using Eigen::VectorXd;
+
+namespace {
+
+//! [line_search]
+/// How far to go along a direction: to where the slope of the objective,
+/// which only rises, has nearly reached zero.
+double step_length(const ContactProblem& problem, const VectorXd& change, const VectorXd& direction)
+{
+    const VectorXd mass_direction = times_mass(problem, direction);
+    const double slope_t0 = mass_direction.dot(change), curvature = mass_direction.dot(direction);
+    std::vector<Vec3> velocities, rates;  // of each pair; they do not bend along the way
+    for (const PairRow& row : problem.rows) {
+        velocities.push_back(row.velocity_after(change));
+        rates.push_back(row.rate_of(direction));
+    }
+    const auto slope_at = [&](double t) {
+        double slope = slope_t0 + t * curvature;
+        for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+            const PairRow& row = problem.rows[i];
+            const PairAnswer made = answer(row.law, velocities[i] + t * rates[i], problem.step);
+            slope -= rates[i].dot(made.normal_impulse + made.friction - row.acting);
+        }
+        return slope;
+    };
+    const double enough = 0.1 * std::abs(slope_at(0));
+    double low = 0, high = 1, slope_high = slope_at(high);
+    while (slope_high < -enough && high < 64) {
+        low = high;
+        high *= 2;
+        slope_high = slope_at(high);
+    }
+    if (std::abs(slope_high) <= enough)
+        return high;
+    double slope_low = slope_at(low);
+    for (int i = 0; i < 60; ++i) {
+        // The secant's place, kept off the ends, where the slope bends sharply.
+        const double secant = low - slope_low * (high - low) / (slope_high - slope_low),
+                     margin = 0.1 * (high - low);
+        const double middle = std::clamp(secant, low + margin, high - margin), slope = slope_at(middle);
+        if (std::abs(slope) <= enough)
+            return middle;
+        (slope < 0 ? low : high) = middle;
+        (slope < 0 ? slope_low : slope_high) = slope;
+    }
+    return low;
+}
+//! [line_search]
+
+}  // namespace
+
+//! [solve_convex]
+ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix, const VectorXd& change,
+                             double tolerance, double least_speed, int most_steps)
+{
+    ProblemSolution solution{change};
+    DualFriction friction(problem);
+    for (;; ++solution.newton_steps) {
+        const Answers answers = answers_to(problem, solution.change);
+        const VectorXd gradient = times_mass(problem, solution.change) - answers.missing;
+        solution.residual = residual_from(problem, gradient, answers.total, least_speed);
+        solution.converged = solution.residual <= tolerance;
+        if (solution.converged || solution.newton_steps == most_steps)
+            return solution;
+        const VectorXd direction = matrix.solve(problem, friction.stiffenings(solution.change), -gradient);
+        friction.follow(solution.change, direction);
+        solution.change += step_length(problem, solution.change, direction) * direction;
+    }
+}
+//! [solve_convex]
+
+}  // namespace enduring

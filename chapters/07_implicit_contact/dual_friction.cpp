@@ -1,0 +1,55 @@
+#include "chapters/07_implicit_contact/dual_friction.hpp"
+
+namespace enduring {
+namespace {
+
+using Eigen::VectorXd;
+
+//! [slip_stiffening]
+/// By how much a pair is stiffer than its answer says: the answer takes its direction d twice where the
+/// equation takes d and the guess once each, in both orders so that the sum stays symmetric.
+Mat3 missing_stiffness(const PairRow& row, const Vec3& spring, const Vec3& guess, const StepLaw& step)
+{
+    const double limit = row.law.mu * row.law.pressing, size = spring.norm();
+    const Vec3 d = spring / size, short_of_it = d - guess / limit;
+    const Mat3 once = d * short_of_it.transpose();
+    return limit / size * row.law.stiffness * step.dt * step.dt * 0.5 * (once + once.transpose());
+}
+//! [slip_stiffening]
+
+}  // namespace
+
+std::vector<Mat3> DualFriction::stiffenings(const VectorXd& change) const
+{
+    std::vector<Mat3> all;
+    for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
+        const PairRow& row = problem_.rows[i];
+        const Vec3 velocity = row.velocity_after(change);
+        const PairAnswer made = answer(row.law, velocity, problem_.step);
+        all.push_back(made.stiffening);
+        if (made.slips)
+            all.back() += missing_stiffness(row, spring_impulse(row.law, velocity, problem_.step),
+                                            guesses_[i], problem_.step);
+    }
+    return all;
+}
+
+//! [follow]
+void DualFriction::follow(const VectorXd& change, const VectorXd& direction)
+{
+    for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
+        const PairRow& row = problem_.rows[i];
+        const double limit = row.law.mu * row.law.pressing;
+        const Vec3 velocity = row.velocity_after(change), faster = velocity + row.rate_of(direction);
+        const Vec3 spring = spring_impulse(row.law, velocity, problem_.step),
+                   then = spring_impulse(row.law, faster, problem_.step);
+        const double size = spring.norm();
+        Vec3& guess = guesses_[i];
+        guess = size > limit ? Vec3((limit * then - spring.dot(then - spring) / size * guess) / size) : then;
+        if (guess.norm() > limit)
+            guess *= limit / guess.norm();
+    }
+}
+//! [follow]
+
+}  // namespace enduring

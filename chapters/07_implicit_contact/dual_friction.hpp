@@ -1,0 +1,33 @@
+#pragma once
+
+#include "chapters/07_implicit_contact/contact_problem.hpp"
+
+namespace enduring {
+
+/// A guess of each pair's friction, beside the one that its velocity makes, while its limit is lagged.
+///
+/// A pair that slips pushes with its limit, whichever way it slips: its direction turns the faster the slower
+/// it slips, and Newton's method, which takes it for a straight line, passes the place where the pair would
+/// hold. So friction becomes an unknown w of its own, with the equation
+///   max(|s|, limit) w = limit s,    s the impulse of the spring if it never gave.
+/// Its derivative is tame: how stiff a pair is along its slip follows from how far w is from the limit.
+/// T. F. Chan, G. H. Golub, P. Mulet: A nonlinear primal-dual method for total variation-based image
+/// restoration, SIAM Journal on Scientific Computing 20, 1999.
+class DualFriction {
+public:
+    /// All guesses are zero. The problem outlives it.
+    explicit DualFriction(const ContactProblem& problem)
+        : problem_(problem), guesses_(problem.rows.size(), Vec3::Zero())
+    {}
+
+    /// Of each pair at these velocities: minus the derivative of its impulse, friction by the equation above.
+    std::vector<Mat3> stiffenings(const Eigen::VectorXd& change) const;
+    /// Brings the guesses to where the equation's tangent has them behind a Newton step, within the limits.
+    void follow(const Eigen::VectorXd& change, const Eigen::VectorXd& direction);
+
+private:
+    const ContactProblem& problem_;
+    std::vector<Vec3> guesses_;  ///< on p [N s]
+};
+
+}  // namespace enduring

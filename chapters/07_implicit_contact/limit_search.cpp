@@ -1,0 +1,41 @@
+#include "chapters/07_implicit_contact/limit_search.hpp"
+
+#include <algorithm>
+
+namespace enduring {
+namespace {
+
+constexpr double largest_part = 64;
+
+/// Of each pair, how far the normal impulse is above what its limit was taken from [N s].
+Eigen::VectorXd errors_of(const ContactProblem& problem, const Eigen::VectorXd& change)
+{
+    Eigen::VectorXd errors(static_cast<Eigen::Index>(problem.rows.size()));
+    for (Eigen::Index i = 0; i < errors.size(); ++i) {
+        const PairRow& row = problem.rows[static_cast<std::size_t>(i)];
+        const PairAnswer made = answer(row.law, row.velocity_after(change), problem.step);
+        errors[i] = made.normal_impulse.norm() - row.law.pressing;
+    }
+    return errors;
+}
+
+}  // namespace
+
+//! [advance]
+void LimitSearch::advance(ContactProblem& problem, const Eigen::VectorXd& change)
+{
+    const Eigen::VectorXd error = errors_of(problem, change);
+    if (last_error_.size() > 0 && !last_error_.isZero(0)) {
+        // A round that took this part has left so much of the error; it should have left nothing.
+        const double left = error.dot(last_error_) / last_error_.squaredNorm();
+        part_ = std::min(largest_part, part_ * (left < 0.5 ? 1 / (1 - left) : 2));
+    }
+    last_error_ = error;
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+        double& limit = problem.rows[i].law.pressing;
+        limit = std::max(0.0, limit + part_ * error[static_cast<Eigen::Index>(i)]);
+    }
+}
+//! [advance]
+
+}  // namespace enduring

@@ -1,0 +1,84 @@
+#include "chapters/07_implicit_contact/dual_friction.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <random>
+
+using namespace enduring;
+
+namespace {
+
+/// Particles that are pressed and slip, each on its own plane.
+ContactProblem slipping_particles()
+{
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return Vec3(normal(random), normal(random), normal(random)); };
+    ContactProblem problem;
+    problem.step = {1, 0.01};
+    for (int i = 0; i < 50; ++i) {
+        BodyBlock block{problem.size, Mat3::Identity()};
+        block.factor.compute(block.mass);
+        problem.blocks.push_back(block);
+        PairRow& row = problem.rows.emplace_back();
+        row.law.normal = vector().normalized();
+        row.law.stiffness = 1e6;
+        row.law.mu = 0.5;
+        row.law.pressing = 1;
+        row.velocity = vector() - row.law.normal;
+        row.parts[0] = {problem.size, Mat3::Identity()};
+        row.part_count = 1;
+        problem.size += 3;
+    }
+    return problem;
+}
+
+Mat3 own_stiffening(const ContactProblem& problem, std::size_t pair)
+{
+    const PairRow& row = problem.rows[pair];
+    return answer(row.law, row.velocity, problem.step).stiffening;
+}
+
+double least_eigenvalue(const Mat3& matrix)
+{
+    return Eigen::SelfAdjointEigenSolver<Mat3>(matrix).eigenvalues().minCoeff();
+}
+
+}  // namespace
+
+TEST_CASE("dual friction: a guess that fits has the stiffening of the law, and one of zero is stiffer")
+{
+    const ContactProblem problem = slipping_particles();
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(problem.size);
+    DualFriction friction(problem);
+    const std::vector<Mat3> of_zero = friction.stiffenings(nothing);
+    friction.follow(nothing, nothing);
+    const std::vector<Mat3> of_fitting = friction.stiffenings(nothing);
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+        const Mat3 own = own_stiffening(problem, i);
+        CHECK((of_fitting[i] - own).norm() <= 1e-12 * own.norm());
+        CHECK((of_zero[i] - own).norm() > 1e-4 * own.norm());
+        CHECK(least_eigenvalue(of_zero[i] - own) >= -1e-9);
+    }
+}
+
+TEST_CASE("dual friction: wherever the guesses have been led, the stiffening is symmetric and never negative")
+{
+    const ContactProblem problem = slipping_particles();
+    std::mt19937 random(4);
+    std::normal_distribution<double> normal;
+    const auto vector = [&] {
+        return Eigen::VectorXd(Eigen::VectorXd::NullaryExpr(problem.size, [&] { return normal(random); }));
+    };
+    DualFriction friction(problem);
+    for (int step = 0; step < 10; ++step) {
+        const Eigen::VectorXd change = vector();
+        for (const Mat3& stiffening : friction.stiffenings(change)) {
+            CHECK((stiffening - stiffening.transpose()).norm() <= 1e-12 * stiffening.norm());
+            CHECK(least_eigenvalue(stiffening) >= -1e-9);
+        }
+        friction.follow(change, vector());
+    }
+}

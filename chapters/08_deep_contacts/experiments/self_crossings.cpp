@@ -1,0 +1,46 @@
+#include "chapters/08_deep_contacts/experiments/self_crossings.hpp"
+
+#include "chapters/02_collision_detection/swept_box.hpp"
+#include "chapters/08_deep_contacts/piercing.hpp"
+
+namespace enduring::chapter08 {
+namespace {
+
+std::vector<Vec3> without_skin(const Body& body, double skin)
+{
+    const auto x = body.positions_t0();
+    std::vector<Vec3> normals(x.size(), Vec3::Zero()), result(x.begin(), x.end());
+    for (const auto& [a, b, c] : body.surface().faces())
+        for (const int vertex : {a, b, c})
+            normals[vertex] += (x[b] - x[a]).cross(x[c] - x[a]);
+    for (std::size_t vertex = 0; vertex < x.size(); ++vertex)
+        result[vertex] -= skin * normals[vertex].normalized();
+    return result;
+}
+
+}  // namespace
+
+long self_crossings(const Body& body, const RestNeighbours& neighbours, double skin)
+{
+    const std::vector<Vec3> x = without_skin(body, skin);
+    const SurfaceStep still{body.surface(), x, x};
+    const int faces = static_cast<int>(body.surface().faces().size()),
+              edges = static_cast<int>(body.surface().edges().size());
+    std::vector<SweptBox> boxes;
+    for (int face = 0; face < faces; ++face)
+        boxes.push_back(face_box(still, face));
+    long count = 0;
+    for (int edge = 0; edge < edges; ++edge) {
+        const SweptBox box = edge_box(still, edge);
+        const auto [p, q] = still.edge(edge);
+        for (int face = 0; face < faces; ++face) {
+            if (!box.overlaps(boxes[face]) || neighbours.edge_and_face(edge, face))
+                continue;
+            const auto [a, b, c] = still.face(face);
+            count += pierces(x[p], x[q], x[a], x[b], x[c], 1) != 0;
+        }
+    }
+    return count;
+}
+
+}  // namespace enduring::chapter08

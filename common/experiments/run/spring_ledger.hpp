@@ -1,0 +1,73 @@
+#pragma once
+
+#include "common/simulation/step.hpp"
+
+#include <map>
+#include <tuple>
+#include <vector>
+
+namespace enduring {
+
+/// Where the energy of the contacts' springs came from and where it went, summed over the steps so far [J].
+///
+/// A spring of stiffness k holds k c^2 / 2, where c is how much deeper its pair is than its slack.
+struct SpringAccounts {
+    double born = 0;    ///< that new pairs had where their bodies lay at the start of their first step
+    double died = 0;    ///< that pairs still had when they ended or were held
+    double lifted = 0;  ///< work of slack that fades: force times the way by which the slack moved
+    double jumped = 0;  ///< by slack that fades faster than anything may be let out, or by another face
+    double pushed = 0;  ///< work of the normal impulses on the bodies
+    double rubbed = 0;  ///< that of friction
+    double damped = 0;  ///< lost between the springs and their impulses: with an implicit step never negative
+
+    /// What came without work: births and jumps, less deaths.
+    double brought() const { return born + jumped - died; }
+};
+
+/// Books what each spring holds from step to step: what is held is what was born, lifted and jumped, less what
+/// died, was pushed and damped.
+///
+/// Between two steps the bodies stand still, so a spring's compression can only change with the spring: by its
+/// slack, or by another face. If that is no more than the leaving speed allows, it is a lift, whose work counts
+/// with the force at the end of the step, as the step itself does. Depths of a step are measured along the
+/// normal at its end, as an implicit step sees them.
+class SpringLedger {
+public:
+    /// @param world          before its first step
+    /// @param stiffness      k of a pair without one of its own, on planes without one of their own [N/m]
+    /// @param leaving_speed  slack that fades faster lets nothing out: it throws [m/s]
+    SpringLedger(const World& world, double stiffness, double leaving_speed);
+
+    /// To be told after each step.
+    /// @param contacts  those alive after it
+    void add_step(const World& world, const Contacts& contacts, double dt);
+
+    const SpringAccounts& accounts() const { return accounts_; }
+    double held() const;  ///< by all springs now [J]
+
+private:
+    using Key = std::tuple<ContactKind, int, int, int, int>;  ///< kind, body_a, feature_a, body_b, feature_b
+    struct Spring {
+        double compression;  ///< at the end of the step, negative if it pushes, else 0 [m]
+        double energy;       ///< then [J]
+    };
+    struct Booked {
+        Key key;
+        Spring spring;
+        Spring at_start;     ///< the same spring where the bodies lay at the start of the step
+        double force;        ///< mean over the step [N]
+        double came = 0;     ///< into the spring: what it held before, and what was put in [J]
+        bool known = false;  ///< it was there in the last step
+    };
+
+    Booked book(const World& world, const Contact& contact, double dt);
+    void take_over(Booked& booked, std::multimap<Key, Spring>::iterator before, double dt);
+    std::multimap<Key, Spring>::iterator find_at_any_face(Key key);
+
+    double stiffness_, leaving_speed_;
+    std::vector<std::vector<Vec3>> positions_;  ///< of each body before the step
+    std::multimap<Key, Spring> springs_;
+    SpringAccounts accounts_;
+};
+
+}  // namespace enduring

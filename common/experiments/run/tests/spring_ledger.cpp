@@ -1,0 +1,147 @@
+#include "common/experiments/run/spring_ledger.hpp"
+#include "common/simulation/energy.hpp"
+#include "common/simulation/tests/triangle_body.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <utility>
+
+using namespace enduring;
+
+namespace {
+
+/// Three points of 1 kg, so deep in the ground, weightless.
+World points_in_ground(double depth, const Vec3& velocity = {0, 0, 0})
+{
+    World world;
+    world.gravity.setZero();
+    world.planes.push_back({"ground", Vec3::Zero(), Vec3::UnitY()});
+    world.bodies.push_back(triangle("points", -depth, velocity));
+    return world;
+}
+
+/// A pair that pushed in the step just done.
+Contact on_ground(int vertex, double slack = 0)
+{
+    Contact contact{ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}};
+    contact.slack = slack;
+    contact.stiffness = 2000;
+    contact.state = ContactState::answered;
+    return contact;
+}
+
+constexpr double dt = 0.01, leaving_speed = 0.5;
+
+}  // namespace
+
+TEST_CASE(
+    "spring ledger: a pair that comes at a depth is born with its energy, and one that ends there takes it along")
+{
+    const World world = points_in_ground(0.1);
+    SpringLedger ledger(world, 1000, leaving_speed);
+    ledger.add_step(world, {on_ground(0), on_ground(1, -0.04)}, dt);
+    CHECK(ledger.accounts().born == doctest::Approx(0.5 * 2000 * (0.01 + 0.0036)));
+    CHECK(ledger.held() == doctest::Approx(ledger.accounts().born));
+    ledger.add_step(world, {on_ground(1, -0.04)}, dt);
+    CHECK(ledger.accounts().died == doctest::Approx(0.5 * 2000 * 0.01));
+    Contact held = on_ground(1, -0.04);
+    held.hold(true);
+    ledger.add_step(world, {held}, dt);
+    CHECK(ledger.accounts().died == doctest::Approx(ledger.accounts().born));
+    CHECK(ledger.held() == 0);
+}
+
+TEST_CASE(
+    "spring ledger: slack that fades at the leaving speed lifts, and slack that fades faster makes a jump")
+{
+    const World world = points_in_ground(0.1);
+    for (const double speed : {0.3, 0.5, 0.51, 4.0}) {
+        CAPTURE(speed);
+        SpringLedger ledger(world, 1000, leaving_speed);
+        ledger.add_step(world, {on_ground(0, -0.1)}, dt);
+        Contact lifting = on_ground(0, -0.1 + speed * dt);
+        lifting.impulse = {0, 30 * dt, 0};
+        ledger.add_step(world, {lifting}, dt);
+        const double way = speed * dt, put_in = 0.5 * 2000 * way * way;
+        const SpringAccounts& sums = ledger.accounts();
+        CHECK(sums.lifted == doctest::Approx(speed <= leaving_speed ? 30 * way : 0));
+        CHECK(sums.jumped == doctest::Approx(speed <= leaving_speed ? 0 : put_in));
+        CHECK(sums.born == 0);
+    }
+}
+
+TEST_CASE(
+    "spring ledger: what waits has not begun, and a pair without a stiffness of its own has that of all")
+{
+    const World world = points_in_ground(0.1);
+    Contact waiting = on_ground(0), plain = on_ground(1);
+    waiting.state = ContactState::waiting;
+    plain.stiffness = 0;
+    SpringLedger ledger(world, 1000, leaving_speed);
+    ledger.add_step(world, {waiting, plain}, dt);
+    CHECK(ledger.held() == doctest::Approx(0.5 * 1000 * 0.01));
+}
+
+TEST_CASE("spring ledger: another face of the same vertex is a jump, by the difference of depths")
+{
+    World world;
+    world.bodies.push_back(triangle("points", -0.1));
+    world.bodies.push_back(triangle("sheet"));
+    SpringLedger ledger(world, 1000, leaving_speed);
+    Contact pair{ContactKind::vertex_face, 0, 1, 0, 0, {0, 0, 1, 2}, {1, -1, 0, 0}};
+    pair.state = ContactState::answered;
+    ledger.add_step(world, {pair}, dt);
+    const double before = ledger.held();
+    CHECK(before == doctest::Approx(0.5 * 1000 * 0.01));
+    pair.feature_b = 1;
+    pair.slack = -0.07;
+    ledger.add_step(world, {pair}, dt);
+    // less compressed, so no jump; as nothing pushes no work either
+    CHECK(ledger.accounts().jumped == 0);
+    CHECK(ledger.held() == doctest::Approx(0.5 * 1000 * 0.0009));
+    CHECK(ledger.accounts().damped == doctest::Approx(before - ledger.held()));
+    pair.feature_b = 2;
+    pair.slack = 0;
+    ledger.add_step(world, {pair}, dt);
+    CHECK(ledger.accounts().jumped == doctest::Approx(before - 0.5 * 1000 * 0.0009));
+    CHECK(ledger.accounts().died == 0);
+    CHECK(ledger.accounts().lifted == 0);
+}
+
+TEST_CASE(
+    "spring ledger: of an implicit spring each joule is in an account, and the step's damping is k (change of depth)^2 / 2")
+{
+    World world = points_in_ground(0, {0, -1, 0});
+    Solver solver;
+    solver.append(StepStage::detect, "all vertices", [](World&, Contacts& contacts, double) {
+        for (int vertex = static_cast<int>(contacts.size()); vertex < 3; ++vertex) {
+            contacts.push_back(on_ground(vertex));
+            contacts.back().state = ContactState::waiting;
+        }
+    });
+    solver.append(StepStage::respond, "springs", [](World& bodies, Contacts& contacts, double step) {
+        for (Contact& pair : contacts)
+            pair.impulse = -pair.stiffness * step / (1 + pair.stiffness * step * step) *  // points of 1 kg
+                           std::min(0.0, bodies.bodies[0]->positions_t1()[pair.feature_a].y()) *
+                           Vec3::UnitY();
+    });
+    SpringLedger ledger(world, 1000, leaving_speed);
+    Contacts contacts;
+    const double start = total_energy(world).total();
+    double stepping = 0, damping = 0, before = 0;
+    for (int step = 0; step < 8; ++step) {
+        const Vec3 velocity = world.bodies[0]->mean_velocity();
+        advance(world, contacts, solver, dt);
+        ledger.add_step(world, contacts, dt);
+        const double depth = std::min(0.0, world.bodies[0]->positions_t0()[0].y());
+        damping += 3 * 0.5 * 2000 * std::pow(depth - std::exchange(before, depth), 2);
+        stepping += 0.5 * world.bodies[0]->mass() *
+                    (world.bodies[0]->mean_velocity() - velocity).squaredNorm();
+        const SpringAccounts& sums = ledger.accounts();
+        CHECK(sums.damped == doctest::Approx(damping).epsilon(1e-12));
+        CHECK(ledger.held() == doctest::Approx(-sums.pushed - damping).epsilon(1e-12));
+        CHECK(total_energy(world).total() - start == doctest::Approx(sums.pushed - stepping).epsilon(1e-12));
+    }
+    CHECK(stepping > 0.01);
+}
