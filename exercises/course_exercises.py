@@ -94,7 +94,7 @@ def arguments():
     proof.add_argument("number", nargs="?", metavar="N[.M]")
     proof.add_argument("--renew", action="store_true", help="first write the stubs anew; attempts in them are lost")
     proof.add_argument("--layers", action="store_true", help="prove the layers instead: wrong versions that their tests have to notice")
-    proof.add_argument("--part", metavar="K/N", help="of the layers' wrong versions, the K-th of N parts")
+    proof.add_argument("--part", metavar="K/N", help="of the mutants, or of the layers' wrong versions, the K-th of N parts")
     grades = commands.add_parser("grade", help="grade a class")
     grades.add_argument("folder", type=Path, help="holds a folder, a zip file or files NAME_2_title.cpp for each student; may be a zip file")
     grades.add_argument("numbers", nargs="*", metavar="N[.M]", help="which exercises (default: all)")
@@ -136,7 +136,7 @@ def main():
     if options.command == "prove" and options.layers:
         return prove_layers(options)
     if options.command == "prove":
-        return prove.prove(chosen(exercises, options.number), options.renew)
+        return prove.prove(chosen(exercises, options.number), options.renew, options.part)
     return grade_class(exercises, options)
 
 

@@ -15,18 +15,21 @@ from judge import judge
 FEWEST_LINES, MOST_LINES = 15, 40
 
 
-def prove(exercises, renew):
+def prove(exercises, renew, part=None):
     """Proves these exercises and prints what does not hold.
     @param renew  first write the stubs anew from their sources
+    @param part   of the mutants only the K-th of N parts, as in "2/4"
     @return the exit status"""
     made = [exercise for exercise in exercises if renew and write_stub(exercise)]
     workshop.prepare(exercises, reconfigure=bool(made))
+    mutants = [(exercise, mutant_task(mutant)) for exercise in exercises for mutant in exercise.mutants]
     tasks = [(exercise, task) for exercise in exercises for task in tasks_of(exercise)]
+    tasks += layers.part_of(mutants, part) if part else mutants
     faults = [fault for found in run_side_by_side(run_task, tasks) for fault in found]
     faults += [fault for exercise in exercises for fault in shape_faults(exercise)]
     for fault in faults:
         print(fault)
-    return tell(exercises, faults)
+    return tell(exercises, faults, part)
 
 
 def run_side_by_side(work, tasks):
@@ -76,8 +79,10 @@ def tasks_of(exercise):
     yield prove_solution
     if exercise.second:
         yield prove_second
-    for mutant in exercise.mutants:
-        yield lambda exercise, mutant=mutant: prove_mutant(exercise, mutant)
+
+
+def mutant_task(mutant):
+    return lambda exercise: prove_mutant(exercise, mutant)
 
 
 def run_task(task):
@@ -137,7 +142,7 @@ def prove_mutant(exercise, mutant):
         yield f"mutant {mutant.name} fails in {outcome.failed_cases}, and its entry says {mutant.fails}"
 
 
-def tell(exercises, faults):
+def tell(exercises, faults, part=None):
     """The counts, for the terminal and for the book."""
     counts = {"exercises": len(exercises), "stubs": len(exercises), "solutions": len(exercises),
               "second_solutions": sum(1 for exercise in exercises if exercise.second),
@@ -148,7 +153,7 @@ def tell(exercises, faults):
         print(f"\n{len(faults)} faults in {counts['exercises']} exercises")
         return 1
     print(f"\nProven: {counts['exercises']} exercises, their stubs fail by 'not implemented yet' and their solutions pass, "
-          f"{counts['second_solutions']} of them a second time; {counts['mutants']} mutants are rejected.")
+          f"{counts['second_solutions']} of them a second time; {f'part {part} of the ' if part else ''}{counts['mutants']} mutants {'is' if part else 'are'} rejected.")
     return 0
 
 

@@ -2,12 +2,12 @@
 import re
 import sys
 
-LETTERS = {"alpha": "α", "delta": "δ", "varepsilon": "ε", "zeta": "ζ", "mu": "μ", "pi": "π", "sigma": "σ", "tau": "τ", "omega": "ω", "Omega": "Ω"}
-SIGNS = {"cdot": "·", "times": "×", "le": "≤", "ge": "≥", "in": "∈", "sim": "~", "pm": "±", "mp": "∓", "int": "∫", "sum": "Σ", "dots": "…",
+LETTERS = {"alpha": "α", "delta": "δ", "varepsilon": "ε", "epsilon": "ε", "varphi": "φ", "zeta": "ζ", "mu": "μ", "pi": "π", "sigma": "σ", "tau": "τ", "omega": "ω", "Omega": "Ω"}
+SIGNS = {"cdot": "·", "times": "×", "le": "≤", "ge": "≥", "in": "∈", "sim": "~", "pm": "±", "mp": "∓", "int": "∫", "oint": "∮", "sum": "Σ", "dots": "…",
          "parallel": "∥", "perp": "⊥"}
-IN_ASCII = {"·": "*", "×": "x", "≤": "<=", "≥": ">=", "∈": "in", "±": "+-", "∓": "-+", "∫": "integral", "Σ": "sum", "∥": "par", "⊥": "perp", "√": "sqrt", "…": "...",
+IN_ASCII = {"·": "*", "×": "x", "≤": "<=", "≥": ">=", "∈": "in", "±": "+-", "∓": "-+", "∫": "integral", "∮": "integral", "Σ": "sum", "∥": "par", "⊥": "perp", "√": "sqrt", "…": "...",
             "²": "^2", "³": "^3"} | {sign: name for name, sign in LETTERS.items()} | {"Δ": "Delta "}
-SPACES = {",": " ", ";": " ", "!": "", "quad": "   ", "qquad": "   ", "left": "", "right": "", "{": "{", "}": "}"}
+SPACES = {",": " ", ";": " ", "!": "", "quad": "   ", "qquad": "   ", "left": "", "right": "", "big": "", "Big": "", "{": "{", "}": "}"}
 TOKEN = re.compile(r"\\([A-Za-z]+|.)|([{}^_])|(\s+)|([^\\{}^_\s])")
 WIDE = "·×≤≥∈~±∓"  # with a space on both sides
 FRACTION = re.compile("<<([^<>]*)>>")  # on its way: brackets come when it is seen what stands beside it
@@ -72,7 +72,7 @@ def of_command(command, tokens):
         return f"binom({argument(tokens)}, {argument(tokens)})"
     if command == "dot":
         return f"{argument(tokens)}'"
-    if command in ("hat", "text"):
+    if command in ("hat", "text", "mathtt"):
         return argument(tokens)
     if command == "Delta":
         return "Δ" + argument(tokens)

@@ -50,6 +50,17 @@ TEST_CASE("interval: a line that stays outside, or only touches, is never inside
     }
 }
 
+TEST_CASE("interval: a line that begins or ends on the plane is inside all the rest of its way")
+{
+    for (const auto& [depth_t0, depth_t1] : {std::pair(0.0, -0.02), std::pair(-0.02, 0.0)}) {
+        given("depth from ", depth_t0, " m to ", depth_t1, " m");
+        const auto all = find_plane_interval(depth_t0, depth_t1);
+        REQUIRE(all.has_value());
+        expect("begin of the interval", all->begin, 0.0, 1e-15);
+        expect("end of the interval", all->end, 1.0, 1e-15);
+    }
+}
+
 TEST_CASE("discrete: the impulse is the force at the end of the step times its length")
 {
     given("depth at the end -0.02 m, k 1000 N/m, dt 0.01 s");
@@ -93,6 +104,43 @@ TEST_CASE("continuous: it is what many short discrete steps along the way add up
         expect("impulse", continuous_plane_impulse(depth_t0, depth_t1, k, dt), many_looks(depth_t0, depth_t1),
                1e-8, "N s");
     }
+}
+
+TEST_CASE("size: the share of the step that is inside decides, from nanometres to kilometres")
+{
+    for (const double share : {0.001, 0.25, 0.75})
+        for (const double deepest : {1e-9, 1e-3, 1e3}) {
+            const double highest = deepest * (1 - share) / share;
+            given("depth from ", highest, " m to ", -deepest, " m: inside for the last ", share,
+                  " of the step");
+            const auto in = find_plane_interval(highest, -deepest);
+            REQUIRE(in.has_value());
+            expect("begin of the interval", in->begin, 1 - share, 1e-12);
+            given("depth from ", -deepest, " m to ", highest, " m: inside for the first ", share,
+                  " of the step");
+            const auto out = find_plane_interval(-deepest, highest);
+            REQUIRE(out.has_value());
+            expect("end of the interval", out->end, share, 1e-12);
+        }
+}
+
+TEST_CASE("size: an impulse goes with the stiffness, the step and the depth")
+{
+    const double share = 0.2;
+    for (const double stiffness : {50.0, 2e6})
+        for (const double length : {1e-5, 0.5})
+            for (const double deepest : {1e-9, 1e-3, 1e3}) {
+                const double highest = deepest * (1 - share) / share,
+                             force_times_dt = stiffness * length * deepest;
+                given("depth ", -deepest, " m at the end, k ", stiffness, " N/m, dt ", length, " s");
+                expect("discrete impulse", discrete_plane_impulse(-deepest, stiffness, length),
+                       force_times_dt, 1e-12 * force_times_dt, "N s");
+                given("depth from ", highest, " m to ", -deepest, " m: ", share,
+                      " of the step inside, at half of this depth on average; k ", stiffness, " N/m, dt ",
+                      length, " s");
+                expect("continuous impulse", continuous_plane_impulse(highest, -deepest, stiffness, length),
+                       0.5 * share * force_times_dt, 1e-12 * force_times_dt, "N s");
+            }
 }
 
 }  // namespace enduring

@@ -83,6 +83,37 @@ TEST_CASE("approach: the vertex' way and the longest of the corners'")
     expect("fastest approach", fastest_approach(step), 7.0, 1e-12, "m per step");
 }
 
+TEST_CASE("approach: lengths of ways count, whichever corner goes farthest")
+{
+    for (const int longest : {0, 1, 2}) {
+        VertexFaceStep step = over_a_face({0, 1, 0}, {2, 0, 2});
+        Vec3* const ends[] = {&step.f0_t1, &step.f1_t1, &step.f2_t1};
+        *ends[longest] += Vec3(2, -6, 3);
+        *ends[(longest + 1) % 3] += Vec3(0, 1, 0);
+        given("the vertex moves by (2, -1, 2) m, corner ", longest,
+              " by (2, -6, 3) m, the next by (0, 1, 0) m");
+        expect("fastest approach", fastest_approach(step), 3.0 + 7.0, 1e-12, "m per step");
+    }
+}
+
+TEST_CASE("size: distances and times are the same from micrometres to kilometres")
+{
+    for (const double size : {1e-6, 1e-3, 1e3})
+        for (const VertexFaceStep& s : random_steps(20)) {
+            VertexFaceStep sized = s;
+            for (Vec3* x : {&sized.v_t0, &sized.f0_t0, &sized.f1_t0, &sized.f2_t0, &sized.v_t1, &sized.f0_t1,
+                            &sized.f1_t1, &sized.f2_t1})
+                *x *= size;
+            given("a random step in a cube of 2 m, and the same in one of ", 2 * size,
+                  " m; gap a twentieth of a metre, or of the size");
+            expect("distance over size",
+                   distance_to_triangle(sized.v_t0, sized.f0_t0, sized.f1_t0, sized.f2_t0) / size,
+                   distance_to_triangle(s.v_t0, s.f0_t0, s.f1_t0, s.f2_t0), 1e-9, "m");
+            expect("time", conservative_time(sized, 0.05 * size, 0.001 * size).value_or(1),
+                   conservative_time(s, 0.05, 0.001).value_or(1), 1e-9);
+        }
+}
+
 TEST_CASE("time: a straight fall stops at the gap")
 {
     given("a vertex from 1 m above a face to 1 m below, gap 0.1 m, to within 1e-6 m");
@@ -121,6 +152,40 @@ TEST_CASE("time: it is never too late, and at it the gap is as good as reached")
         if (time && *time > 0)
             expect("distance then", distance_at(step, *time), gap + 0.5 * close, 0.5 * close + 5e-3, "m");
     }
+}
+
+TEST_CASE(
+    "time: it lies between the gap and what may be near it, wherever a fall ends and whatever else moves")
+{
+    const double gap = 0.1, height = 1.0;
+    for (const double close : {1e-2, 1e-6})
+        for (const double way : {1.0, 1.7})
+            for (const double together : {0.0, 200.0}) {
+                const Vec3 shift(together, 0, 0);
+                VertexFaceStep step = over_a_face({0.2, height, 0.2}, Vec3(0.2, height - way, 0.2) + shift);
+                for (Vec3* corner : {&step.f0_t1, &step.f1_t1, &step.f2_t1})
+                    *corner += shift;
+                given("a vertex sinks by ", way, " m from ", height, " m above a face, both go ", together,
+                      " m to the side; gap ", gap, " m, close ", close, " m");
+                const auto time = conservative_time(step, gap, close);
+                expect_that("there is a time", time.has_value());
+                if (time)
+                    expect("distance then", height - way * *time, gap + 0.5 * close, 0.5 * close + 1e-12,
+                           "m");
+            }
+}
+
+TEST_CASE("time: it is less than 1, also where the gap is reached at the very end")
+{
+    given("a vertex from 1.25 m above a face to 0.25 m, gap 0.25 m, close 1e-3 m");
+    const auto end = conservative_time(over_a_face({0.25, 1.25, 0.25}, {0.25, 0.25, 0.25}), 0.25, 1e-3);
+    expect_that("there is no time, or one before the end", !end || *end < 1);
+    given("a vertex that sinks by a ten-millionth of a metre, to within the gap of 0.1 m");
+    const auto slow = conservative_time(over_a_face({0.2, 0.1 + 0.5e-7, 0.2}, {0.2, 0.1 - 0.5e-7, 0.2}), 0.1,
+                                        1e-9);
+    expect_that("there is a time", slow.has_value());
+    if (slow)
+        expect("time", *slow, 0.495, 0.00501);
 }
 
 }  // namespace enduring

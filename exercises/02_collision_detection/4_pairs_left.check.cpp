@@ -46,6 +46,16 @@ TEST_CASE("measurement: a plate that glides leaves the pairs on its way, too")
     }
 }
 
+TEST_CASE("factor: it is that of the plate, the cells and the glide that are asked for")
+{
+    for (const int cells : {4, 8})
+        for (const double glide : {0.0, 0.25, 0.5}) {
+            given(cells, " and twice as many cells a side, glide ", glide, " m");
+            expect("pairs over pairs", measured_factor(cells, glide),
+                   counted(2 * cells, 2 * cells * glide) / counted(cells, cells * glide), 1e-9);
+        }
+}
+
 TEST_CASE("factor: four times the triangles, and seven times the pairs where the plate glides")
 {
     given("16 and 32 cells a side, glide 0.25 m");
@@ -79,6 +89,27 @@ TEST_CASE("overlaps: sizes along x and along z count separately")
            mean_overlaps({2, 0.5}, {0.5, 0.5}, 0.5), 10.0, 1e-12);
 }
 
+TEST_CASE("overlaps: it is the average over all places of the box, which need be no whole number")
+{
+    const double cell = 0.4;
+    for (const double x : {0.1, 0.7})
+        for (const double z : {0.3, 1.1}) {
+            const Footprint box{x, z}, other{0.25, 0.15};
+            // Along each direction alone: put the box at many places and count.
+            const auto along = [cell](double a, double b) {
+                int overlaps = 0;
+                for (int place = 0; place < 1000; ++place)
+                    for (int i = -10; i <= 10; ++i) {
+                        const double begin = (place + 0.5) / 1000 * cell;
+                        overlaps += begin < i * cell + b && i * cell < begin + a;
+                    }
+                return overlaps / 1000.0;
+            };
+            given("a box of ", x, " by ", z, " m, and boxes of 0.25 by 0.15 m in cells of ", cell, " m");
+            expect("overlaps", mean_overlaps(box, other, cell), along(x, other.x) * along(z, other.z), 0.02);
+        }
+}
+
 TEST_CASE("law: it counts what a plate meets that comes straight down")
 {
     given(
@@ -96,6 +127,11 @@ TEST_CASE("law: it counts what a plate meets that glides")
         given(cells, " cells a side, glide 0.25 m");
         expect("pairs by the law", law_of_pairs(cells, 0.25), counted(cells, 0.25 * cells),
                1e-6 * counted(cells, 0.25 * cells));
+    }
+    for (const int glided : {7, 29}) {
+        given("100 cells a side, glide of ", glided, " cells");
+        expect("pairs by the law", law_of_pairs(100, glided / 100.0), counted(100, glided),
+               1e-9 * counted(100, glided));
     }
 }
 

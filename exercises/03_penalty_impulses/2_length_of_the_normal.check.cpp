@@ -70,7 +70,7 @@ double percent_off(const Vec3& impulse, const Vec3& right)
 
 TEST_CASE("rest: a face that does not move gives k dt times the depth, whatever its size")
 {
-    for (const double size : {1.0, 0.1}) {
+    for (const double size : {1e3, 1.0, 1e-3, 1e-6}) {
         given("a vertex 2 mm under a resting face with sides of ", size, " m, k = 800 N/m, dt = 0.01 s");
         const PairStep rest = step_between(under_face(-depth, size), under_face(-depth, size));
         const Vec3 right(0, k * dt * depth, 0);
@@ -86,6 +86,19 @@ TEST_CASE("rest: what lies before the start does not count")
     const Vec3 right(0, 0.25 * k * dt * depth, 0);
     expect("by the length of the visit", impulse_by_length_of_visit(rest, 0.75, k, dt), right, 1e-12, "N s");
     expect("by unit normals", impulse_by_unit_normals(rest, 0.75, k, dt, 3), right, 1e-12, "N s");
+}
+
+TEST_CASE("rest: the last instant of a step counts by its length")
+{
+    for (const double left : {0.1, 1e-5}) {
+        given("a vertex 2 mm under a resting face, start = 1 - ", left);
+        const PairStep rest = step_between(under_face(-depth), under_face(-depth));
+        const Vec3 right(0, k * dt * depth, 0);
+        expect("by the length of the visit, over what is left",
+               Vec3(impulse_by_length_of_visit(rest, 1 - left, k, dt) / left), right, 1e-10, "N s");
+        expect("by unit normals, over what is left",
+               Vec3(impulse_by_unit_normals(rest, 1 - left, k, dt, 3) / left), right, 1e-10, "N s");
+    }
 }
 
 TEST_CASE("visit: a face that grows under a vertex at constant depth makes no error")
@@ -130,6 +143,20 @@ TEST_CASE("unit normals: three points of Gauss are much better than their middle
            "N s");
 }
 
+TEST_CASE("unit normals: twice as many pieces make the error 64 times smaller, as three points of Gauss do")
+{
+    const PairStep step = turning(60);
+    const double start = 0.25;
+    const Vec3 right = impulse_by_unit_normals(step, start, k, dt, 200);
+    for (const int pieces : {2, 3, 4}) {
+        const double error = (impulse_by_unit_normals(step, start, k, dt, pieces) - right).norm(),
+                     half = (impulse_by_unit_normals(step, start, k, dt, 2 * pieces) - right).norm();
+        given("a face that turns by 60 degrees over a vertex that stays inside, start = ", start, ", ",
+              pieces, " pieces and twice as many");
+        expect("error over error", error / half, 64.0, 20);
+    }
+}
+
 TEST_CASE("two visits: both count, in both ways")
 {
     given("a face that sways while a vertex passes over it, 16 pieces");
@@ -164,7 +191,35 @@ TEST_CASE("cost: the pieces suffice, and half as many would not")
             expect_that("twice as many pieces change the impulse by at most the tolerance",
                         change(pieces) <= tolerance);
             expect_that("half as many pieces are not enough", pieces == 1 || change(pieces / 2) > tolerance);
+            expect_that("it is one of 1, 2, 4, 8, 16 and 32",
+                        pieces >= 1 && pieces <= 32 && (pieces & (pieces - 1)) == 0);
         }
+}
+
+TEST_CASE("cost: what counts is the change that twice as many make, to the last part")
+{
+    const PairStep step = turning(80);
+    for (const int pieces : {2, 4}) {
+        const Vec3 fine = impulse_by_unit_normals(step, 0, 1, 1, 2 * pieces);
+        const double change = (fine - impulse_by_unit_normals(step, 0, 1, 1, pieces)).norm() / fine.norm();
+        given("a face that turns by 80 degrees; from ", pieces, " to ", 2 * pieces,
+              " pieces the impulse changes by the part ", change);
+        expect("pieces for a tolerance a thousandth above it", pieces_for(step, 1.001 * change), pieces, 0);
+        expect("pieces for a tolerance a thousandth below it", pieces_for(step, 0.999 * change), 2 * pieces,
+               0);
+    }
+}
+
+TEST_CASE("cost: where 32 pieces are not enough, it is 64")
+{
+    given("a face that turns by 179 degrees over a vertex that stays inside, tolerance 1e-9");
+    expect("pieces", pieces_for(turning(179), 1e-9), 64, 0);
+}
+
+TEST_CASE("cost: a pair that is never inside takes one piece, for nothing changes at all")
+{
+    given("a face that turns by 45 degrees, a vertex 10 cm above it");
+    expect("pieces", pieces_for(turning(45, 0.1), 1e-6), 1, 0);
 }
 
 TEST_CASE("cost: a shallow pair takes as many pieces as a deep one")

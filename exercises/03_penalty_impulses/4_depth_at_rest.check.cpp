@@ -48,6 +48,16 @@ TEST_CASE("measurement: with the discrete method all of g dt^2 is missing from t
     expect("depth", 1000 * depth_at_rest(cube), springs(4) - 9810 * 0.02 * 0.02, 0.01, "mm");
 }
 
+TEST_CASE(
+    "measurement: half the step damps half as much, and at the end of the scene the cube still swings a little")
+{
+    // The swing falls by exp(-zeta omega t) = exp(-5) of 24 mm in the 10 s of the scene: zeta = k' dt / (4 sqrt(k' m)), k' of four pairs.
+    const RestingCube cube = cube_of(1, 0.005);
+    given(name_of(cube));
+    expect("depth", 1000 * depth_at_rest(cube), springs(4) - 0.5 * 9810 * 0.005 * 0.005, 24.5 * std::exp(-5),
+           "mm");
+}
+
 TEST_CASE("factor: the finer cube lies seven times less deep, not four times")
 {
     given(name_of(cube_of(1)), ", and 4 cells a side");
@@ -60,6 +70,22 @@ TEST_CASE("factor: the finer cube lies seven times less deep, not four times")
     say("4 cells a side: ", 1000 * depth_at_rest(cube_of(4)), " mm, by the law ",
         1000 * law_of_depth(cube_of(4)), " mm");
     say("4 cells a side lie ", measured_factor(cube_of(1), 4), " times less deep");
+}
+
+TEST_CASE("factor: it is measured, and only the cells are others")
+{
+    RestingCube swinging = cube_of(1, 0.005), wider = swinging;
+    wider.cells = 2;
+    given(name_of(swinging), ", and 2 cells a side");
+    expect("depth over depth", measured_factor(swinging, 2), depth_at_rest(swinging) / depth_at_rest(wider),
+           1e-6);
+
+    RestingCube cube = cube_of(2, 0.02, PenaltyMethod::discrete), finer = cube;
+    cube.mass = finer.mass = 30;
+    cube.stiffness = finer.stiffness = 2500;
+    finer.cells = 3;
+    given("a cube of 30 kg, k = 2500 N/m a pair, dt = 0.02 s, discrete, of 2 and of 3 cells a side");
+    expect("depth over depth", measured_factor(cube, 3), depth_at_rest(cube) / depth_at_rest(finer), 1e-6);
 }
 
 TEST_CASE("law: for very short steps a cube on four corners presses four springs")

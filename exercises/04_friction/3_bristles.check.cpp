@@ -32,19 +32,51 @@ TEST_CASE("step: a short way bends the bristles by that way, and they pull back 
     expect("impulse", 1e6 * step.impulse, -0.5, 2e-3, "uN s");
 }
 
+TEST_CASE("step: the shorter the way, the more exactly the bristles are a spring")
+{
+    for (const double way : {1e-7, 1e-10, 1e-13}) {
+        given("stiffness 1000 N/m, limit 1 N, unbent, ", way, " m in 1 ms");
+        const BristleStep step = bend_bristles(brush, 0, way / 1e-3, 1e-3);
+        expect("bend over way", step.bend / way, 1.0, 1e-4);
+        expect("impulse over half of stiffness, way and time", step.impulse / (0.5 * 1000 * way * 1e-3), -1.0,
+               1e-4);
+    }
+}
+
+TEST_CASE("step: only the way counts, over the full bend: not the speed, and not which brush it is")
+{
+    for (const double stiffness : {50.0, 4e5})
+        for (const double limit : {0.3, 200.0})
+            for (const double speed : {1e-8, 1e-2, 1e5})
+                for (const double ways : {-2.5, 1e-3, 0.7}) {
+                    const double full = limit / stiffness;  // m
+                    const double velocity = std::copysign(speed, ways), dt = std::abs(ways) * full / speed;
+                    given("stiffness ", stiffness, " N/m, limit ", limit, " N, bend 0.6 of the full one, ",
+                          velocity, " m/s for ", ways, " full bends");
+                    const BristleStep step = bend_bristles({stiffness, limit}, 0.6 * full, velocity, dt),
+                                      same = bend_bristles(brush, 6e-4, std::copysign(1.0, ways),
+                                                           std::abs(ways) * 1e-3);
+                    expect("bend over the full one, as of 1000 N/m and 1 N at 1 m/s", step.bend / full,
+                           same.bend / 1e-3, 1e-6);
+                    expect("impulse over limit and time, as of 1000 N/m and 1 N at 1 m/s",
+                           step.impulse / (limit * dt), same.impulse / (std::abs(ways) * 1e-3), 1e-6);
+                }
+}
+
 TEST_CASE("step: after a long way friction is the limit, against the velocity")
 {
     for (const double velocity : {2.0, -2.0}) {
         given("stiffness 1000 N/m, limit 1 N, ", velocity, " m/s for 10 s");
         const BristleStep step = bend_bristles(brush, 0, velocity, 10);
         expect("bend", 1000 * step.bend, velocity / 2, 1e-12, "mm");
-        expect("impulse", step.impulse, -5 * velocity, 1e-2, "N s");
+        // Of the way of 10 s one full bend, 1 mm, goes into the bristles.
+        expect("impulse", step.impulse, -std::copysign(10 - 1e-3 / 2, velocity), 1e-4, "N s");
     }
 }
 
 TEST_CASE("step: it is what a million pieces add up to")
 {
-    for (const double bend : {0.0, 8e-4, -5e-4}) {
+    for (const double bend : {0.0, 8e-4, -5e-4, 2.5e-3}) {
         given("bend ", bend, " m, 0.05 m/s, dt 0.02 s");
         const BristleStep step = bend_bristles(brush, bend, 0.05, 0.02), fine = many_pieces(bend, 0.05, 0.02);
         expect("bend", 1000 * step.bend, 1000 * fine.bend, 1e-5, "mm");
@@ -94,6 +126,20 @@ TEST_CASE("cycle: a long way costs Coulomb's four amplitudes, a short one far le
     // tanh(A/z), z = 1 mm: the loss is 4 A f - 4 f z tanh(A/z).
     expect("loss at 100 mm", lost[0], 0.4 - 0.004 * std::tanh(100.0), 1e-5, "J");
     expect("loss at 0.1 mm over Coulomb's", lost[1] / 4e-4, 1 - std::tanh(0.1) / 0.1, 1e-6);
+}
+
+TEST_CASE("cycle: the loss is that of any brush, whatever the speed and the number of steps")
+{
+    const double stiffness = 4e4, limit = 0.3, full = limit / stiffness;
+    for (const double speed : {0.03, 5.0})
+        for (const int steps : {20, 300})
+            for (const double ways : {0.5, 3.0}) {
+                given("amplitude ", ways * full, " m, ", speed, " m/s, ", steps, " steps a way, stiffness ",
+                      stiffness, " N/m, limit ", limit, " N");
+                const double lost = loss_per_cycle({stiffness, limit}, ways * full, speed, steps);
+                expect("loss over Coulomb's", lost / (4 * ways * full * limit), 1 - std::tanh(ways) / ways,
+                       1e-5);
+            }
 }
 
 }  // namespace enduring

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace enduring::chapter05 {
 namespace {
@@ -31,7 +32,66 @@ std::vector<Vec3> all_directions(int count)
     return directions;
 }
 
+/// Three to eight directions, all within 80 degrees of one of them that is not told.
+std::vector<std::vector<Vec3>> random_bundles(int count)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> anywhere(-1, 1);
+    const auto direction = [&] {
+        return Vec3(anywhere(random), anywhere(random), anywhere(random)).normalized().eval();
+    };
+    std::vector<std::vector<Vec3>> bundles;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 centre = direction();
+        std::vector<Vec3> bundle;
+        while (static_cast<int>(bundle.size()) < 3 + i % 6)
+            if (const Vec3 one = direction(); one.dot(centre) > std::cos(80 * degree))
+                bundle.push_back(one);
+        bundles.push_back(bundle);
+    }
+    return bundles;
+}
+
 }  // namespace
+
+TEST_CASE("cone: it holds all directions, and among thousands of axes none has a narrower one")
+{
+    const std::vector<Vec3> axes = all_directions(4000);
+    for (const std::vector<Vec3>& bundle : random_bundles(30)) {
+        const Cone cone = smallest_cone(bundle);
+        given(bundle.size(), " random directions within 80 degrees of some axis");
+        expect("length of the axis", cone.axis.norm(), 1.0, 1e-9);
+        const auto widest = [&](const Vec3& axis) {
+            double angle = 0;
+            for (const Vec3& normal : bundle)
+                angle = std::max(angle, std::atan2(axis.cross(normal).norm(), axis.dot(normal)));
+            return angle / degree;
+        };
+        double narrowest = 180;
+        for (const Vec3& axis : axes)
+            narrowest = std::min(narrowest, widest(axis));
+        expect("angle from its axis to the farthest of them, as the half angle says",
+               cone.half_angle / degree, widest(cone.axis), 0.01, "degrees");
+        expect("half angle above the narrowest that was tried",
+               std::max(0.0, cone.half_angle / degree - narrowest), 0.0, 0.01, "degrees");
+    }
+}
+
+TEST_CASE("cone: three directions evenly around an axis have their own angle as half angle, narrow or wide")
+{
+    const Mat3 turn = Eigen::AngleAxisd(2.5, Vec3(0.3, 1, -2).normalized()).toRotationMatrix();
+    for (const double angle : {0.02, 1.0, 30.0, 85.0}) {
+        std::vector<Vec3> around;
+        for (const double phi : {10.0, 130.0, 250.0})
+            around.push_back(turn * Vec3(std::sin(angle * degree) * std::cos(phi * degree),
+                                         std::sin(angle * degree) * std::sin(phi * degree),
+                                         std::cos(angle * degree)));
+        given("three directions evenly around an axis, each ", angle, " degrees from it");
+        const Cone cone = smallest_cone(around);
+        expect("half angle over this angle", cone.half_angle / degree / angle, 1.0, 0.01);
+        expect("axis", cone.axis, Vec3(turn.col(2)), 0.01 * angle * degree);
+    }
+}
 
 TEST_CASE("cone: of one direction it is that direction, of two it is halfway between")
 {
@@ -97,6 +157,48 @@ TEST_CASE(
     expect_that("with a contact normal 46 degrees from down it is hooked",
                 !cone_says_regular(up, Vec3(std::sin(46 * degree), -std::cos(46 * degree), 0)));
     expect_that("with a contact normal that looks up it is hooked", !cone_says_regular(up, Vec3::UnitY()));
+}
+
+TEST_CASE("rule: pressed on from right against its normal, a flat vertex is regular in every position")
+{
+    for (const Vec3& normal : all_directions(300)) {
+        const std::vector<Vec3> one(1, normal);
+        given("a face that looks along ", readable(normal), ", and a contact normal right against it");
+        expect_that("it is regular", cone_says_regular(one, -normal));
+    }
+}
+
+TEST_CASE("rule: it does not matter into how many triangles a side is cut")
+{
+    const std::vector<Vec3> cut = {Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitX(), Vec3::UnitY()};
+    for (const double angle : {-88.0, 88.0}) {
+        given("four faces that look along x and one along y, pressed on from ", angle,
+              " degrees beside the middle of x and y");
+        expect_that("it is regular", cone_says_regular(cut, Vec3(-std::cos((45 + angle) * degree),
+                                                                 -std::sin((45 + angle) * degree), 0)));
+    }
+    for (const double angle : {-92.0, 92.0}) {
+        given("four faces that look along x and one along y, pressed on from ", angle,
+              " degrees beside the middle of x and y");
+        expect_that("it is hooked", !cone_says_regular(cut, Vec3(-std::cos((45 + angle) * degree),
+                                                                 -std::sin((45 + angle) * degree), 0)));
+    }
+}
+
+TEST_CASE("rule: the half angle counts beyond the directions of a narrow edge, and 135 degrees are the most")
+{
+    const auto pressed = [](double angle) {
+        return Vec3(-std::sin(angle * degree), -std::cos(angle * degree), 0);
+    };
+    for (const double half : {20.0, 80.0}) {
+        const std::vector<Vec3> ridge = {Vec3(std::sin(half * degree), std::cos(half * degree), 0),
+                                         Vec3(-std::sin(half * degree), std::cos(half * degree), 0)};
+        given("two faces that look up, ", half, " degrees to either side");
+        expect_that("pressed on from a degree less than that and 45 beside the axis it is regular",
+                    cone_says_regular(ridge, pressed(half + 44)));
+        expect_that("pressed on from a degree more it is hooked",
+                    !cone_says_regular(ridge, pressed(half + 46)));
+    }
 }
 
 TEST_CASE("rule: the 45 degrees come on top of the half angle")

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace enduring::chapter05 {
 namespace {
@@ -54,6 +55,37 @@ TEST_CASE("directions: every ring's direction stands at half its height, so the 
                1e-12);
 }
 
+TEST_CASE("directions: each is turned by the golden angle against the one before, so no line of them forms")
+{
+    const double turn = std::numbers::pi * (3 - std::sqrt(5.0));
+    for (const int count : {3, 50}) {
+        given(count, " directions, seen from the pole");
+        const std::vector<Vec3> directions = even_directions(count);
+        REQUIRE(static_cast<int>(directions.size()) == count);
+        for (int i = 1; i < count; ++i) {
+            const Vec3 &one = directions[static_cast<std::size_t>(i) - 1],
+                       &next = directions[static_cast<std::size_t>(i)];
+            const double angle = std::atan2(one.z() * next.x() - one.x() * next.z(),
+                                            one.x() * next.x() + one.z() * next.z());
+            expect("turn from number " + readable(i - 1) + " to the next, one way or the other",
+                   std::abs(angle), turn, 1e-9, "rad");
+        }
+    }
+}
+
+TEST_CASE("measurement: it is a part of just as many directions as are asked for")
+{
+    for (const std::string name : {"cube", "tetrahedron"})
+        for (const int count : {7, 60, 900}) {
+            int touching = 0;
+            for (const Vec3& direction : even_directions(count))
+                touching += can_touch(sphere_corner(name), direction);
+            given("corner of a ", name, ", ", count, " directions, of which ", touching, " can touch");
+            expect("share", measured_share(sphere_corner(name), count), static_cast<double>(touching) / count,
+                   1e-12);
+        }
+}
+
 TEST_CASE("measurement: a board touches a cube's corner from an eighth of all sides, a flat vertex from none")
 {
     given("20000 directions");
@@ -68,6 +100,44 @@ TEST_CASE("law: three normals at right angles cover an eighth, three in a plane 
     expect("120 degrees apart in a plane", law_of_share({Vec3(1, 0, 0), Vec3(c, s, 0), Vec3(c, -s, 0)}), 0.5,
            1e-7);
     expect("in the other order", law_of_share({Vec3::UnitX(), Vec3::UnitZ(), Vec3::UnitY()}), 0.125, 1e-12);
+}
+
+TEST_CASE("law: a triangle with two right angles has the share of its third")
+{
+    for (const double angle : {1e-5, 0.3, 1.5, 3.0}) {
+        const std::array<Vec3, 3> normals{Vec3::UnitZ(), Vec3::UnitX(),
+                                          Vec3(std::cos(angle), std::sin(angle), 0)};
+        given("normals along z, along x and ", angle, " rad from x in their plane");
+        expect("share over that angle", law_of_share(normals) / angle, 1 / (4 * std::numbers::pi), 1e-9);
+    }
+}
+
+TEST_CASE("law: a small triangle is as good as flat, and its share is its area over that of the sphere")
+{
+    for (const double side : {1e-2, 1e-4}) {
+        const std::array<Vec3, 3> normals{Vec3::UnitZ(), Vec3(side, 0, 1).normalized(),
+                                          Vec3(0, side, 1).normalized()};
+        given("the normal along z and two that lean by ", side, " rad towards x and towards y");
+        expect("share over side^2 / 2 / (4 pi)", law_of_share(normals) * 8 * std::numbers::pi / (side * side),
+               1.0, 1e-3);
+    }
+}
+
+TEST_CASE("law: a triangle that is cut in two has the share of its parts")
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> anywhere(-1, 1);
+    const auto direction = [&] {
+        return Vec3(anywhere(random), anywhere(random), anywhere(random)).normalized().eval();
+    };
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 a = direction(), b = direction(), c = direction(),
+                   between = (0.3 * b + 0.7 * c).normalized();
+        given("normals ", readable(a), ", ", readable(b), ", ", readable(c),
+              ", cut at a point between the last two");
+        expect("share", law_of_share({a, b, c}),
+               law_of_share({a, b, between}) + law_of_share({a, between, c}), 1e-9);
+    }
 }
 
 TEST_CASE("law: measured and law agree at a cube's corner and at a tetrahedron's tip")

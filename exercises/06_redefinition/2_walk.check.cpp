@@ -116,7 +116,7 @@ TEST_CASE("walk: of two negative weights the most negative shows the way")
 TEST_CASE("walk: a foot within 1e-12 of the face is on it, and one farther out is not")
 {
     const Still two{{{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(1, 0, -1)}, {{0, 1, 2}, {0, 2, 3}}}};
-    for (const double beyond : {5e-13, 1e-9}) {
+    for (const double beyond : {5e-13, 2e-12, 1e-9}) {
         given(
             "two faces that meet in the line z = 0, from face 0 to a point whose foot has one weight there of -",
             beyond);
@@ -145,6 +145,61 @@ TEST_CASE("walk: `most` edges may be crossed, and not one more")
                 !walk_to_foot(floor.surface(), here->face, end, needed - 1).has_value());
     expect_that("with none allowed, who is there already has arrived",
                 walk_to_foot(floor.surface(), here->face, begin, 0).has_value());
+}
+
+TEST_CASE("walk: above a ridge it goes to and fro, and there is no answer")
+{
+    // Each slope has the point beyond its upper edge, over the other slope.
+    const Still roof{
+        {{Vec3(0, 0, -2), Vec3(0, 0, 2), Vec3(-2, -2, 0), Vec3(2, -2, 0)}, {{0, 2, 1}, {0, 1, 3}}}};
+    for (const double height : {0.1, 1.0})
+        for (const int face : {0, 1}) {
+            given("two slopes of 45 degrees that meet in a ridge, a point ", height,
+                  " m above it, from face ", face);
+            expect_that("the walk has no end",
+                        !walk_to_foot(roof.surface(), face, Vec3(0.01, height, 0)).has_value());
+        }
+}
+
+TEST_CASE("size: weights and ways are the same from micrometres to kilometres")
+{
+    const Still floor{plane_grid(4, 4, {6, 6})};
+    for (const double size : {1e-6, 1e-3, 1e3}) {
+        const Still sized{plane_grid(4 * size, 4 * size, {6, 6})};
+        for (const Vec3& point : {Vec3(1.3, -0.2, 0.7), Vec3(-1.9, 0.4, 1.1)}) {
+            given("a floor of ", 4 * size, " m, from face 5 to the point ", readable(point), " times ", size,
+                  " m");
+            const auto walk = walk_to_foot(sized.surface(), 5, size * point),
+                       same = walk_to_foot(floor.surface(), 5, point);
+            expect_that("the walk arrives", walk.has_value() && same.has_value());
+            if (walk && same) {
+                expect("edges crossed, as of 4 m", walk->crossed, same->crossed, 0);
+                expect("foot over size", Vec3(point_of(sized, *walk) / size), Vec3(point.x(), 0, point.z()),
+                       1e-9);
+            }
+        }
+    }
+}
+
+TEST_CASE("moment: of a surface that moves in the step it is the place at the moment that counts")
+{
+    const SurfaceMesh start = plane_grid(4, 4, {6, 6});
+    const SurfaceTopology topology(static_cast<int>(start.vertices.size()), start.faces);
+    std::vector<Vec3> end = start.vertices;
+    for (Vec3& x : end)
+        x = 2 * x + Vec3(1, 0.5, -0.5);
+    for (const double tau : {0.25, 0.5, 1.0}) {
+        Still now{start};
+        for (std::size_t i = 0; i < end.size(); ++i)
+            now.mesh.vertices[i] = (1 - tau) * start.vertices[i] + tau * end[i];
+        const Vec3 point = tau * Vec3(1, 0.5, -0.5) + Vec3(0.9, -0.3, 0.7);
+        given("a floor that moves and grows, at tau ", tau, ", from face 7 to the point ", readable(point),
+              " m");
+        const auto walk = walk_to_foot({{topology, start.vertices, end}, tau}, 7, point);
+        expect_that("the walk arrives", walk.has_value());
+        if (walk)
+            expect("foot", point_of(now, *walk), Vec3(point.x(), 0.5 * tau, point.z()), 1e-12, "m");
+    }
 }
 
 TEST_CASE("walk: over an open border, or too far, there is no answer")

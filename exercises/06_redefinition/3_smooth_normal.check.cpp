@@ -65,6 +65,99 @@ TEST_CASE("vertex: on a slope all normals are the slope's")
         expect("normal", vertex_normal(hill.surface(), vertex), Vec3(-0.6, 0.8, 0), 1e-12);
 }
 
+TEST_CASE("vertex: a regular tip looks along its axis, of however many faces and in whichever direction")
+{
+    for (const int count : {3, 7, 16})
+        for (const Vec3& axis : {Vec3(0, 1, 0), Vec3(0, -1, 0), Vec3(0.6, 0, -0.8)}) {
+            const Vec3 across = axis.unitOrthogonal(), other = axis.cross(across);
+            Still tip{{{Vec3::Zero()}, {}}};
+            for (int i = 0; i < count; ++i) {
+                const double turn = 2 * std::numbers::pi * i / count;
+                tip.mesh.vertices.push_back(std::cos(turn) * across + std::sin(turn) * other - 0.7 * axis);
+                tip.mesh.faces.push_back({0, 1 + i, 1 + (i + 1) % count});
+            }
+            tip.topology = SurfaceTopology(count + 1, tip.mesh.faces);
+            given("a tip of ", count, " equal faces around the axis ", readable(axis));
+            expect("normal", vertex_normal(tip.surface(), 0), axis, 1e-12);
+        }
+}
+
+TEST_CASE("vertex: a face without area says nothing")
+{
+    const std::vector<Vec3> tip{Vec3(0, 0, 0), Vec3(1, -1, 0), Vec3(-0.5, -1, -0.8), Vec3(-0.5, -1, 0.8)};
+    const Still three{{tip, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}}};
+    std::vector<Vec3> twice = tip;
+    twice.push_back(tip[3]);
+    const Still four{{twice, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}}};
+    given("a tip of three faces, and the same with a fourth face between two vertices at one place");
+    expect("normal", vertex_normal(four.surface(), 0), vertex_normal(three.surface(), 0), 1e-12);
+}
+
+TEST_CASE("size: normals are the same from micrometres to kilometres")
+{
+    Still unit{sphere(1, 1)};
+    for (Vec3& x : unit.mesh.vertices)
+        x.x() *= 1.7;  // so that angles differ
+    for (const double size : {1e-6, 1e-3, 1e3}) {
+        Still sized = unit;
+        for (Vec3& x : sized.mesh.vertices)
+            x *= size;
+        for (const int face : {0, 11, 37}) {
+            given("face ", face, " of an egg of ", size, " m, at the weights 0.2, 0.3 and 0.5");
+            expect("normal", smooth_normal(sized.surface(), face, {0.2, 0.3, 0.5}),
+                   smooth_normal(unit.surface(), face, {0.2, 0.3, 0.5}), 1e-9);
+        }
+    }
+}
+
+TEST_CASE("moment: of a surface that moves in the step it is the shape at the moment that counts")
+{
+    const Still start{sphere(1, 1)};
+    std::vector<Vec3> end = start.mesh.vertices;
+    for (Vec3& x : end)
+        x = Vec3(3 * x.x(), x.y() + x.x(), x.z());
+    for (const double tau : {0.25, 1.0}) {
+        Still now = start;
+        for (std::size_t i = 0; i < end.size(); ++i)
+            now.mesh.vertices[i] = (1 - tau) * start.mesh.vertices[i] + tau * end[i];
+        const SurfaceMoment moving{{start.topology, start.mesh.vertices, end}, tau};
+        for (int vertex = 0; vertex < start.topology.vertex_count(); vertex += 5) {
+            given("vertex ", vertex, " of a ball that is stretched and sheared in the step, at tau ", tau);
+            expect("normal", vertex_normal(moving, vertex), vertex_normal(now.surface(), vertex), 1e-12);
+        }
+    }
+}
+
+TEST_CASE("vertex: each face counts by its angle, wide or narrow")
+{
+    // Two faces at one edge: across it, one has a right angle and the other any.
+    for (const double degrees : {10.0, 60.0, 120.0, 170.0}) {
+        const double turn = degrees * degree;
+        const Still book{
+            {{Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(2, 0, 0), Vec3(0, 3 * std::sin(turn), 3 * std::cos(turn))},
+             {{0, 1, 2}, {0, 3, 1}}}};
+        given("a vertex with an angle of 90 degrees in the face y = 0 and one of ", degrees,
+              " degrees in the face x = 0");
+        // The first looks to +y, the second to +x.
+        expect("normal", vertex_normal(book.surface(), 0), Vec3(degrees, 90, 0).normalized().eval(), 1e-12);
+    }
+}
+
+TEST_CASE("smooth: the vertices' normals are mixed by just the weights")
+{
+    const Still plank{box({1, 0.2, 5})};
+    const std::array<double, 3> weights{0.1, 0.25, 0.65};
+    for (int face = 0; face < 12; ++face) {
+        Vec3 mixed = Vec3::Zero();
+        for (std::size_t i = 0; i < 3; ++i)
+            mixed += weights[i] * plank.mesh.vertices[plank.mesh.faces[static_cast<std::size_t>(face)][i]]
+                                      .cwiseSign()
+                                      .normalized();
+        given("face ", face, " of a plank, at the weights 0.1, 0.25 and 0.65");
+        expect("normal", smooth_normal(plank.surface(), face, weights), Vec3(mixed.normalized()), 1e-12);
+    }
+}
+
 TEST_CASE("smooth: on an edge both of its faces say the same")
 {
     const Still ball{sphere(1, 1)};
@@ -112,6 +205,21 @@ TEST_CASE("leap: it is the largest angle between neighbours, small ones and wide
     expect("largest leap", 1e6 * largest_leap(tiny) / degree, 1.0, 1e-6, "millionths of a degree");
     given("two directions 170 degrees apart");
     expect("largest leap", largest_leap(wide) / degree, 170.0, 1e-9, "degrees");
+}
+
+TEST_CASE("leap: the first and the last pair count as all others, but the path is no ring")
+{
+    const auto at = [](double degrees) {
+        return Vec3(0, std::cos(degrees * degree), std::sin(degrees * degree));
+    };
+    const std::vector<Vec3> first = {at(0), at(30), at(40), at(45)}, last = {at(0), at(5), at(8), at(38)},
+                            open = {at(0), at(10), at(20), at(30), at(40)};
+    given("directions at 0, 30, 40 and 45 degrees");
+    expect("largest leap", largest_leap(first) / degree, 30.0, 1e-9, "degrees");
+    given("directions at 0, 5, 8 and 38 degrees");
+    expect("largest leap", largest_leap(last) / degree, 30.0, 1e-9, "degrees");
+    given("directions at 0, 10, 20, 30 and 40 degrees");
+    expect("largest leap", largest_leap(open) / degree, 10.0, 1e-9, "degrees");
 }
 
 TEST_CASE("leap: a single normal has none, nor has an empty list")

@@ -8,7 +8,7 @@
 namespace enduring {
 
 /// The normal of a vertex: the mean of its faces' unit normals, each with
-/// the angle that the face has at the vertex.
+/// the angle that the face has at the vertex. A face without area says nothing.
 /// @return  unit length
 Vec3 vertex_normal(const SurfaceMoment& surface, int vertex);
 

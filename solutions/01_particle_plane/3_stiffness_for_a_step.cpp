@@ -19,9 +19,9 @@ double stiffness_for_step(std::span<const double> masses, double dt, PenaltyMeth
         throw std::invalid_argument("dt has to be positive");
     if (!(safety > 0 && safety <= 1))
         throw std::invalid_argument("safety has to lie in (0, 1]");
-    const double lightest = *std::min_element(masses.begin(), masses.end());
-    if (!(lightest > 0))
+    if (!std::all_of(masses.begin(), masses.end(), [](double mass) { return mass > 0; }))
         throw std::invalid_argument("masses have to be positive");
+    const double lightest = *std::min_element(masses.begin(), masses.end());
     return safety * largest_h(method) * lightest / (dt * dt);
 }
 
