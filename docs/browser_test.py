@@ -2,7 +2,7 @@
 """Opens every page of the book in headless Chromium, as a reader with a phone would, and says what is wrong with it.
 
 No console error, formulas typeset, pictures loaded, readable contrast in both themes, no sideways scroll at 390 px, live
-figures that answer, a search that finds, and a chapter that prints. Needs Debian's chromium-driver and python3-selenium.
+figures that answer and turn, a search that finds, and a chapter that prints. Needs Debian's chromium-driver and python3-selenium.
 """
 import argparse
 import base64
@@ -17,8 +17,10 @@ from pathlib import Path
 try:
     from selenium import webdriver
     from selenium.common.exceptions import WebDriverException
+    from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
     from selenium.webdriver.support.ui import WebDriverWait
 except ImportError:
     sys.exit("The browser test needs Debian's python3-selenium   (or: ./course setup)")
@@ -26,7 +28,20 @@ except ImportError:
 ROOT = Path(__file__).resolve().parent.parent
 PROBE = (ROOT / "docs/browser_probe.js").read_text(encoding="utf-8")
 PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": False}  # "mobile" would widen to what does not fit
+LAPTOP = {"width": 1400, "height": 900, "deviceScaleFactor": 1, "mobile": False}
 DESKTOP = {"width": 1280, "height": 900, "deviceScaleFactor": 1, "mobile": False}
+BROKEN_LINES = """return [...document.querySelectorAll('div.textblock div.fragment .line')].filter(line =>
+    line.innerText.trimEnd().length <= 110 && line.getBoundingClientRect().height > 1.5 * parseFloat(getComputedStyle(line).lineHeight))
+    .map(line => line.innerText);"""
+# A live figure's view, words and picture, once it has been drawn anew; and the first place on a canvas where a point can be dragged.
+LOOK = """const [figure, done] = arguments; requestAnimationFrame(() => requestAnimationFrame(() => done(
+    { view: figure.dataset.view, answer: figure.dataset.answer, picture: figure.querySelector('canvas').toDataURL() })));"""
+FIND_POINT = """const canvas = arguments[0], box = canvas.getBoundingClientRect();
+for (let y = 5; y < box.height; y += 10) for (let x = 5; x < box.width; x += 10) {
+  canvas.dispatchEvent(new PointerEvent('pointermove', { clientX: box.left + x, clientY: box.top + y }));
+  if (canvas.style.cursor === 'grab') return [x + 5, y + 10];
+}
+return null;"""
 PRINTED = {"chapter_03.html": ("Which way is out, and how deep?", "Further reading"), "chapter_05.html": ("One normal is not enough", "Further reading")}
 
 
@@ -105,6 +120,52 @@ def sidebar_faults(driver, book):
         yield f"chapter_03.html: the sidebar shows {', '.join(above)} above chapter 1"
 
 
+def listing_faults(driver, book):
+    """On a laptop's screen no line of a listing is broken that keeps to the sources' 110 columns."""
+    screen(driver, LAPTOP)
+    for page in sorted(book.glob("chapter_*.html")):
+        open_page(driver, page)
+        for line in driver.execute_script(BROKEN_LINES):
+            yield f"{page.name}: broken at {LAPTOP['width']} px: {line.strip()[:60]}"
+
+
+def drag(driver, canvas, place, by):
+    """Presses the pointer at a place on a canvas, from its upper left corner, and moves it."""
+    width, height = canvas.size["width"], canvas.size["height"]
+    ActionChains(driver).move_to_element_with_offset(canvas, int(place[0] - width / 2), int(place[1] - height / 2)) \
+        .click_and_hold().move_by_offset(*by).release().perform()
+
+
+def turning_faults(driver, book, size):
+    """A live figure in space turns when it is dragged beside its points, or by a key; it does not when a point is dragged; and it turns back."""
+    screen(driver, size)
+    for page in [page for page in sorted(book.glob("chapter_*.html")) if 'src="live/turning.js"' in page.read_text(encoding="utf-8")]:
+        open_page(driver, page)
+        WebDriverWait(driver, 60).until(lambda d: not d.execute_script("return document.querySelector('[data-live]:not([data-live=ready])')"))
+        for figure in driver.find_elements(By.CSS_SELECTOR, ".live[data-view]"):
+            canvas, back = figure.find_element(By.TAG_NAME, "canvas"), figure.find_element(By.XPATH, ".//button[text()='turn back']")
+            name = f"{page.name}, {size['width']} px: {figure.get_attribute('data-figure')}"
+            driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", canvas)
+            look = lambda: driver.execute_async_script(LOOK, figure)
+            first, point = look(), driver.execute_script(FIND_POINT, canvas)
+            for how, turn, undo in (("dragging", lambda: drag(driver, canvas, (60, 90), (50, 20)), back.click),
+                                    ("the arrow keys", lambda: canvas.send_keys(Keys.ARROW_LEFT), lambda: canvas.send_keys(Keys.HOME))):
+                turn()
+                turned = look()
+                if turned["view"] == first["view"] or turned["picture"] == first["picture"]:
+                    yield f"{name} is not turned by {how}"
+                    continue
+                if turned["answer"] != first["answer"]:
+                    yield f"{name}: {how} changes what it says"
+                undo()
+                if look() != first:
+                    yield f"{name} does not turn back after {how}"
+            if point:
+                drag(driver, canvas, point, (15, -25))
+                if look()["view"] != first["view"] or look()["answer"] == first["answer"]:
+                    yield f"{name}: a dragged point does not move alone"
+
+
 def print_faults(driver, book, out):
     """A chapter prints: its first and its last heading are there, on several pages, and the navigation is not."""
     screen(driver, DESKTOP)
@@ -154,7 +215,8 @@ def main():
     if (book / "index.html").is_file():
         driver = browser()
         with tempfile.TemporaryDirectory() as scratch:
-            faults += [*search_faults(driver, book), *sidebar_faults(driver, book), *print_faults(driver, book, options.pdf or Path(scratch))]
+            faults += [*search_faults(driver, book), *sidebar_faults(driver, book), *listing_faults(driver, book), *turning_faults(driver, book, DESKTOP), *turning_faults(driver, book, PHONE),
+                       *print_faults(driver, book, options.pdf or Path(scratch))]
         driver.quit()
     tell(reports, faults)
     return 1 if faults else 0

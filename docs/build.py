@@ -45,7 +45,7 @@ def run_doxygen():
     settings = (ROOT / "docs/Doxyfile").read_text(encoding="utf-8")
     settings += f"OUTPUT_DIRECTORY = {WORK}\nHTML_HEADER = {WORK}/header.html\nWARN_LOGFILE = {WORK}/warnings.txt\n"
     shutil.rmtree(WORK / "html", ignore_errors=True)
-    done = subprocess.run(["doxygen", "-"], cwd=ROOT, input=settings, text=True)
+    done = subprocess.run(["doxygen", "-"], cwd=ROOT, input=settings, text=True, encoding="utf-8", errors="surrogateescape")
     warnings = (WORK / "warnings.txt").read_text(encoding="utf-8").replace(f"{ROOT}/", "")
     if done.returncode or warnings.strip():
         print(warnings, end="", file=sys.stderr)
@@ -143,7 +143,7 @@ def main():
     mend_member_lists(html)
     if faults := [*leftovers(html), *checks.link_faults(html)]:
         sys.exit("\n".join(faults))
-    (html / ".made_from").write_text(str(options.results))
+    (html / ".made_from").write_text(str(options.results), encoding="utf-8", errors="surrogateescape")
     shutil.rmtree(options.book, ignore_errors=True)
     html.rename(options.book)
     print(what_it_holds(options.book))

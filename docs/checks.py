@@ -8,11 +8,11 @@ from urllib.parse import unquote, urlsplit
 
 FORMULA = re.compile(r"\\f\$(.+?)\\f\$|\\f\[(.+?)\\f\]", re.S)
 # Commands of TeX that are no symbols: what shapes a formula, functions, relations and operators.
-SHAPES = set("""frac tfrac dfrac binom tbinom sqrt left right big Big bigl bigr Bigl Bigr bigg text mathrm mathbf mathit operatorname boldsymbol
+SHAPES = set("""frac tfrac dfrac binom tbinom sqrt left right big Big bigl bigr Bigl Bigr bigg text mathrm mathtt mathbf mathit operatorname boldsymbol
     begin end quad qquad hspace limits nolimits displaystyle textstyle boxed underbrace overbrace phantom pmatrix matrix cases aligned array
     sin cos tan cot arcsin arccos arctan exp log ln max min det tr lim sup inf mod bmod le ge ne leq geq neq ll gg approx sim simeq equiv propto in
     notin subset to mapsto rightarrow Rightarrow Leftrightarrow iff implies wedge vee cap cup times cdot cdots ldots dots vdots pm mp ast circ
-    perp parallel partial nabla int sum prod infty forall exists prime colon mid lvert rvert lVert rVert vert Vert lbrace rbrace langle rangle
+    perp parallel partial nabla int oint sum prod infty forall exists prime colon mid lvert rvert lVert rVert vert Vert lbrace rbrace langle rangle
     lfloor rfloor lceil rceil hat bar tilde dot ddot vec overline underline top T mathrel not , ; : ! \\ { }""".split())
 GREEK = set("""alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi rho sigma tau phi varphi chi psi omega
     Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega pi ell""".split())
@@ -21,7 +21,7 @@ GREEK = set("""alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta
 # ------------------------------------------------------------------------------------------------------------- symbols
 def symbols_of(formula):
     """The letters of a formula: {"delta", "n", "k", "v"}. Words in text are no symbols."""
-    formula = re.sub(r"\\(text|mathrm|operatorname)\s*\{[^{}]*\}", " ", formula)
+    formula = re.sub(r"\\(text|mathrm|mathtt|operatorname)\s*\{[^{}]*\}", " ", formula)
     formula = re.sub(r"\\begin\{\w+\}(\{[^}]*\})?|\\end\{\w+\}", " ", formula)
     found = {name for name in re.findall(r"\\([A-Za-z]+)", formula) if name in GREEK}
     return found | set(re.findall(r"(?<![A-Za-z\\])[A-Za-z](?![A-Za-z])|[A-Za-z]", re.sub(r"\\[A-Za-z]+", " ", formula)))
@@ -94,7 +94,7 @@ def stale_results(results, programs):
     """Folders of results that another program than the present one has made."""
     for folder in result_folders(results):
         program, stamp = programs / program_of(folder.name), folder / ".made_by"
-        if program.is_file() and (not stamp.is_file() or stamp.read_text().strip() != made_by(program)):
+        if program.is_file() and (not stamp.is_file() or stamp.read_text(encoding="utf-8").strip() != made_by(program)):
             yield f"{folder}: the numbers are stale, {program.name} is another program now (./course run {word_of(folder.name)}, or ./course docs)"
 
 

@@ -66,8 +66,13 @@ def joined(book, chosen):
             f'<ul class="cover-list">{listed}</ul>{body}</div></div></body></html>')
 
 
-def printed(page):
-    """The bytes of the PDF."""
+class Unprintable(Exception):
+    """A page that would not look right on paper."""
+
+
+def printed(page, faults="return [];"):
+    """The bytes of the PDF. @param faults  a script that tells what is wrong with the page on paper
+    @throws Unprintable"""
     from browser_test import browser, open_page  # which needs selenium; what stands above does not
     driver = browser()
     try:
@@ -75,6 +80,9 @@ def printed(page):
         driver.set_script_timeout(600)
         driver.command_executor.set_timeout(600)
         driver.execute_async_script("const go = arguments[0]; MathJax.Hub.Queue(() => setTimeout(go, 500));")
+        driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+        if found := driver.execute_script(faults):
+            raise Unprintable(", ".join(found))
         # In parts: a whole book is too long for one answer of the driver.
         stream = driver.execute_cdp_cmd("Page.printToPDF", PAPER | {
             "printBackground": True, "displayHeaderFooter": True, "headerTemplate": "<span></span>", "footerTemplate": FOOTER,

@@ -88,7 +88,7 @@ def deck(head, title, chosen, live):
     if live:
         body = re.sub(r'<div class="live" data-figure="(\w+)"', r'<div class="live" data-figure="\1" data-live="\1"', body)
     names = list(dict.fromkeys(re.findall(r'data-live="(\w+)"', body)))
-    scripts = "".join(f'<script src="live/{name}.js"></script>' for name in (["live", "figure", *names] if names else []))
+    scripts = "".join(f'<script src="live/{name}.js"></script>' for name in (["live", "figure", "turning", *names] if names else []))
     library = "".join(f'<link rel="stylesheet" href="{name}">' for name in ("reset.css", "reveal.css", "slides.css"))
     formulas = "".join(part for part in re.findall(KEPT_OF_THE_HEAD, head, re.S) if not part.startswith("<link"))
     return (f'<!DOCTYPE html><html lang="en" class="light-mode"><head><meta charset="utf-8"><title>{title}</title>{library}{from_below(formulas)}'

@@ -194,7 +194,7 @@ def figure_block(figure, caption):
 def live_block(figure, name, caption, live):
     """A picture that a script replaces where the chapters were compiled for the browser."""
     picture = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain_words(caption)}"></a>'
-    scripts = "".join(f'<script src="live/{script}.js"></script>' for script in ("live", "figure", name)) if live else ""
+    scripts = "".join(f'<script src="live/{script}.js"></script>' for script in ("live", "figure", "turning", name)) if live else ""
     note = "" if live else '<p class="live-note">In the live book this figure answers to your hand: <code>./course docs --live</code></p>'
     shown = f'<div class="live" data-figure="{name}"{" data-live=" + chr(34) + name + chr(34) if live else ""}>{picture}</div>{note}{scripts}'
     return with_caption(figure, f"\\htmlonly[block]\n{shown}\n\\endhtmlonly", caption)

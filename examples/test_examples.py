@@ -32,8 +32,8 @@ class Drop(unittest.TestCase):
         self.assertGreater(min(height for _, height, _ in rows), -0.1)  # 0.05 m of its radius of 0.25 m, at 2000 N/m a pair
 
     def test_the_readme_shows_this_very_program(self):
-        listing = re.search(r"```cpp\n(.*?)```", (ROOT / "README.md").read_text(), re.S)[1]
-        self.assertEqual(listing, (ROOT / "examples/drop.cpp").read_text())
+        listing = re.search(r"```cpp\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S)[1]
+        self.assertEqual(listing, (ROOT / "examples/drop.cpp").read_text(encoding="utf-8"))
 
 
 class FromOutside(unittest.TestCase):

@@ -19,7 +19,8 @@ require(MODULE)().then(m => {
     inside: list(m.integral(-1, -1, -1, -1)), outside: list(m.integral(1, 1, 1, 1)), line: list(m.integral(1, 1 / 3, -1 / 3, -1)),
     loose: list(m.slope(false, 10, 0.3, 0.3, 0, 1)), firm: list(m.slope(false, 10, 0.4, 0.4, 0, 1)), mass_splitting: list(m.slope(true, 10, 0.18, 0.18, 0, 1)),
     flat: list(m.circle(180)), right: list(m.circle(90)), six: slide(6), five: slide(5),
-    fastest: list(m.implicit(16, 0.5, false, 200)), kept: list(m.implicit(16, 0.5, true, 200)), back: list(m.implicit(21, 0.3, false, 2)) }));
+    fastest: list(m.implicit(16, 0.5, false, 200)), kept: list(m.implicit(16, 0.5, true, 200)), back: list(m.implicit(21, 0.3, false, 2)),
+    corner: list(m.crossing(false, 1.25, 0.65, 1.25, 0, 0)), bar: list(m.crossing(true, 0, 0.1, 0.1, 7, 3)), apart: list(m.crossing(false, 0, 1.5, 0, 0, 0)) }));
 });
 """
 
@@ -30,6 +31,32 @@ class LiveFigures(unittest.TestCase):
     def setUpClass(cls):
         done = subprocess.run([NODE, "-e", CALLS.replace("MODULE", json.dumps(str(MODULE)))], capture_output=True, text=True, check=True)
         cls.said = json.loads(done.stdout)
+
+    def crossing(self, name):
+        """The lists of a crossing: edges of both, vertices inside of both, ways out, curves."""
+        numbers, at, lists = self.said[name], 0, []
+        for size in (6, 6, 3, 3, 3):
+            count = int(numbers[at])
+            lists.append([numbers[at + 1 + size * i:at + 1 + size * (i + 1)] for i in range(count)])
+            at += 1 + size * count
+        curves, at = int(numbers[at]), at + 1
+        for _ in range(curves):
+            at += 1 + 3 * int(numbers[at])
+        self.assertEqual(at, len(numbers))
+        return *lists, curves
+
+    def test_a_cubes_corner_in_a_blocks_corner_leaves_along_the_areas_that_it_covers(self):
+        # They share 0.25 m by 0.25 m by 0.25 m, so all three areas are the same.
+        edges, _, inside, _, ways, curves = self.crossing("corner")
+        self.assertEqual((curves, len(ways)), (1, 1))
+        self.assertEqual(len(edges), 3 * 12)
+        self.assertTrue(all(abs(x - 3 ** -0.5) < 1e-9 for x in ways[0]))
+        self.assertEqual([[round(x, 9) for x in vertex] for vertex in inside], [[0.75, 0.15, 0.75]])
+
+    def test_a_bar_through_a_wall_has_two_curves_and_what_is_apart_none(self):
+        self.assertEqual(self.crossing("bar")[5], 2)
+        _, _, in_a, in_b, ways, curves = self.crossing("apart")
+        self.assertEqual((in_a, in_b, ways, curves), ([], [], [], 0))
 
     def test_stability_limits_are_the_chapters_formulas(self):
         self.assertAlmostEqual(self.said["cpf"][1], (2 / 100) ** 0.5, 15)
