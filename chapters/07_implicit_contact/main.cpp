@@ -40,6 +40,8 @@ int main(int argc, char** argv)
                 {"free_collision",
                  "two free blocks slide along each other: what they gain in momentum together",
                  chapter07::free_collision},
+                {"spinning", "boxes that turn far in a step land: with whole steps, and with steps in parts",
+                 chapter07::spinning},
                 {"same_bytes", "the same boxes in another order in their scene", chapter07::same_bytes},
                 {"launch",
                  "a cube is launched up a slope: with which coefficient it stays where it turns round",

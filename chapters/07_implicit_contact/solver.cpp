@@ -44,6 +44,7 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     frictionless.friction = NoFriction{};
     Solver solver = chapter06_solver_with(frictionless, std::move(detection));
     solver.name = "chapter 7";
+    solver.most_turn = 0.5;
     solver.replace(
         "impulses", "answer all pairs",
         [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/solvers/chapter_solver.hpp"
 #include "common/experiments/report/chapter_program.hpp"
 
 #include <string>
@@ -9,7 +10,7 @@ namespace enduring::solvers {
 /// What may be chosen for a scene of the reader's own, besides what its file says.
 struct OwnSceneOptions {
     /// chapter whose solver runs it: 1 to 8 (that of chapter 2 finds collisions and answers none)
-    int solver = 6;
+    int solver = chapters;
     std::string paraview;  ///< folder of the time series, empty for none
     int every = 1;         ///< steps from one moment of that series to the next
 };

@@ -29,7 +29,7 @@ std::string sentence(const StiffestContact& contact, double dt)
            "': even on " + std::to_string(contact.pairs) + " pairs (n k = " + readable(contact.stiffness, 3) +
            " N/m, on " + readable(contact.mass, 3) + " kg) steps are stable up to " +
            readable(contact.stable_step, 3) + " s, and dt is " + readable(dt, 3) +
-           " s; make dt shorter, the stiffness smaller, or the bodies heavier";
+           " s; make dt shorter, the stiffness smaller, or the bodies heavier (a solver that finds its own stiffness needs none of this)";
 }
 
 }  // namespace

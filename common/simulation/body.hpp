@@ -75,6 +75,9 @@ public:
     virtual void apply_impulse(int vertex, const Vec3& impulse) = 0;
     /// Predicted velocity of a surface vertex [m/s].
     virtual Vec3 velocity(int vertex) const = 0;
+    /// How fast it turns as a whole [rad/s]: its vertices leave their straight lines by this. Zero for a body
+    /// whose vertices move for themselves.
+    virtual double turning_speed() const { return 0; }
     /// Velocity change at a surface vertex per impulse there [1/kg]; zero for what does not move.
     virtual Mat3 inverse_mass(int vertex) const = 0;
 

@@ -25,6 +25,7 @@ public:
 
     void apply_impulse(int vertex, const Vec3& impulse) override;
     Vec3 velocity(int vertex) const override;
+    double turning_speed() const override { return motion_.angular_velocity().norm(); }
     Mat3 inverse_mass(int vertex) const override;
 
     Eigen::MatrixXd contact_mass(std::span<const int> touched) const override;

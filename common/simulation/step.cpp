@@ -1,8 +1,10 @@
 #include "common/simulation/step.hpp"
 
+#include "common/input/number_text.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace enduring {
@@ -69,8 +71,24 @@ void commit(World& world, double dt)
     for (const std::unique_ptr<Body>& body : world.bodies)
         body->commit(dt);
     world.time += dt;
-    ++world.step;
 }
+
+//! [parts_left]
+/// In how many parts of one length the rest of a step has to be taken, as fast as the bodies turn now.
+double parts_left(const World& world, double most_turn, double left)
+{
+    constexpr double most_parts = 1000;
+    double parts = 1;
+    for (const std::unique_ptr<Body>& body : world.bodies) {
+        parts = std::max(parts, std::ceil(left * body->turning_speed() / most_turn));
+        if (parts > most_parts)
+            throw std::runtime_error("step " + std::to_string(world.step + 1) + ": body '" + body->name() +
+                                     "' turns by " + readable(left * body->turning_speed(), 3) +
+                                     " rad in a step; make dt shorter");
+    }
+    return parts;
+}
+//! [parts_left]
 
 }  // namespace
 
@@ -177,8 +195,10 @@ void apply_impulses(World& world, Contacts& contacts)
 }
 //! [apply_impulses]
 
+namespace {
+
 //! [advance]
-void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
+void advance_part(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
 {
     predict(world, dt);
     begin_step(contacts);
@@ -200,5 +220,19 @@ void advance(World& world, Contacts& contacts, const Solver& solver, double dt, 
     done("commit");
 }
 //! [advance]
+
+}  // namespace
+
+//! [advance_in_parts]
+void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
+{
+    for (double parts = 2, left = dt; parts > 1;) {
+        parts = parts_left(world, solver.most_turn, left);
+        advance_part(world, contacts, solver, left / parts, done);
+        left -= left / parts;
+    }
+    ++world.step;
+}
+//! [advance_in_parts]
 
 }  // namespace enduring

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -56,6 +57,8 @@ enum class StepStage {
 class Solver {
 public:
     std::string name;
+    /// The furthest that a body may turn at once [rad]: a step that turns one further is taken in parts.
+    double most_turn = std::numeric_limits<double>::infinity();
 
     Solver() = default;
     Solver(std::string of_solver, const std::vector<Pass>& refresh, const std::vector<Pass>& detect,
@@ -97,13 +100,16 @@ void apply_impulses(World& world, Contacts& contacts);
 ///   impulses, update the prediction) until nothing new
 ///   appears; finish; commit velocities, then positions. Pairs found by the
 ///   last detection stay, waiting, for the next step.
+/// A step in which a body turns further than the solver's most_turn is taken in parts, each a step of its own
+/// with a shorter dt; the pairs then tell their impulses of the last part.
 ///
 /// @param world     bodies, changed in place
 /// @param contacts  pairs that live on from the last step; on return those alive after this one
 /// @param dt        length of the step [s], positive
 /// @param done      is told of each pass, and of "predict", "apply
 ///     impulses", "update prediction" and "commit"
-/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex
+/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex; or a
+///     step would need more than 1,000 parts: names step and body
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
              const PassObserver& done = nobody_observes);
 

@@ -19,6 +19,7 @@ void wanted_depth(const RunOptions& options, Report& report);
 void flat_triangles(const RunOptions& options, Report& report);
 void turntable(const RunOptions& options, Report& report);
 void free_collision(const RunOptions& options, Report& report);
+void spinning(const RunOptions& options, Report& report);
 void same_bytes(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);
 void facets(const RunOptions& options, Report& report);

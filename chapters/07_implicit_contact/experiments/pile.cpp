@@ -20,7 +20,8 @@ std::unique_ptr<Body> body_of(const Box& box, const std::string& name)
     const Eigen::AngleAxisd turn(box.turn_deg * std::numbers::pi / 180, box.axis);
     for (Vec3& vertex : mesh.vertices)
         vertex = box.centre + turn * vertex;
-    return std::make_unique<RigidBody>(name, mesh, with_mass(mass_properties(mesh, 1000), box.mass));
+    return std::make_unique<RigidBody>(name, mesh, with_mass(mass_properties(mesh, 1000), box.mass),
+                                       Vec3::Zero(), box.spin);
 }
 
 double deepest(const World& world, const Contacts& contacts)

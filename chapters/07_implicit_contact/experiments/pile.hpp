@@ -17,6 +17,7 @@ struct Box {
     double turn_deg = 0;  ///< about the axis
     Vec3 axis = Vec3::UnitY();
     Vec3 size = Vec3::Ones();  ///< before it is turned [m]
+    Vec3 spin = Vec3::Zero();  ///< angular velocity [rad/s]
 };
 
 /// Rigid cubes of 1 m on the plane y = 0 or on a slope: gravity is turned, not

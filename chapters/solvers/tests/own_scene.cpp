@@ -75,7 +75,7 @@ TEST_CASE("own scene: the tables hold one row a step, and the ball falls as symp
     const Outcome outcome = run_own(folder, ball);
     CHECK(outcome.broke.empty());
     CHECK_FALSE(std::filesystem::exists(folder.path / "out/failed.txt"));
-    CHECK(outcome.said.find("60 steps of 0.01 s, solver of chapter 6") != std::string::npos);
+    CHECK(outcome.said.find("60 steps of 0.01 s, solver of chapter 8") != std::string::npos);
     for (const char* name : {"energy.csv", "motion.csv", "penetration.csv", "contacts.csv", "inverted.csv"}) {
         CAPTURE(name);
         CHECK(rows(folder.path / "out" / name).size() == 61);
@@ -118,6 +118,7 @@ TEST_CASE("own scene: a run that breaks leaves what it saw until then, and a ser
         "planes": [{"name": "floor"}, {"name": "ceiling", "point": [0, 2, 0], "normal": [0, -1, 0]}],
         "bodies": [{"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25}}, "mass": 5, "position": [0, 1, 0]}]})";
     solvers::OwnSceneOptions choice;
+    choice.solver = 6;
     choice.paraview = (folder.path / "series").string();
     const Outcome outcome = run_own(folder, between_floor_and_ceiling, choice);
     CHECK_FALSE(outcome.broke.empty());
@@ -140,7 +141,9 @@ TEST_CASE(
         return R"({"name": "stack", "dt": )" + dt + R"(, "duration": 0.5, "contact": {"stiffness": )" +
                stiffness + R"(}, "planes": [{"name": "ground"}], "bodies": [)" + cubes + "]}";
     };
-    const Outcome stiff = run_own(folder, stack("30000", "0.01"));
+    solvers::OwnSceneOptions with_given_stiffness;
+    with_given_stiffness.solver = 6;
+    const Outcome stiff = run_own(folder, stack("30000", "0.01"), with_given_stiffness);
     CAPTURE(stiff.broke);
     CHECK(stiff.warned.find("/contact/stiffness: too stiff for the step where 'cube 0' meets 'cube 1'") !=
           std::string::npos);
@@ -158,12 +161,15 @@ TEST_CASE(
     CHECK(stiff.broke.find("step " + std::to_string(energy.size() - 1) + ",") != std::string::npos);
     CHECK(std::abs(std::stod(energy.back()[4])) < 1e6);  // ended long before 10^12 J
 
-    const Outcome calm = run_own(folder, stack("30000", "0.002"));
+    const Outcome calm = run_own(folder, stack("30000", "0.002"), with_given_stiffness);
     CAPTURE(calm.broke);
     CHECK(calm.broke.empty());
     CHECK(calm.warned.find("warning") == std::string::npos);
     // the note of the run before is gone
     CHECK_FALSE(std::filesystem::exists(folder.path / "out/failed.txt"));
+
+    // a solver that finds the stiffness does not read the scene's
+    CHECK(run_own(folder, stack("1e12", "0.01")).broke.empty());
 }
 
 TEST_CASE("own scene: a cube that begins inside a meshed floor is warned of, with both names and the depth")

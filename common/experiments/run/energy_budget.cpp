@@ -71,6 +71,8 @@ std::optional<std::string> EnergyBudget::exceeded(const World& world, const Cont
 
 void EnergyBudget::watch_springs(const World& world, const Contacts& contacts)
 {
+    finds_stiffness_ = std::any_of(contacts.begin(), contacts.end(),
+                                   [](const Contact& contact) { return contact.stiffness > 0; });
     for (const PressedBodies& bodies : pushed_bodies(world, contacts, parameters_.stiffness)) {
         const double step = stable_step(world, bodies, parameters_.method);
         if (!least_stable_ || step < least_stable_->stable_step)
@@ -87,6 +89,9 @@ std::string EnergyBudget::explanation(const World& world) const
                        " J were put in, at the start and by gravity since" +
                        (lifted() > 0 ? " and by letting bodies out" : "") + "; '" + fastest.name() +
                        "' moves with " + readable(fastest.energy(world.gravity).kinetic, 3) + " J. ";
+    if (finds_stiffness_)
+        return text +
+               "The solver finds the stiffness of its pairs, so the scene's is not to blame; a shorter dt may help.";
     if (!least_stable_)
         return text + "No pair had pushed.";
     text += "The stiffest springs for their masses were those of " + names_of(world, least_stable_->bodies) +

@@ -51,6 +51,7 @@ private:
     /// after each of the last steps; before them what was there at the start [J]
     std::array<double, 10> last_held_{};
     std::optional<LeastStable> least_stable_;
+    bool finds_stiffness_ = false;  ///< the solver gives each pair its own
 };
 
 }  // namespace enduring

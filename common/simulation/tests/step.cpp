@@ -1,4 +1,6 @@
 #include "common/simulation/step.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/simulation/rigid_body.hpp"
 #include "common/simulation/tests/triangle_body.hpp"
 
 #include <doctest/doctest.h>
@@ -196,4 +198,66 @@ TEST_CASE("step: the observer hears of every pass by its name, in order")
             {"", {logged("e", log)}, {logged("d", log)}, {logged("r", log, handle_all)}, {logged("f", log)}},
             0.1, [&](const std::string& pass) { heard += pass + ","; });
     CHECK(heard == "predict,e,d,r,apply impulses,update prediction,d,f,commit,");
+}
+
+namespace {
+
+World spinning_cube(double speed)
+{
+    World world;
+    world.gravity.setZero();
+    MassProperties properties;
+    properties.mass = 1;
+    properties.inertia = Mat3::Identity();
+    const SurfaceMesh mesh = box(Vec3::Ones());
+    world.bodies.push_back(
+        std::make_unique<RigidBody>("top", mesh, properties, Vec3::Zero(), speed * Vec3::UnitY()));
+    return world;
+}
+
+}  // namespace
+
+TEST_CASE("step: one in which a body turns too far is taken in parts, and is still one step")
+{
+    for (const auto& [turn, parts] :
+         {std::pair(0.2, 1), std::pair(0.49, 1), std::pair(0.51, 2), std::pair(4.9, 10)}) {
+        std::string log;
+        World world = spinning_cube(turn / 0.01);
+        Solver solver{"", {}, {logged("d", log)}, {}};
+        solver.most_turn = 0.5;
+        Contacts contacts;
+        advance(world, contacts, solver, 0.01);
+        CAPTURE(turn);
+        CHECK(log.size() == static_cast<std::size_t>(2 * parts));
+        CHECK(world.step == 1);
+        CHECK(world.time == doctest::Approx(0.01).epsilon(1e-12));
+        const Vec3 corner = world.bodies[0]->positions_t0()[0],
+                   first = spinning_cube(0).bodies[0]->positions_t0()[0];
+        CHECK((corner - Eigen::AngleAxisd(turn, Vec3::UnitY()) * first).norm() < 1e-9);
+    }
+}
+
+TEST_CASE("step: what a step begins turns no further in what is left of it")
+{
+    std::string log;
+    World world = spinning_cube(0.8 / 0.01);
+    Solver solver{"", {}, {}, {}, {logged("spin up", log, [](World& w, Contacts&) {
+                      w.bodies[0]->apply_impulse(0, Vec3(0, 0, 100));
+                  })}};
+    solver.most_turn = 0.5;
+    Contacts contacts;
+    advance(world, contacts, solver, 0.01);
+    CHECK(log.size() > 2 * std::string("spin up ").size());  // more than the two parts that it began with
+    CHECK(world.time == doctest::Approx(0.01).epsilon(1e-12));
+}
+
+TEST_CASE("step: who turns a thousand times too far is named")
+{
+    World world = spinning_cube(501 / 0.01);
+    Solver solver;
+    solver.most_turn = 0.5;
+    Contacts contacts;
+    CHECK_THROWS_WITH_AS(advance(world, contacts, solver, 0.01),
+                         "step 1: body 'top' turns by 501 rad in a step; make dt shorter",
+                         std::runtime_error);
 }

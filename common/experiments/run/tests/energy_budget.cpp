@@ -99,6 +99,23 @@ TEST_CASE(
     CHECK(energy.table().rows().size() == static_cast<std::size_t>(scene.world.step) + 1);
 }
 
+TEST_CASE("energy budget: where the solver finds the stiffness, the scene's is not blamed")
+{
+    Scene scene = points_above_ground(-0.1, 1000, 0.01);
+    EnergyBudget budget(scene);
+    Contact pair{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}};
+    pair.state = ContactState::answered;
+    pair.stiffness = 1e9;
+    std::optional<std::string> said;
+    for (scene.world.step = 2; scene.world.step < 12; ++scene.world.step)
+        said = budget.exceeded(scene.world, {pair});
+    REQUIRE(said.has_value());
+    CAPTURE(*said);
+    CHECK(said->find("energy out of nothing") != std::string::npos);
+    CHECK(said->find("The solver finds the stiffness") != std::string::npos);
+    CHECK(said->find("Make dt shorter, the stiffness smaller") == std::string::npos);
+}
+
 TEST_CASE("energy budget: what shows a failure on purpose says so and runs to its end")
 {
     Scene scene = points_above_ground(0.3, 20000, 0.01);
