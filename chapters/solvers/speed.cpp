@@ -83,12 +83,14 @@ void against_bullet(bool quick, Report& report)
 std::vector<Box> many_stacks(int cubes)
 {
     std::vector<Box> boxes;
-    const int side = static_cast<int>(std::ceil(std::sqrt(cubes / 5)));
-    for (int stack = 0; stack < cubes / 5; ++stack)
+    const int side = static_cast<int>(std::ceil(std::sqrt(cubes / 5.0)));
+    for (int stack = 0; stack < cubes / 5; ++stack) {
+        const int row = stack / side, column = stack % side;
         for (Box box : stack_of(5)) {
-            box.centre += 3 * Vec3(stack % side, 0, stack / side);
+            box.centre += 3 * Vec3(column, 0, row);
             boxes.push_back(box);
         }
+    }
     return boxes;
 }
 
