@@ -55,8 +55,8 @@ Vec3 PairRow::rate_of(const VectorXd& change) const
 {
     Vec3 rate = Vec3::Zero();
     for (const VertexMotion& part : moving())
-        with_fixed_size(part, [&](int first, const auto& motion) {
-            rate.noalias() += motion * change.segment<motion.ColsAtCompileTime>(first);
+        with_fixed_size(part, [&]<class Motion>(int first, const Motion& motion) {
+            rate.noalias() += motion * change.segment<Motion::ColsAtCompileTime>(first);
         });
     return rate;
 }
@@ -66,8 +66,8 @@ Vec3 PairRow::velocity_after(const VectorXd& change) const { return velocity + r
 void PairRow::add_impulse(const Vec3& impulse, VectorXd& sum) const
 {
     for (const VertexMotion& part : moving())
-        with_fixed_size(part, [&](int first, const auto& motion) {
-            sum.segment<motion.ColsAtCompileTime>(first).noalias() += motion.transpose() * impulse;
+        with_fixed_size(part, [&]<class Motion>(int first, const Motion& motion) {
+            sum.segment<Motion::ColsAtCompileTime>(first).noalias() += motion.transpose() * impulse;
         });
 }
 
