@@ -23,11 +23,11 @@ void assemble(const ContactProblem& problem, const std::vector<Mat3>& stiffening
         if (stiffening.isZero(0))
             continue;
         for (const VertexMotion& other : problem.rows[pair].moving())
-            with_fixed_size(other, [&](int column, const auto& other_rate) {
+            with_fixed_size(other, [&]<class Other>(int column, const Other& other_rate) {
                 const auto force = (stiffening * other_rate).eval();
                 for (const VertexMotion& one : problem.rows[pair].moving())
-                    with_fixed_size(one, [&](int row, const auto& rate) {
-                        constexpr int rows = rate.ColsAtCompileTime, columns = other_rate.ColsAtCompileTime;
+                    with_fixed_size(one, [&]<class One>(int row, const One& rate) {
+                        constexpr int rows = One::ColsAtCompileTime, columns = Other::ColsAtCompileTime;
                         if (row >= column || !symmetric)
                             at(row, column).template block<rows, columns>().noalias() += rate.transpose() *
                                                                                          force;
