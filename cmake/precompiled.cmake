@@ -1,6 +1,6 @@
 # What nearly every file reads, and reads for longer than its own lines: parsed once here. The fuzz preset goes without,
 # so that a file which forgets an include of its own is found.
-option(ENDURING_PRECOMPILE "parse Eigen and the standard library once, not once a file" ON)
+option(ENDURING_PRECOMPILE "parse Eigen and the standard library once, and compile some files of the base together" ON)
 
 function(enduring_precompiled name)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
@@ -15,5 +15,17 @@ endfunction()
 function(enduring_reuse_precompiled target name)
   if(PROJECT_IS_TOP_LEVEL AND ENDURING_PRECOMPILE)
     target_precompile_headers(${target} REUSE_FROM ${name})
+  endif()
+endfunction()
+
+# TARGET is compiled eight files at a time: its own headers are parsed, and what they take of Eigen is made, once for eight. A wrong
+# version of one file, as `./course prove --layers` compiles it, would stand beside the right one then.
+function(enduring_compile_together target folder)
+  file(GLOB wrong_versions CONFIGURE_DEPENDS ${folder}/tests/wrong/*.patch)
+  if(wrong_versions)
+    message(FATAL_ERROR "${folder} has wrong versions of its files: compile them one by one, without TOGETHER")
+  endif()
+  if(PROJECT_IS_TOP_LEVEL AND ENDURING_PRECOMPILE)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON)
   endif()
 endfunction()

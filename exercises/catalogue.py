@@ -3,12 +3,14 @@
 One source makes the stub and the solution. The solution is solutions/NN_name/M_title.cpp, or, for a rebuild, the
 chapter's own file; the stub is that file with the bodies of the missing functions taken out.
 """
+import os
 import re
 import tomllib
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+ANSWERS = os.environ.get("ENDURING_ANSWERS", "answers")  # seen from the top; the tests of the course command have none
 KINDS = {"rebuild": "rebuild the chapter's core", "extend": "go past the chapter", "predict": "write down a number, then measure it"}
 CLOSE_THE_PAGE = "The chapter prints what you are about to write. Close its page, and write from the formulas."
 FEWEST_MUTANTS = {"rebuild": 5, "extend": 3, "predict": 3}
@@ -72,7 +74,7 @@ class Exercise:
     @property
     def answer(self):
         """Where a student writes: in a folder that the course's repository leaves alone."""
-        return ROOT / "answers" / self.chapter / f"{self.name}.cpp"
+        return ROOT / ANSWERS / self.chapter / f"{self.name}.cpp"
 
     @property
     def attempt(self):

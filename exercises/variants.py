@@ -20,6 +20,7 @@ NUMBER = r"(?<![\w.])\d+(?:\.\d*)?(?:e[+-]?\d+)?(?![\w.])"
 NAMED = re.compile(rf"\bconst double [^;{{}}]*;|for \(const double \w+ : \{{([^}}]*)\}}\)")
 DECLARED = re.compile(rf"= *({NUMBER}) *(?=[,;])|(?<=[{{,]) *({NUMBER}) *(?=[}},])")
 SEED = re.compile(r"\bmt19937(?:_64)? \w+\((\d+)\)|\bunsigned seed = (\d+); seed <= (\d+)")
+THROWS = 4  # of the dice, until a check bites
 HEAD = "// A hidden variant of exercises/{}: other numbers, other seeds (from {}). Its sentences still tell the published ones.\n"
 
 
@@ -49,18 +50,26 @@ def write_variant(exercise, folder, seed):
     """Writes the hidden check of an exercise, where there is a number to change.
     @return how many were changed"""
     text = exercise.check.read_text(encoding="utf-8")
-    kept = list(range(len(sites(text))))
+    if not sites(text):
+        return 0
     with tempfile.TemporaryDirectory(prefix="enduring_") as scratch:
-        answers = compiled(exercise, Path(scratch)) if kept else []
-        if kept and not bites(exercise, answers, varied(text, seed, kept)):
-            kept = [i for i in kept if passes(exercise, answers[0], varied(text, seed, {i}))]
-            if not bites(exercise, answers, varied(text, seed, kept)):
-                return 0
-    if kept:
-        path = folder / exercise.chapter / exercise.check.name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(HEAD.format(exercise.check.relative_to(ROOT / "exercises"), seed) + varied(text, seed, kept), encoding="utf-8")
-    return len(kept)
+        answers = compiled(exercise, Path(scratch))
+        for dice in (seed, *(f"{seed}.{throw}" for throw in range(1, THROWS))):
+            if kept := kept_sites(exercise, answers, text, dice):
+                path = folder / exercise.chapter / exercise.check.name
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(HEAD.format(exercise.check.relative_to(ROOT / "exercises"), seed) + varied(text, dice, kept), encoding="utf-8")
+                return len(kept)
+    return 0
+
+
+def kept_sites(exercise, answers, text, dice):
+    """Which numbers may change with these dice: all, or those that the solution can spare one by one; none, if then the check does not bite."""
+    kept = list(range(len(sites(text))))
+    if bites(exercise, answers, varied(text, dice, kept)):
+        return kept
+    kept = [i for i in kept if passes(exercise, answers[0], varied(text, dice, {i}))]
+    return kept if kept and bites(exercise, answers, varied(text, dice, kept)) else []
 
 
 def compiled(exercise, folder):

@@ -130,7 +130,7 @@ void read_element(TextLines& lines, GmshContent& content)
     content.elements.push_back(element);
 }
 
-GmshContent read_content(TextLines& lines)
+GmshContent read_gmsh_content(TextLines& lines)
 {
     GmshContent content;
     bool format_known = false;
@@ -199,13 +199,13 @@ std::ifstream open(const std::filesystem::path& file)
 TetrahedralMesh read_gmsh(std::istream& stream, const std::string& name)
 {
     TextLines lines(stream, name);
-    return corners_of(compact(read_content(lines)));
+    return corners_of(compact(read_gmsh_content(lines)));
 }
 
 QuadraticTetrahedralMesh read_gmsh_quadratic(std::istream& stream, const std::string& name)
 {
     TextLines lines(stream, name);
-    const GmshContent content = read_content(lines);
+    const GmshContent content = read_gmsh_content(lines);
     return content.type == ten_node_tetrahedron ? compact(content)
                                                 : with_edge_midpoints(corners_of(compact(content)));
 }

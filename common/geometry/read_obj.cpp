@@ -52,7 +52,7 @@ Polygon read_face(TextLines& lines, std::size_t vertices_so_far)
     return polygon;
 }
 
-ObjContent read_content(TextLines& lines)
+ObjContent read_obj_content(TextLines& lines)
 {
     ObjContent content;
     while (lines.next()) {
@@ -135,7 +135,7 @@ std::vector<Face> triangles(const ObjContent& content, const TextLines& lines)
 SurfaceMesh read_obj(std::istream& stream, const std::string& name)
 {
     TextLines lines(stream, name);
-    ObjContent content = read_content(lines);
+    ObjContent content = read_obj_content(lines);
     std::vector<Face> faces = triangles(content, lines);
     return without_unused_vertices({std::move(content.vertices), std::move(faces)});
 }

@@ -7,6 +7,7 @@ failed=0
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir "$scratch/bin"
+export ENDURING_ANSWERS=$scratch/answers # not the reader's
 export PATH=$scratch/bin:$PATH
 
 program() { # NAME: a false one, from standard input

@@ -1,5 +1,6 @@
 """The course goes on and answers stay: a pull over solved exercises, and what is handed out to students."""
 import io
+import os
 import shutil
 import subprocess
 import sys
@@ -192,7 +193,9 @@ class TheWorkflow(unittest.TestCase):
         try:
             import yaml
         except ImportError:
-            self.skipTest("needs python3-yaml")
+            if os.environ.get("CI") == "true":
+                raise
+            self.skipTest("needs python3-yaml (./course setup style)")
         self.flow = yaml.load((SCHOOLS / "check.yml").read_text(encoding="utf-8"), yaml.BaseLoader)
 
     def test_it_is_as_specified(self):

@@ -87,6 +87,11 @@ class Written(unittest.TestCase):
         self.assertEqual(self.write(lambda answer, check: True), [])
         self.assertIn("Without one, for they name no number that can change alone: 1.2", self.told)
 
+    def test_where_a_throw_of_the_dice_lets_a_wrong_answer_pass_another_is_tried(self):
+        first = variants.varied(CHECK, 5)
+        file, = self.write(lambda answer, check: self.is_solution(answer) or check == first)
+        self.assertNotIn(first, file.read_text())
+
     def test_a_check_of_one_s_own_is_another_check(self):
         self.assertNotEqual(replace(self.exercise, hidden=self.hidden / "x.cpp").check, self.exercise.published_check)
 
