@@ -41,6 +41,16 @@ namespace {
 /// Residual up to which an answer is still better than one with limits of friction that are old.
 constexpr double nearly_solved = 0.01;
 
+/// How far a body may turn in an answer that looks at the turned normals [rad]. A body that turns by radians
+/// may end beside what it was pressed against: that solves the equation, too, with any energy.
+constexpr double most_turned = 0.5;
+
+bool turns_too_far(const World& world, double dt)
+{
+    return std::any_of(world.bodies.begin(), world.bodies.end(),
+                       [dt](const auto& body) { return dt * body->turning_speed() > most_turned; });
+}
+
 //! [answer_safely]
 /// With the limits of friction that the last step's loads give. They may be wrong, but they are known: the
 /// problem is convex, and its answer takes energy only.
@@ -85,7 +95,7 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         const Eigen::VectorXd after = impulses_after(step, solution.change);
         apply_impulses(world, step, mixing.next(impulses_acting(step), after));
     }
-    if (record.residual > nearly_solved)
+    if (record.residual > nearly_solved || turns_too_far(world, dt))
         answer_safely(world, step, matrix, settings.tolerance, least);
     find_slip(step);
     for (Contact& contact : contacts)

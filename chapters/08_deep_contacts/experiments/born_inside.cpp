@@ -17,6 +17,7 @@ struct Way {
     double height = -1e9;   ///< of the lowest vertex at the end [m]
     double highest = -1e9;  ///< that after any step
     double fastest = 0;     ///< its centre of mass, while a vertex is more than 1 mm deep [m/s]
+    double rising = 0;      ///< fastest upwards, while a vertex is more than 1 mm deep [m/s]
     double moving = 0;      ///< last time that it was faster than 1 cm/s [s]
     double energy = -1e9;   ///< of all bodies, at most [J]
     long left = 0;          ///< 1 if a vertex is more than 1 mm deep at the end
@@ -25,6 +26,7 @@ struct Way {
     {
         highest = std::max(highest, other.highest);
         fastest = std::max(fastest, other.fastest);
+        rising = std::max(rising, other.rising);
         moving = std::max(moving, other.moving);
         energy = std::max(energy, other.energy);
         left += other.left;
@@ -58,6 +60,7 @@ Way watch(Scene& scene, const Solver& solver, double duration, const std::vector
         way.moving = speed > 0.01 ? world.time : way.moving;
         inside = inside && deepest_inside(world) > 1e-3;
         way.fastest = std::max(way.fastest, inside ? speed : 0);
+        way.rising = std::max(way.rising, inside ? world.bodies.back()->mean_velocity().y() : 0);
     });
     std::vector<Probe*> probes{&watch};
     probes.insert(probes.end(), more.begin(), more.end());
@@ -184,6 +187,7 @@ void born_inside(const RunOptions& options, Report& report)
     report.fact("born_inside", "thrown", fastest_without_keeping());
     report.fact("born_inside", "highest_mm", 1000 * worst.highest);
     report.fact("born_inside", "fastest", worst.fastest);
+    report.fact("born_inside", "rising", worst.rising);
     report.fact("born_inside", "at_rest", at_rest);
     report.fact("born_inside", "energy_over", worst.energy);
     report.fact("born_inside", "solves", static_cast<double>(solves.all), 6);

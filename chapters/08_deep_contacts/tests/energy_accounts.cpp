@@ -71,6 +71,21 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("energy accounts: what is let out does not rub")
+{
+    Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.3, 0.01);
+    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
+    const double before = total_energy(scene.world).total();
+    WatchProbe watch([&](const World& world, const Contacts& contacts, double dt) {
+        if (world.step > 0)
+            ledger.add_step(world, contacts, dt);
+    });
+    run(scene, chapter08_solver(scene.contact), {&watch}, {.steps = 220});
+    const double gained = total_energy(scene.world).total() - before;
+    CHECK(gained > 40);
+    CHECK(ledger.accounts().lifted < 1.08 * gained);
+}
+
 TEST_CASE(
     "energy accounts: a run in which a body is let out keeps to its budget, and one in which it is thrown does not")
 {

@@ -1,5 +1,6 @@
 #include "chapters/08_deep_contacts/experiments/other_ways.hpp"
 #include "chapters/08_deep_contacts/experiments/random_overlaps.hpp"
+#include "chapters/08_deep_contacts/tests/moved.hpp"
 #include "common/geometry/box_shapes.hpp"
 
 #include <doctest/doctest.h>
@@ -11,13 +12,6 @@ using namespace enduring;
 using namespace enduring::chapter08;
 
 namespace {
-
-SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
-{
-    for (Vec3& x : mesh.vertices)
-        x += by;
-    return mesh;
-}
 
 /// Ways of the inner one's vertices that are more than 45 degrees off.
 long count_wrong(const std::vector<Vec3>& ways, const Vec3& right)

@@ -1,5 +1,6 @@
 #include "chapters/08_deep_contacts/overlaps.hpp"
 #include "chapters/08_deep_contacts/experiments/random_overlaps.hpp"
+#include "chapters/08_deep_contacts/tests/moved.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 
@@ -11,13 +12,6 @@ using namespace enduring;
 using namespace enduring::chapter08;
 
 namespace {
-
-SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
-{
-    for (Vec3& x : mesh.vertices)
-        x += by;
-    return mesh;
-}
 
 std::vector<Overlap> overlaps_of(const SurfaceMesh& a, const SurfaceMesh& b)
 {
