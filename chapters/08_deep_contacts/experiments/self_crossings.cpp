@@ -3,6 +3,8 @@
 #include "chapters/02_collision_detection/swept_box.hpp"
 #include "chapters/08_deep_contacts/piercing.hpp"
 
+#include <algorithm>
+
 namespace enduring::chapter08 {
 namespace {
 
@@ -41,6 +43,26 @@ long self_crossings(const Body& body, const RestNeighbours& neighbours, double s
         }
     }
     return count;
+}
+
+double crossing_depth(const Body& body, const RestNeighbours& neighbours, double known)
+{
+    constexpr double smallest = 1e-6, largest = 0.05, exactness = 1.1;
+    const auto crosses = [&](double skin) { return self_crossings(body, neighbours, skin) > 0; };
+    if (known >= largest || !crosses(known))
+        return known;
+    double low = known, high = std::max(smallest, 2 * known);
+    while (crosses(high)) {
+        low = high;
+        high *= 2;
+        if (low >= largest)
+            return largest;
+    }
+    while (high > exactness * std::max(low, smallest)) {
+        const double middle = (low + high) / 2;
+        (crosses(middle) ? low : high) = middle;
+    }
+    return high;
 }
 
 }  // namespace enduring::chapter08
