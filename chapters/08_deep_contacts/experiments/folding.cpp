@@ -174,10 +174,11 @@ void folding(const RunOptions& options, Report& report)
     report.fact("folding", "steps", static_cast<double>(all.steps), 6);
     report.fact("folding", "deepest_mm", 1000 * all.depth, 2);
     report.fact("folding", "deepest_at_end_um", 1e6 * all.depth_at_end, 2);
-    report.fact("folding", "gain_percent", 100 * all.gain);
+    constexpr double rounding = 1e-12;  // of an energy that is a sum over the elements
+    report.fact("folding", "gain_percent", all.gain < rounding ? 0 : 100 * all.gain);
     report.fact("folding", "rest_percent", 100 * all.rest);
     report.fact("folding", "momentum", all.momentum, 2);
-    report.fact("folding", "share_percent", 100 * all.share, 2);
+    report.fact("folding", "share_percent_by_clock", 100 * all.share, 2);
 }
 
 }  // namespace enduring::chapter08
