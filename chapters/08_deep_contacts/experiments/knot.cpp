@@ -4,6 +4,7 @@
 #include "common/experiments/render/film_probes.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace enduring::chapter08 {
 namespace {
@@ -59,7 +60,7 @@ void knot(const RunOptions& options, Report& report)
     Table table({"friction", "pull_n", "travel_mm", "back_mm", "own_pairs", "crossings", "deepest_um",
                  "inverted", "unconverged"});
     std::vector<StripPicture> rows;
-    double travel[2][2];
+    std::array<std::array<double, 2>, 2> travel{};  // [mm] by pull and by friction
     for (const double force : {0.5, 1.0})
         for (const double mu : {0.02, 0.5}) {
             SoftRun run = pulled_knot(mu, force);
