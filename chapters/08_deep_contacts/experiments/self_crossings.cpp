@@ -47,22 +47,15 @@ long self_crossings(const Body& body, const RestNeighbours& neighbours, double s
 
 double crossing_depth(const Body& body, const RestNeighbours& neighbours, double known)
 {
-    constexpr double smallest = 1e-6, largest = 0.05, exactness = 1.1;
+    constexpr double smallest = 1e-6, largest = 0.05, finer = 1.1;
     const auto crosses = [&](double skin) { return self_crossings(body, neighbours, skin) > 0; };
-    if (known >= largest || !crosses(known))
+    if (!crosses(known))
         return known;
-    double low = known, high = std::max(smallest, 2 * known);
-    while (crosses(high)) {
-        low = high;
-        high *= 2;
-        if (low >= largest)
-            return largest;
-    }
-    while (high > exactness * std::max(low, smallest)) {
-        const double middle = (low + high) / 2;
-        (crosses(middle) ? low : high) = middle;
-    }
-    return high;
+    // in small steps: a skin of more than half of a thin part turns it inside out, and crosses again
+    double skin = std::max(smallest, known);
+    while (skin < largest && crosses(skin))
+        skin *= finer;
+    return skin;
 }
 
 }  // namespace enduring::chapter08
