@@ -26,6 +26,8 @@ int main(int argc, char** argv)
                 {"unpaired", "the course's scenes: is any vertex inside without a pair?",
                  chapter08::unpaired},
                 {"folding", "soft bodies that fold onto themselves", chapter08::folding},
+                {"knot", "a rope with a knot is pulled tight and let go, with friction and nearly without",
+                 chapter08::knot},
                 {"cost", "what tracing takes of a step", chapter08::cost},
             },
         });

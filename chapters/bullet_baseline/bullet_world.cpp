@@ -161,6 +161,8 @@ std::unique_ptr<Body> BulletWorld::take_over(const DeformableBody& body)
     soft.m_cfg.kKHR = soft.m_cfg.kCHR = 1;
     soft.m_cfg.collisions = btSoftBody::fCollision::SDF_RD | btSoftBody::fCollision::SDF_RDF |
                             btSoftBody::fCollision::VF_DD;
+    soft.m_softSoftCollision = body.rest_neighbours() != nullptr;
+    soft.setSelfCollision(soft.m_softSoftCollision);
     soft.setActivationState(DISABLE_DEACTIVATION);
     soft.setUserIndex(no_body);
     btSoftBodyHelpers::generateBoundaryFaces(&soft);

@@ -23,6 +23,13 @@ std::string sentence(const StartOverlap& overlap, double leaving_speed)
     return place + let_out + "one that waits for surfaces to cross lets it fall through";
 }
 
+std::string sentence(const StartSelfOverlap& overlap)
+{
+    return "'" + overlap.body + "' begins crossed with itself, " + std::to_string(overlap.faces) +
+           " of its faces in another part of it: no solver tells which way is out, so it stays crossed or "
+           "comes free by its own elasticity; give it a shape that does not cross";
+}
+
 std::string sentence(const StiffestContact& contact, double dt)
 {
     return "/contact/stiffness: too stiff for the step where '" + contact.a + "' meets '" + contact.b +
@@ -39,6 +46,8 @@ std::vector<std::string> scene_warnings(const Scene& scene, const std::string& f
     std::vector<std::string> warnings;
     for (const StartOverlap& overlap : start_overlaps(scene.world, scene.contact))
         warnings.push_back(file + ": " + sentence(overlap, scene.contact.leaving_speed));
+    for (const StartSelfOverlap& overlap : start_self_overlaps(scene.world))
+        warnings.push_back(file + ": " + sentence(overlap));
     const std::optional<StiffestContact> contact = stiffest_contact(scene.world, scene.contact);
     if (contact && contact->stable_step < scene.dt)
         warnings.push_back(file + ": " + sentence(*contact, scene.dt));

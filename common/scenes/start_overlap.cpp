@@ -1,8 +1,10 @@
 #include "common/scenes/start_overlap.hpp"
 
 #include "common/geometry/surface_tree.hpp"
+#include "common/simulation/rest_neighbours.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace enduring {
@@ -151,6 +153,32 @@ std::vector<StartOverlap> start_overlaps(const World& world, const ContactParame
         if (!bodies[i].body().is_static())
             for (const Plane& plane : world.planes)
                 keep(overlap_of(bodies[i], plane, contact.stiffness, weight));
+    }
+    return all;
+}
+
+std::vector<StartSelfOverlap> start_self_overlaps(const World& world)
+{
+    std::vector<StartSelfOverlap> all;
+    for (const auto& body : world.bodies) {
+        if (rest_neighbours(*body) == nullptr)
+            continue;
+        Placed placed(*body);
+        const double outwards = 10 * rounding(placed.box(), placed.box());
+        const auto inside = std::count_if(
+            body->surface().faces().begin(), body->surface().faces().end(), [&](const Face& face) {
+                const Vec3 &a = placed.position(face[0]), &b = placed.position(face[1]),
+                           &c = placed.position(face[2]), normal = (b - a).cross(c - a).stableNormalized();
+                const Vec3 middle = (a + b + c) / 3;
+                const std::array places{middle,           a, b, c, Vec3((a + b) / 2), Vec3((b + c) / 2),
+                                        Vec3((c + a) / 2)};
+                return std::any_of(places.begin(), places.end(), [&](const Vec3& place) {
+                    constexpr double towards_middle = 0.02;  // off the faces around it
+                    return placed.tree().contains(lerp(place, middle, towards_middle) + outwards * normal);
+                });
+            });
+        if (inside > 0)
+            all.push_back({body->name(), static_cast<int>(inside)});
     }
     return all;
 }

@@ -27,4 +27,14 @@ struct StartOverlap {
 /// face, and the depth is that of the edge's end behind the face.
 std::vector<StartOverlap> start_overlaps(const World& world, const ContactParameters& contact);
 
+/// A body that meets itself and begins crossed with itself.
+struct StartSelfOverlap {
+    std::string body;
+    int faces;  ///< that lie in another part of it, at least with a piece
+};
+
+/// A piece of a face is inside if the place just outside of it is; seven places of each face are looked at. Of bodies that do not meet themselves nothing
+/// is said.
+std::vector<StartSelfOverlap> start_self_overlaps(const World& world);
+
 }  // namespace enduring

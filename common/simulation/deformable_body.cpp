@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <utility>
 
 namespace enduring {
@@ -78,6 +79,37 @@ private:
     VertexResponse& response_;
 };
 
+/// The nodes without strain, the surface's vertices first, and the edges of the elements.
+RestNeighbours neighbours_in(const SurfaceTopology& surface, const ElasticMesh& mesh,
+                             const SurfaceEmbedding& embedding)
+{
+    std::vector<int> number(static_cast<std::size_t>(mesh.node_count()), -1);
+    std::vector<Vec3> rest;
+    const auto append = [&](int node) {
+        number[node] = static_cast<int>(rest.size());
+        rest.push_back(mesh.rest().col(node));
+    };
+    for (int vertex = 0; vertex < embedding.vertex_count(); ++vertex) {
+        const auto nodes =
+            embedding.nodes_of(vertex);  // the middle of an edge has the largest share of its own
+        append(std::max_element(nodes.begin(), nodes.end(), [](const NodeWeight& a, const NodeWeight& b) {
+                   return a.weight < b.weight;
+               })->node);
+    }
+    for (int node = 0; node < mesh.node_count(); ++node)
+        if (number[node] < 0)
+            append(node);
+    std::vector<std::pair<int, int>> bonds;
+    const std::size_t used = mesh.basis() == Basis::linear ? 4 : 10;
+    for (const ElasticElement& element : mesh.elements())
+        for (std::size_t i = 0; i < used; ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                bonds.push_back(std::minmax(number[element.nodes[i]], number[element.nodes[j]]));
+    std::sort(bonds.begin(), bonds.end());
+    bonds.erase(std::unique(bonds.begin(), bonds.end()), bonds.end());
+    return {surface, rest, bonds};
+}
+
 }  // namespace
 
 DeformableBody::DeformableBody(std::string name, const TetrahedralMesh& mesh,
@@ -111,7 +143,8 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
     embedding_.evaluate(elastic_.positions(), positions_t0_);
     positions_t1_ = positions_t0_;
     if (settings.self_contact)
-        rest_neighbours_ = std::make_unique<RestNeighbours>(this->surface(), positions_t0_);
+        rest_neighbours_ =
+            std::make_unique<RestNeighbours>(neighbours_in(this->surface(), elastic_.mesh(), embedding_));
 }
 
 void DeformableBody::predict(const Vec3& gravity, double dt)

@@ -22,9 +22,15 @@ std::vector<int> elements_at(const ElasticMesh& mesh, int node)
 }
 
 //! [softened_inverse]
-/// Ten times the part of the diagonal that makes it positive keeps it off the border.
-Eigen::MatrixXd softened_inverse(const Eigen::MatrixXd& response)
+/// Ten times the part of the diagonal that makes it positive keeps it off the border. What nothing moves, since
+/// its nodes are fixed, gets a mass a million times as large as the least that there is.
+Eigen::MatrixXd softened_inverse(Eigen::MatrixXd response)
 {
+    constexpr double held = 1e-6;
+    const double largest = response.diagonal().maxCoeff();
+    for (double& own : response.diagonal())
+        if (own <= 0)
+            own = held * (largest > 0 ? largest : 1);
     const auto softened = [&](double part) {
         Eigen::MatrixXd matrix = response;
         matrix.diagonal() *= 1 + part;

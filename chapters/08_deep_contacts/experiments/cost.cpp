@@ -4,7 +4,7 @@
 
 namespace enduring::chapter08 {
 
-/// What tracing takes of the steps in which a bunny falls into a bowl.
+/// What tracing, and looking for the bunny's contact with itself, take of the steps in which it falls into a bowl.
 void cost(const RunOptions& options, Report& report)
 {
     Scene scene = load_scene(scene_file("bunny_bowl"));
@@ -17,6 +17,15 @@ void cost(const RunOptions& options, Report& report)
     tell("tracing", "find what is inside");
     tell("asking", "ask the neighbours");
     report.fact("cost", "step_ms", 1000 * result.timings.total() / steps, 2);
+
+    Scene meeting = load_scene(scene_file("bunny_bowl"), R"({"/bodies/bunny/self_contact": true})");
+    const RunResult itself = run(meeting, chapter08_solver(meeting.contact), {}, {.steps = steps});
+    double before = 0, after = 0;
+    for (const char* pass : {"broad phase", "queries", "resolve vertices", "resolve edges"}) {
+        before += result.timings.of(pass);
+        after += itself.timings.of(pass);
+    }
+    report.fact("cost", "self_percent", 100 * (after - before) / itself.timings.total(), 2);
 }
 
 }  // namespace enduring::chapter08

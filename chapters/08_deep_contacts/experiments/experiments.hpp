@@ -14,6 +14,7 @@ void ways_compared(const RunOptions& options, Report& report);
 void thin(const RunOptions& options, Report& report);
 void unpaired(const RunOptions& options, Report& report);
 void folding(const RunOptions& options, Report& report);
+void knot(const RunOptions& options, Report& report);
 void cost(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08

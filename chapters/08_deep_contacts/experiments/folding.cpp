@@ -1,220 +1,184 @@
 #include "chapters/08_deep_contacts/experiments/bent_bars.hpp"
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
-#include "chapters/08_deep_contacts/experiments/self_crossings.hpp"
-#include "chapters/08_deep_contacts/solver.hpp"
+#include "chapters/08_deep_contacts/experiments/soft_runs.hpp"
 #include "common/experiments/render/film_probes.hpp"
-#include "common/experiments/run/run.hpp"
-#include "common/simulation/deformable_body.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/read_gmsh.hpp"
+#include "common/input/source_directory.hpp"
+#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 
 namespace enduring::chapter08 {
 namespace {
 
-/// What is varied.
-struct Variant {
-    double young;  ///< [Pa]
-    int cells;     ///< for each 5 cm of a body's length
-    double dt;     ///< [s]
-    double mu;
-    bool self_contact = true;
-};
-
-void add_soft(Scene& scene, const std::string& name, const TetrahedralMesh& mesh, const Variant& variant,
-              const Vec3& position, const Vec3& velocity = Vec3::Zero())
+/// 40 cm of a strip of 2 cm fall on their end.
+SoftRun falling_strip(const SoftVariant& variant)
 {
-    DeformableSettings settings;
-    settings.material = {.young = variant.young, .poisson = 0.3, .density = 1000, .stiffness_damping = 0.01};
-    settings.impulse_response = ImpulseResponse::implicit;
-    settings.self_contact = variant.self_contact;
-    settings.position = position;
-    settings.velocity = velocity;
-    scene.world.bodies.push_back(std::make_unique<DeformableBody>(name, mesh, settings));
-}
-
-Scene empty_scene(const Variant& variant)
-{
-    Scene scene;
-    scene.name = "folding";
-    scene.dt = variant.dt;
-    scene.contact.friction = MassSplitting{.mu_s = variant.mu, .mu_d = 0.8 * variant.mu};
-    scene.camera = {{0.3, 0.3, 1.0}, {0.05, 0.12, 0}, 30};
-    return scene;
-}
-
-/// 60 cm of a strip of 2 cm fall on their end.
-Scene falling_strip(const Variant& variant)
-{
-    Scene scene = empty_scene(variant);
-    scene.world.planes.push_back({"ground"});
-    add_soft(scene, "strip", upright_strip(0.4, 0.02, 0.03, {8 * variant.cells, 1, 1}, 0.02), variant,
+    SoftRun run = soft_run(variant);
+    run.scene.world.planes.push_back({"ground"});
+    add_soft(run.scene, "strip", upright_strip(0.4, 0.02, 0.03, {8 * variant.cells, 1, 1}, 0.02), variant,
              {0, 0.05, 0});
-    return scene;
+    return run;
 }
 
 /// Two spirals fly into each other, weightless.
-Scene spirals(const Variant& variant)
+SoftRun spirals(const SoftVariant& variant)
 {
-    Scene scene = empty_scene(variant);
-    scene.world.gravity.setZero();
+    SoftRun run = soft_run(variant);
+    run.scene.world.gravity.setZero();
     const TetrahedralMesh mesh = spiral(0.03, 0.06, 0.5, 0.015, 0.03, {10 * variant.cells, 1, 1});
-    add_soft(scene, "left", mesh, variant, {-0.14, 0, 0}, {2, 0, 0});
-    add_soft(scene, "right", mesh, variant, {0.14, 0.02, 0}, {-2, 0, 0});
-    return scene;
+    add_soft(run.scene, "left", mesh, variant, {-0.14, 0, 0}, {2, 0, 0});
+    add_soft(run.scene, "right", mesh, variant, {0.14, 0.02, 0}, {-2, 0, 0});
+    return run;
 }
 
-/// What a run showed.
-struct Folded {
-    long pairs = 0;                  ///< of a body with itself, the most in any step
-    long crossings = 0, deeper = 0;  ///< edges through faces, the most after any step; without the skin
-    long inverted = 0;               ///< elements, the most after any step
-    double first = 0, most = 0;      ///< energy at first, and the most after any step [J]
-    double impact = 0, rest = 0;     ///< kinetic energy, the most after any step and at the end [J]
-    double impulse = 0,
-           momentum = 0;  ///< mass times speed at first; the most that the sum of momenta changes [kg m/s]
-    double search_share = 0;  ///< of a step's time
-    long solves = 0, unconverged = 0;
-    int steps = 0;
-};
-
-/// Surfaces that touch are pressed into each other. So much of it does not count, a twentieth of a body's
-/// thickness [m].
-constexpr double skin = 1e-3;
-
-/// The sums over all bodies of a world.
-struct Sums {
-    Vec3 momentum = Vec3::Zero();
-    double kinetic = 0, energy = 0, impulse = 0;
-    long crossings = 0, deeper = 0, inverted = 0;
-};
-
-Sums sums_of(const World& world)
+/// A board falls on a ring that stands on the ground.
+SoftRun squashed_ring(const SoftVariant& variant)
 {
-    Sums sums;
-    for (const auto& body : world.bodies) {
-        const Energy energy = body->energy(world.gravity);
-        sums.kinetic += energy.kinetic;
-        sums.energy += energy.total();
-        sums.momentum += body->linear_momentum();
-        sums.impulse += body->linear_momentum().norm();
-        sums.inverted += body->inverted_elements();
-        if (const RestNeighbours* neighbours = rest_neighbours(*body)) {
-            sums.crossings += self_crossings(*body, *neighbours);
-            sums.deeper += self_crossings(*body, *neighbours, skin);
-        }
+    SoftRun run = soft_run(variant);
+    run.scene.world.planes.push_back({"ground"});
+    add_soft(run.scene, "ring", ring(0.06, 0.012, 0.03, {8 * variant.cells, 1, 1}), variant, {0, 0.067, 0});
+    SurfaceMesh board = box({0.3, 0.02, 0.1}, {6, 1, 2});
+    for (Vec3& x : board.vertices)
+        x.y() += 0.15;
+    run.scene.world.bodies.push_back(std::make_unique<RigidBody>(
+        "board", board, with_mass(mass_properties(board, 1000), 0.5), Vec3(0, -1, 0)));
+    run.scene.camera = {{0.12, 0.08, 0.7}, {0, 0.06, 0}, 24};
+    return run;
+}
+
+/// A bunny's ears are pulled down to its back and let go. It is weightless, and its feet are held.
+SoftRun pressed_ears(const SoftVariant& variant)
+{
+    constexpr double scale = 0.02;  // of the scan, in which it is 9 m high
+    SoftRun run = soft_run(variant);
+    run.scene.world.gravity.setZero();
+    TetrahedralMesh mesh = read_gmsh(source_directory() / "common/meshes" /
+                                     (variant.cells > 2 ? "bunny_785.msh" : "bunny_363.msh"));
+    std::vector<int> feet;
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+        mesh.nodes[node] *= scale;
+        if (mesh.nodes[node].y() < scale)
+            feet.push_back(static_cast<int>(node));
     }
-    return sums;
-}
-
-long own_pairs(const Contacts& contacts)
-{
-    return std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) {
-        return c.kind != ContactKind::vertex_plane && c.body_a == c.body_b;
-    });
-}
-
-Folded fold(Scene& scene, int steps, Probe* film = nullptr)
-{
-    Folded found;
-    Sums first;
-    WatchProbe watch([&](const World& world, const Contacts& contacts, double) {
-        const Sums now = sums_of(world);
-        if (world.step == 0)
-            first = now;
-        found.pairs = std::max(found.pairs, own_pairs(contacts));
-        found.crossings = std::max(found.crossings, now.crossings);
-        found.deeper = std::max(found.deeper, now.deeper);
-        found.inverted = std::max(found.inverted, now.inverted);
-        found.most = std::max(found.most, now.energy);
-        found.impact = std::max(found.impact, now.kinetic);
-        found.rest = now.kinetic;
-        found.momentum = std::max(found.momentum, (now.momentum - first.momentum).norm());
-    });
-    ImplicitSettings settings;
-    settings.record = [&](const SolveRecord& record) {
-        ++found.solves;
-        found.unconverged += !record.converged;
-    };
-    std::vector<Probe*> probes{&watch};
-    if (film != nullptr)
-        probes.push_back(film);
-    const RunResult result = run(scene, chapter08_solver(scene.contact, settings), probes,
-                                 failure_on_purpose({.steps = steps}));
-    found.first = first.energy;
-    found.impulse = first.impulse;
-    found.steps = result.steps;
-    for (const char* pass : {"broad phase", "queries", "resolve vertices", "resolve edges"})
-        found.search_share += result.timings.of(pass) / result.timings.total();
-    return found;
+    add_soft(run.scene, "bunny", mesh, variant, Vec3::Zero(), Vec3::Zero(), feet);
+    const Body& bunny = *run.scene.world.bodies.back();
+    Pull ears{.force = {1, -2, 0.2}, .until = 1};
+    for (int vertex = 0; vertex < bunny.surface().vertex_count(); ++vertex)
+        if (bunny.positions_t0()[vertex].y() > 7.6 * scale)
+            ears.vertices.push_back(vertex);
+    run.pulls = {ears};
+    run.scene.camera = {{0.1, 0.2, 0.7}, {0, 0.08, 0}, 26};
+    return run;
 }
 
 struct Case {
     std::string name;
-    Scene (*make)(const Variant&);
-    double duration;  ///< [s]
+    SoftRun (*make)(const SoftVariant&);
+    double duration;            ///< [s]
+    std::string picture;        ///< its file, empty for none
+    std::vector<double> shown;  ///< in it [s]
 };
 
-const std::array cases{Case{"strip", falling_strip, 2}, Case{"spirals", spirals, 0.3}};
+const std::vector<Case>& cases()
+{
+    static const std::vector<Case> all{{"strip", falling_strip, 2, "folding.png", {0.45, 0.6, 0.65, 0.75}},
+                                       {"spirals", spirals, 0.3, "", {}},
+                                       {"ring", squashed_ring, 1, "folding_ring.png", {0.05, 0.09, 0.2, 0.5}},
+                                       {"ears", pressed_ears, 2, "folding_ears.png", {0.05, 0.2, 1, 1.5}}};
+    return all;
+}
+
+constexpr int long_run = 20000;  ///< steps
 
 /// All so soft that the strip folds over; a quick run takes the first.
-const std::array variants{Variant{3e4, 2, 0.005, 0.3}, Variant{2e4, 2, 0.005, 0.3}, Variant{3e4, 2, 0.01, 0},
-                          Variant{3e4, 3, 0.005, 0.3}, Variant{2e4, 2, 0.01, 0.8}};
+const std::array variants{SoftVariant{3e4, 2, 0.005, 0.3}, SoftVariant{2e4, 2, 0.005, 0.3},
+                          SoftVariant{3e4, 2, 0.01, 0}, SoftVariant{3e4, 3, 0.005, 0.3},
+                          SoftVariant{2e4, 2, 0.01, 0.8}};
 
-/// The first variant with and without contact of the body with itself, from when it folds.
+/// A case with and without contact of the body with itself.
 void show(const Case& shown, Report& report)
 {
     std::vector<StripPicture> rows;
     for (const bool self_contact : {false, true}) {
-        Variant variant = variants[0];
+        SoftVariant variant = variants[0];
         variant.self_contact = self_contact;
-        Scene scene = shown.make(variant);
+        SoftRun run = shown.make(variant);
         StripProbe film(
-            scene, {0.45, 0.6, 0.65, 0.75}, [](auto&&...) {}, 400, 284);
-        fold(scene, static_cast<int>(0.76 / scene.dt), &film);
+            run.scene, shown.shown, [](auto&&...) {}, 400, 284);
+        fold(run, static_cast<int>(shown.shown.back() / run.scene.dt) + 2, {&film});
         rows.push_back({film.all(4), self_contact ? "meets itself" : "does not"});
     }
-    write_png(strip(rows, 1), report.file("folding.png"));
+    write_png(strip(rows, 1), report.file(shown.picture));
 }
+
+/// What all runs showed, row by row and the worst of them.
+struct Collected {
+    Table found{{"body", "young_pa", "cells_per_5_cm", "dt_s", "friction", "steps", "own_pairs", "crossings",
+                 "deepest_um", "crossings_at_end", "deepest_at_end_um", "inverted", "energy_gain_percent",
+                 "rest_percent"}};
+    Table cost{{"body", "young_pa", "cells_per_5_cm", "dt_s", "friction", "search_percent", "answers_percent",
+                "solves", "unconverged"}};
+    long steps = 0, inverted = 0;
+    double depth = 0, depth_at_end = 0, rest = 0, momentum = 0, share = 0, gain = -1e9;
+
+    void add(const std::string& name, const SoftVariant& variant, const SoftRun& run, const Folded& f)
+    {
+        const double gained = (f.most - f.first) / f.impact;
+        const long cells = variant.cells;
+        found.add({name, variant.young, cells, variant.dt, variant.mu, static_cast<long>(f.steps), f.pairs,
+                   f.crossings, 1e6 * f.depth, f.crossings_at_end, 1e6 * f.depth_at_end, f.inverted,
+                   100 * gained, 100 * f.rest / f.impact});
+        cost.add({name, variant.young, cells, variant.dt, variant.mu, 100 * f.search_share,
+                  100 * f.answer_share, f.solves, f.unconverged});
+        steps += f.steps;
+        inverted = std::max(inverted, f.inverted);
+        depth = std::max(depth, f.depth);
+        depth_at_end = std::max(depth_at_end, f.depth_at_end);
+        gain = std::max(gain, gained);
+        share = std::max(share, f.search_share + f.answer_share);
+        if (!run.scene.world.gravity.isZero() &&
+            variant.mu > 0)  // nothing stops what slides without friction
+            rest = std::max(rest, f.rest / f.impact);
+        else if (run.scene.world.gravity.isZero() && run.pulls.empty())  // nothing holds it
+            momentum = std::max(momentum, f.momentum / f.impulse);
+    }
+};
 
 }  // namespace
 
-/// Soft bodies that fold onto themselves: a strip and two spirals.
+/// Soft bodies that fold onto themselves.
 void folding(const RunOptions& options, Report& report)
 {
-    Table table({"body", "young_pa", "cells_per_5_cm", "dt_s", "friction", "steps", "own_pairs", "crossings",
-                 "crossings_deeper", "inverted", "energy_gain_percent", "rest_percent", "search_percent",
-                 "unconverged"});
-    long deeper = 0, steps = 0;
-    double rest = 0, momentum = 0, share = 0, gain = -1e9;
-    for (const Case& c : cases)
-        for (const Variant& variant : variants) {
+    Collected all;
+    for (const Case& c : cases())
+        for (const SoftVariant& variant : variants) {
             if (options.quick && &variant != &variants[0])
                 continue;
-            Scene scene = c.make(variant);
-            const Folded f = fold(scene,
-                                  static_cast<int>((options.quick ? 0.5 : 1) * c.duration / scene.dt + 0.5));
-            const double gained = (f.most - f.first) / f.impact;
-            table.add({c.name, variant.young, static_cast<long>(variant.cells), variant.dt, variant.mu,
-                       static_cast<long>(f.steps), f.pairs, f.crossings, f.deeper, f.inverted, 100 * gained,
-                       100 * f.rest / f.impact, 100 * f.search_share, f.unconverged});
-            deeper += f.deeper;
-            steps += f.steps;
-            gain = std::max(gain, gained);
-            share = std::max(share, f.search_share);
-            if (scene.world.gravity.isZero())
-                momentum = std::max(momentum, f.momentum / f.impulse);
-            else
-                rest = std::max(rest, f.rest / f.impact);
+            SoftRun run = c.make(variant);
+            const double part = options.quick ? 0.5 : 1;
+            all.add(c.name, variant, run, fold(run, static_cast<int>(part * c.duration / variant.dt + 0.5)));
         }
-    show(cases[0], report);
-    report.table("folding", table);
-    report.page_table("folding", table, 3);
-    report.fact("folding", "steps", static_cast<double>(steps), 6);
-    report.fact("folding", "deeper", static_cast<double>(deeper), 6);
-    report.fact("folding", "gain_percent", 100 * gain);
-    report.fact("folding", "rest_percent", 100 * rest);
-    report.fact("folding", "momentum", momentum, 2);
-    report.fact("folding", "search_percent", 100 * share, 2);
+    for (const auto& [c, variant] : {std::pair(cases()[0], variants[0]), std::pair(cases()[0], variants[3]),
+                                     std::pair(cases()[1], variants[0])}) {
+        SoftRun run = c.make(variant);
+        all.add(c.name, variant, run, fold(run, options.quick ? 20 : long_run));
+    }
+    for (const Case& c : cases())
+        if (!c.picture.empty())
+            show(c, report);
+    report.table("folding", all.found);
+    report.page_table("folding", all.found, 3);
+    report.page_table("folding_cost", all.cost, 3);
+    report.fact("folding", "steps", static_cast<double>(all.steps), 6);
+    report.fact("folding", "deepest_mm", 1000 * all.depth, 2);
+    report.fact("folding", "deepest_at_end_um", 1e6 * all.depth_at_end, 2);
+    constexpr double rounding = 1e-12;  // of an energy that is a sum over the elements
+    report.fact("folding", "gain_percent", all.gain < rounding ? 0 : 100 * all.gain);
+    report.fact("folding", "rest_percent", 100 * all.rest);
+    report.fact("folding", "momentum", all.momentum, 2);
+    report.fact("folding", "share_percent_by_clock", 100 * all.share, 2);
 }
 
 }  // namespace enduring::chapter08

@@ -3,6 +3,8 @@
 #include "chapters/02_collision_detection/swept_box.hpp"
 #include "chapters/08_deep_contacts/piercing.hpp"
 
+#include <algorithm>
+
 namespace enduring::chapter08 {
 namespace {
 
@@ -41,6 +43,19 @@ long self_crossings(const Body& body, const RestNeighbours& neighbours, double s
         }
     }
     return count;
+}
+
+double crossing_depth(const Body& body, const RestNeighbours& neighbours, double known)
+{
+    constexpr double smallest = 1e-6, largest = 0.05, finer = 1.1;
+    const auto crosses = [&](double skin) { return self_crossings(body, neighbours, skin) > 0; };
+    if (!crosses(known))
+        return known;
+    // in small steps: a skin of more than half of a thin part turns it inside out, and crosses again
+    double skin = std::max(smallest, known);
+    while (skin < largest && crosses(skin))
+        skin *= finer;
+    return skin;
 }
 
 }  // namespace enduring::chapter08

@@ -10,4 +10,9 @@ namespace enduring::chapter08 {
 /// @param skin  the vertices are moved inwards by this first [m]: what is not deeper does not count
 long self_crossings(const Body& body, const RestNeighbours& neighbours, double skin = 0);
 
+/// How thick a skin has to be taken off a body's surface until nothing of it crosses any more [m], to a tenth
+/// or a micrometre, and at most 5 cm; from both sides of a crossing, so it is half as deep as they are in each other.
+/// @param known  no less than this is found [m]
+double crossing_depth(const Body& body, const RestNeighbours& neighbours, double known = 0);
+
 }  // namespace enduring::chapter08

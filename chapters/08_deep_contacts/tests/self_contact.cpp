@@ -3,6 +3,7 @@
 #include "chapters/08_deep_contacts/self_detection.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
 #include "common/geometry/quadratic.hpp"
+#include "common/scenes/scene_warnings.hpp"
 #include "common/simulation/deformable_body.hpp"
 
 #include <doctest/doctest.h>
@@ -139,4 +140,35 @@ TEST_CASE("self-contact: the legs of a fork that clap together do not pass each 
             CHECK(with.gain < 1e-3);
             CHECK(without.deep_crossings > 0);
         }
+}
+
+TEST_CASE(
+    "self-contact: a body that begins crossed with itself is warned of, and is neither let out nor thrown")
+{
+    DeformableSettings settings;
+    settings.material = {.young = 3e4, .density = 1000, .stiffness_damping = 0.01};
+    settings.impulse_response = ImpulseResponse::implicit;
+    settings.self_contact = true;
+    Scene scene;
+    scene.world.gravity.setZero();
+    const auto add = [&](const TetrahedralMesh& mesh) {
+        scene.world.bodies.clear();
+        scene.world.bodies.push_back(std::make_unique<DeformableBody>("bar", mesh, settings));
+    };
+    add(fork_mesh(1));
+    CHECK(scene_warnings(scene, "fork").empty());
+    add(chapter08::crossed_bar(0.02, 0.02, {40, 1, 1}));
+    const std::vector<std::string> warnings = scene_warnings(scene, "bar");
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0].find("'bar' begins crossed with itself") != std::string::npos);
+
+    Body& bar = *scene.world.bodies[0];
+    const long crossings = chapter08::self_crossings(bar, *rest_neighbours(bar));
+    CHECK(crossings > 0);
+    const Solver solver = chapter08_solver({});
+    Contacts contacts;
+    for (int step = 0; step < 100; ++step)
+        advance(scene.world, contacts, solver, 0.005);
+    CHECK(chapter08::self_crossings(bar, *rest_neighbours(bar)) == crossings);
+    CHECK(bar.energy(scene.world.gravity).total() < 1e-9);
 }

@@ -234,3 +234,25 @@ TEST_CASE("contact mass: where the body has bent it is as if it had never been f
     const Eigen::MatrixXd expected = other->contact_mass(touched);
     CHECK((asked->contact_mass(touched) - expected).norm() <= 1e-9 * expected.norm());
 }
+
+TEST_CASE(
+    "contact mass: a vertex that is held does not move, and the others have the mass that they had without it")
+{
+    DeformableSettings settings;
+    settings.material = {.young = 5e4, .poisson = 0.3, .density = 100};
+    settings.impulse_response = ImpulseResponse::implicit;
+    settings.fixed_nodes = {0};
+    DeformableBody body("bar", bar({1, 0.2, 0.2}, {4, 1, 1}), settings);
+    body.predict(Vec3::Zero(), 0.01);
+    int held = 0;
+    for (int vertex = 0; vertex < body.surface().vertex_count(); ++vertex)
+        if (body.inverse_mass(vertex).isZero(0))
+            held = vertex;
+    const int other = held == 5 ? 6 : 5;
+    const Eigen::Matrix3d alone = body.contact_mass(std::vector{other}).inverse();
+    const Eigen::MatrixXd both = body.contact_mass(std::vector{held, other}).inverse();
+    CHECK(both.allFinite());
+    CHECK((both.bottomRightCorner<3, 3>() - alone).norm() < 1e-3 * alone.norm());
+    CHECK(both.topRows<3>().norm() < 1e-3 * alone.norm());
+    CHECK(body.contact_mass(std::vector{held}).allFinite());
+}

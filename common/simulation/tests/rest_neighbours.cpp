@@ -1,5 +1,4 @@
 #include "common/simulation/rest_neighbours.hpp"
-#include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
 
@@ -11,40 +10,48 @@ using namespace enduring;
 
 namespace {
 
-bool have_common_vertex(const Face& face, int vertex)
-{
-    return std::find(face.begin(), face.end(), vertex) != face.end();
-}
+/// A body that meets itself, and where its vertices lie.
+struct Solid {
+    explicit Solid(const TetrahedralMesh& mesh) : body("solid", mesh, meeting_itself()) {}
+    static DeformableSettings meeting_itself()
+    {
+        DeformableSettings settings;
+        settings.self_contact = true;
+        return settings;
+    }
+    const RestNeighbours& neighbours() const { return *rest_neighbours(body); }
+    int vertex_at(const Vec3& place) const
+    {
+        const auto x = body.positions_t0();
+        return static_cast<int>(std::min_element(x.begin(), x.end(),
+                                                 [&](const Vec3& a, const Vec3& b) {
+                                                     return (a - place).norm() < (b - place).norm();
+                                                 }) -
+                                x.begin());
+    }
+    DeformableBody body;
+};
 
-/// Top and bottom of a thin plate of squares of 0.1 m.
-SurfaceMesh plate(double thickness) { return box({1, thickness, 1}, {10, 1, 10}); }
-
-int vertex_at(const SurfaceMesh& mesh, const Vec3& place)
-{
-    int nearest = 0;
-    for (int i = 0; i < static_cast<int>(mesh.vertices.size()); ++i)
-        if ((mesh.vertices[i] - place).norm() < (mesh.vertices[nearest] - place).norm())
-            nearest = i;
-    return nearest;
-}
+/// A plate of squares of 0.1 m, so many cells thick.
+Solid plate(double thickness, int cells = 1) { return Solid(bar({1, thickness, 1}, {10, cells, 10})); }
 
 }  // namespace
 
 TEST_CASE("rest neighbours: features with a common vertex are, and those of two sides of a block are not")
 {
-    const SurfaceMesh mesh = plate(0.5);
-    const SurfaceTopology surface(static_cast<int>(mesh.vertices.size()), mesh.faces);
-    const RestNeighbours neighbours(surface, mesh.vertices);
-    const int top = vertex_at(mesh, {0, 0.25, 0}), below = vertex_at(mesh, {0, -0.25, 0});
-    for (int face = 0; face < static_cast<int>(surface.faces().size()); ++face)
-        if (have_common_vertex(surface.faces()[face], top)) {
-            CHECK(neighbours.vertex_and_face(top, face));
-            CHECK_FALSE(neighbours.vertex_and_face(below, face));
-            for (const int edge : surface.edges_around_vertex(top))
-                CHECK(neighbours.edge_and_face(edge, face));
-            for (const int edge : surface.edges_around_vertex(below))
-                CHECK_FALSE(neighbours.edge_and_face(edge, face));
-        }
+    const Solid solid = plate(0.5);
+    const SurfaceTopology& surface = solid.body.surface();
+    const RestNeighbours& neighbours = solid.neighbours();
+    const int top = solid.vertex_at({0, 0.25, 0}), below = solid.vertex_at({0, -0.25, 0});
+    // the longest edges at a vertex lead down into the block, so its next neighbours are all
+    for (const int face : surface.faces_around_vertex(top)) {
+        CHECK(neighbours.vertex_and_face(top, face));
+        for (const int edge : surface.edges_around_vertex(top))
+            CHECK(neighbours.edge_and_face(edge, face));
+        CHECK_FALSE(neighbours.vertex_and_face(below, face));
+        for (const int edge : surface.edges_around_vertex(below))
+            CHECK_FALSE(neighbours.edge_and_face(edge, face));
+    }
     for (const int edge : surface.edges_around_vertex(top)) {
         for (const int other : surface.edges_around_vertex(top))
             CHECK(neighbours.edges(edge, other));
@@ -55,15 +62,31 @@ TEST_CASE("rest neighbours: features with a common vertex are, and those of two 
 
 TEST_CASE("rest neighbours: through a wall that is thinner than an edge is long they are neighbours, too")
 {
-    const SurfaceMesh mesh = plate(0.05);
-    const SurfaceTopology surface(static_cast<int>(mesh.vertices.size()), mesh.faces);
-    const RestNeighbours neighbours(surface, mesh.vertices);
-    const int top = vertex_at(mesh, {0, 0.025, 0}), below = vertex_at(mesh, {0, -0.025, 0}),
-              far = vertex_at(mesh, {0.4, -0.025, 0});
-    for (const int face : surface.faces_around_vertex(top)) {
-        CHECK(neighbours.vertex_and_face(below, face));
-        CHECK_FALSE(neighbours.vertex_and_face(far, face));
+    for (const int cells : {1, 2}) {
+        const Solid solid = plate(0.05, cells);
+        const int top = solid.vertex_at({0, 0.025, 0}), below = solid.vertex_at({0, -0.025, 0}),
+                  far = solid.vertex_at({0.4, -0.025, 0});
+        for (const int face : solid.body.surface().faces_around_vertex(top)) {
+            CHECK(solid.neighbours().vertex_and_face(below, face));
+            CHECK_FALSE(solid.neighbours().vertex_and_face(far, face));
+        }
     }
+}
+
+TEST_CASE("rest neighbours: what is near through the air only is none")
+{
+    // a plate that is bent to two walls, which are nearer to each other than an edge is long
+    TetrahedralMesh mesh = bar({1, 0.05, 0.3}, {10, 1, 3});
+    for (Vec3& x : mesh.nodes)
+        if (std::abs(x.x()) > 0.05)
+            x = Vec3(x.x() < 0 ? x.y() - 0.06 : 0.06 - x.y(), std::abs(x.x()), x.z());
+    const Solid solid(mesh);
+    const int left = solid.vertex_at({-0.035, 0.5, 0.05}), right = solid.vertex_at({0.035, 0.5, 0.05});
+    for (const int face : solid.body.surface().faces_around_vertex(left))
+        CHECK_FALSE(solid.neighbours().vertex_and_face(right, face));
+    const int outside = solid.vertex_at({-0.085, 0.5, 0.05});
+    for (const int face : solid.body.surface().faces_around_vertex(left))
+        CHECK(solid.neighbours().vertex_and_face(outside, face));
 }
 
 TEST_CASE(
