@@ -1,10 +1,10 @@
 #include "common/simulation/step.hpp"
 
-#include "common/input/number_text.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace enduring {
@@ -81,10 +81,12 @@ double parts_left(const World& world, double most_turn, double left)
     double parts = 1;
     for (const std::unique_ptr<Body>& body : world.bodies) {
         parts = std::max(parts, std::ceil(left * body->turning_speed() / most_turn));
-        if (parts > most_parts)
-            throw std::runtime_error("step " + std::to_string(world.step + 1) + ": body '" + body->name() +
-                                     "' turns by " + readable(left * body->turning_speed(), 3) +
-                                     " rad in a step; make dt shorter");
+        if (parts > most_parts) {
+            std::ostringstream why;
+            why << "step " << world.step + 1 << ": body '" << body->name() << "' turns by "
+                << left * body->turning_speed() << " rad in a step; make dt shorter";
+            throw std::runtime_error(why.str());
+        }
     }
     return parts;
 }
