@@ -30,7 +30,10 @@ bool first_of_the_step(const Contacts& contacts)
 
 void tell_unconverged(const SolveRecord& record)
 {
-    if (!record.converged)
+    if (record.turns_too_far)
+        std::cerr << "step " << record.step + 1 << ": the impulses of " << record.pairs
+                  << " pairs turn a body too far; they are answered safely\n";
+    else if (!record.converged)
         std::cerr << "step " << record.step + 1 << ": the impulses of " << record.pairs
                   << " pairs are solved to a residual of " << record.residual << " only, after "
                   << record.rounds << " rounds\n";
@@ -41,14 +44,26 @@ namespace {
 /// Residual up to which an answer is still better than one with limits of friction that are old.
 constexpr double nearly_solved = 0.01;
 
-/// How far a body may turn in an answer that looks at the turned normals [rad]. A body that turns by radians
-/// may end beside what it was pressed against: that solves the equation, too, with any energy.
+/// How much further than without it an answer may turn a body [rad]. One that turns it by radians more may end
+/// beside what pressed it: that solves the equation, too, with any energy.
 constexpr double most_turned = 0.5;
 
-bool turns_too_far(const World& world, double dt)
+std::vector<double> turns(const World& world, double dt)
 {
-    return std::any_of(world.bodies.begin(), world.bodies.end(),
-                       [dt](const auto& body) { return dt * body->turning_speed() > most_turned; });
+    std::vector<double> of_body;
+    for (const auto& body : world.bodies)
+        of_body.push_back(dt * body->turning_speed());
+    return of_body;
+}
+
+/// Whether an answer turns a body by radians more than `before`.
+bool turns_too_far(const World& world, const std::vector<double>& before, double dt)
+{
+    const std::vector<double> now = turns(world, dt);
+    for (std::size_t body = 0; body < now.size(); ++body)
+        if (now[body] > before[body] + most_turned)
+            return true;
+    return false;
 }
 
 //! [answer_safely]
@@ -75,6 +90,7 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
                       NewtonMatrix& matrix, double dt)
 {
     matrix.begin_step();
+    const std::vector<double> before = turns(world, dt);
     const bool first = first_of_the_step(contacts);
     StepProblem step = set_up(world, contacts, settings.stiffness, settings.friction, {settings.centre, dt},
                               first);
@@ -95,7 +111,9 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         const Eigen::VectorXd after = impulses_after(step, solution.change);
         apply_impulses(world, step, mixing.next(impulses_acting(step), after));
     }
-    if (record.residual > nearly_solved || turns_too_far(world, dt))
+    record.turns_too_far = turns_too_far(world, before, dt);
+    record.converged = record.converged && !record.turns_too_far;
+    if (record.residual > nearly_solved || record.turns_too_far)
         answer_safely(world, step, matrix, settings.tolerance, least);
     find_slip(step);
     for (Contact& contact : contacts)

@@ -15,6 +15,7 @@ struct SolveRecord {
     int newton_steps = 0;  ///< of all rounds
     /// of the last problem, with friction's limits and the normals as its answer made them
     double residual = 0;
+    bool turns_too_far = false;  ///< a body, so that the answer was thrown away for a safe one
     bool converged = false;
 };
 
