@@ -4,6 +4,7 @@
 #include "chapters/06_redefinition/face_choice.hpp"
 #include "chapters/06_redefinition/vertex_face_redefinition.hpp"
 #include "chapters/07_implicit_contact/normal_cone.hpp"
+#include "chapters/07_implicit_contact/plausible_depth.hpp"
 #include "common/geometry/shortest_turn.hpp"
 
 #include <algorithm>
@@ -16,24 +17,36 @@ bool vertex_faces_it(const SurfaceMoment& a, int vertex, const Vec3& normal)
     return cone_reaches(a, a.step.topology.faces_around_vertex(vertex), -normal, hook_cosine);
 }
 
-}  // namespace
+/// Whether the face to which chapter 6 would hand a hooked pair is one that its vertex cannot have come near.
+bool would_go_too_deep(const World& world, const Contacts& contacts, const Contact& hooked, double tau)
+{
+    const std::optional<FaceTrial> choice = find_face(world, hooked, tau, all_corners,
+                                                      limits_of_hooked(world, hooked, tau));
+    return choice && -choice->foot.depth > plausible_depth(world, contacts, hooked);
+}
 
 //! [falsely]
-bool is_falsely_hooked(const World& world, const Contact& contact, double tau)
+/// @param tau         moment of the step at which the pair is looked at
+/// @param handed_on   and the one at which chapter 6 looks for another face
+bool is_falsely_hooked(const World& world, const Contacts& contacts, const Contact& contact, double tau,
+                       double handed_on)
 {
     if (contact.kind != ContactKind::vertex_face ||
         categorise(world, contact, tau) != ContactCategory::hooked)
         return false;
     const PairSurfaces surfaces(world, contact, tau);
-    return vertex_faces_it(surfaces.a, contact.feature_a, surfaces.b.face_normal(contact.feature_b));
+    return vertex_faces_it(surfaces.a, contact.feature_a, surfaces.b.face_normal(contact.feature_b)) ||
+           would_go_too_deep(world, contacts, contact, handed_on);
 }
 //! [falsely]
+
+}  // namespace
 
 void admit_falsely_hooked(const World& world, Contacts& contacts)
 {
     for (Contact& contact : contacts)
         if (contact.waiting() && contact.category == ContactCategory::hooked &&
-            is_falsely_hooked(world, contact, contact.start))
+            is_falsely_hooked(world, contacts, contact, contact.start, 1))
             contact.category = ContactCategory::regular;
 }
 
@@ -41,7 +54,7 @@ Contacts take_falsely_hooked(const World& world, Contacts& contacts)
 {
     Contacts falsely, others;
     for (const Contact& contact : contacts) {
-        const bool taken = !contact.resolved && is_falsely_hooked(world, contact, 0);
+        const bool taken = !contact.resolved && is_falsely_hooked(world, contacts, contact, 0, 0);
         (taken ? falsely : others).push_back(contact);
     }
     contacts = std::move(others);

@@ -4,12 +4,11 @@
 
 namespace enduring {
 
-/// Whether chapter 5 calls a vertex-face pair hooked that pushes its vertex against the cone of its normals,
-/// give or take 45 degrees. For an edge the
-/// span and the cone agree: a pair pushes it at right angles to itself, as its normals stand, and there no
-/// direction of the cone is farther than 45 degrees from a normal or their average.
-/// @param tau  moment of the step at which positions are looked at
-bool is_falsely_hooked(const World& world, const Contact& contact, double tau);
+// A vertex-face pair is hooked falsely if chapter 5 calls it hooked, and
+//   it pushes its vertex against the cone of its normals, give or take 45 degrees. For an edge the span and the
+//     cone agree: a pair pushes it at right angles to itself, as its normals stand, and there no direction of the
+//     cone is farther than 45 degrees from a normal or their average; or
+//   the face to which chapter 6 would hand it lies deeper above its vertex than it can have come.
 
 /// Before new pairs are admitted: those that are hooked falsely are regular.
 void admit_falsely_hooked(const World& world, Contacts& contacts);

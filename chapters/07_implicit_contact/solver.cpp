@@ -2,6 +2,7 @@
 
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/false_hooks.hpp"
+#include "chapters/07_implicit_contact/plausible_depth.hpp"
 #include "chapters/07_implicit_contact/touching_pairs.hpp"
 
 #include <memory>
@@ -23,15 +24,30 @@ void find_and_label(Solver& solver)
     solver.insert_before("admit new pairs", "ask the cone", [](World& world, Contacts& contacts, double) {
         admit_falsely_hooked(world, contacts);
     });
-    const Pass::Function redefine = solver.pass("redefine vertices").run;
-    solver.replace("redefine vertices", "redefine vertices",
-                   [redefine](World& world, Contacts& contacts, double dt) {
-                       const Contacts falsely = take_falsely_hooked(world, contacts);
-                       redefine(world, contacts, dt);
-                       follow_by_cone(world, falsely, contacts);
-                   });
+    solver.wrap("redefine vertices", "redefine vertices",
+                [](const Pass::Function& redefine, World& world, Contacts& contacts, double dt) {
+                    const Contacts falsely = take_falsely_hooked(world, contacts);
+                    redefine(world, contacts, dt);
+                    follow_by_cone(world, falsely, contacts);
+                });
 }
 //! [births]
+
+/// Edges that come with a vertex' new face may cross it on the body's far side.
+void keep_plausible_edges(Solver& solver)
+{
+    const auto keep_plausible = [&](const std::string& edge_pairs, double tau) {
+        solver.wrap(edge_pairs, edge_pairs,
+                    [tau](const Pass::Function& append, World& world, Contacts& contacts, double dt) {
+                        const std::size_t first = contacts.size();
+                        append(world, contacts, dt);
+                        drop_implausible(world, contacts, first, tau);
+                    });
+    };
+    keep_plausible("edge pairs of redefinitions", 0);
+    keep_plausible("edge pairs of entries", 1);
+    keep_plausible("edge pairs of exits", 1);
+}
 
 }  // namespace
 
@@ -51,6 +67,7 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
             answer_all_pairs(world, contacts, settings, *matrix, dt);
         });
     find_and_label(solver);
+    keep_plausible_edges(solver);
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
     return solver;

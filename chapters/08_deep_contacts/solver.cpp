@@ -17,13 +17,12 @@ Solver asking_neighbours(Solver solver)
     solver.insert_before(
         "admit new pairs", "ask the neighbours",
         [](World& world, Contacts& contacts, double) { vouch_for_new_pairs(world, contacts); });
-    const Pass::Function redefine = solver.pass("redefine vertices").run;
-    solver.replace("redefine vertices", "redefine vertices, ask the neighbours",
-                   [redefine](World& world, Contacts& contacts, double dt) {
-                       const auto vouched = take_vouched_pairs(world, contacts);
-                       redefine(world, contacts, dt);
-                       follow_vouched_pairs(world, vouched, contacts);
-                   });
+    solver.wrap("redefine vertices", "redefine vertices, ask the neighbours",
+                [](const Pass::Function& redefine, World& world, Contacts& contacts, double dt) {
+                    const auto vouched = take_vouched_pairs(world, contacts);
+                    redefine(world, contacts, dt);
+                    follow_vouched_pairs(world, vouched, contacts);
+                });
     return solver;
 }
 //! [asking_neighbours]

@@ -26,6 +26,7 @@ constexpr const char* failure_note = "failed.txt";  // lies beside tables that e
 std::vector<double> picture_times(double duration)
 {
     std::vector<double> times;
+    times.reserve(pictures);
     for (int i = 0; i < pictures; ++i)
         times.push_back(duration * i / (pictures - 1));
     return times;

@@ -16,7 +16,7 @@ Mat3 by_singular_values(const Mat3& f)
 {
     const Eigen::JacobiSVD<Mat3> svd(f, Eigen::ComputeFullU | Eigen::ComputeFullV);
     Mat3 u = svd.matrixU();
-    const Mat3 v = svd.matrixV();
+    const Mat3& v = svd.matrixV();
     if ((u.determinant() < 0) != (v.determinant() < 0))
         u.col(2) = -u.col(2);  // singular values come in descending order: the last is the thinnest direction
     return u * v.transpose();

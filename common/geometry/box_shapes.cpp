@@ -21,8 +21,8 @@ public:
 
     int vertex(const Cells& at)
     {
-        const auto index =
-            static_cast<std::size_t>(at[0] + (cells_[0] + 1) * (at[1] + (cells_[1] + 1) * at[2]));
+        const int row = at[1] + (cells_[1] + 1) * at[2];
+        const std::size_t index = static_cast<std::size_t>(row) * (cells_[0] + 1) + at[0];
         if (numbers_[index] < 0) {
             numbers_[index] = static_cast<int>(vertices.size());
             const Vec3 fraction{1.0 * at[0] / cells_[0], 1.0 * at[1] / cells_[1], 1.0 * at[2] / cells_[2]};

@@ -54,7 +54,7 @@ std::string element_fault(const std::array<Vec3, 4>& nodes)
 
 std::string element_fault(const std::array<Vec3, 10>& nodes)
 {
-    const std::string fault = element_fault(std::array{nodes[0], nodes[1], nodes[2], nodes[3]});
+    std::string fault = element_fault(std::array{nodes[0], nodes[1], nodes[2], nodes[3]});
     if (!fault.empty())
         return fault;
     for (std::size_t n = 0; n < 10; ++n) {

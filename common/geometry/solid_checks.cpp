@@ -17,12 +17,12 @@ void check_elements(const Mesh& mesh, const std::string& what)
         throw InputError(what + ": the mesh has no elements");
     std::vector<bool> used(mesh.nodes.size(), false);
     for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-        const std::string name = what + ": element " + std::to_string(e);
+        const std::string name = what + ": element " + std::to_string(e) + " ";
         std::array<Vec3, node_count> x;
         for (std::size_t i = 0; i < node_count; ++i) {
             const int node = mesh.elements[e][i];
             if (node < 0 || node >= static_cast<int>(mesh.nodes.size()))
-                throw InputError(name + " names node " + std::to_string(node) + ", which does not exist");
+                throw InputError(name + "names node " + std::to_string(node) + ", which does not exist");
             used[node] = true;
             x[i] = mesh.nodes[node];
             if (!x[i].allFinite())
@@ -30,7 +30,7 @@ void check_elements(const Mesh& mesh, const std::string& what)
                                  " has a coordinate that is not finite");
         }
         if (const std::string fault = element_fault(x); !fault.empty())
-            throw InputError(name + " " + fault);
+            throw InputError(name + fault);
     }
     for (std::size_t n = 0; n < used.size(); ++n)
         if (!used[n])

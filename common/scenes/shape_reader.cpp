@@ -135,7 +135,7 @@ std::filesystem::path find_mesh(const JsonValue& value, const std::vector<std::f
     std::string searched;
     for (const std::filesystem::path& folder : folders) {
         std::error_code ignored;
-        const std::filesystem::path path = folder / name;
+        std::filesystem::path path = folder / name;
         if (std::filesystem::is_regular_file(path, ignored))
             return path;
         searched += (searched.empty() ? "" : " and ") + folder.string();

@@ -152,6 +152,13 @@ void Solver::remove(const std::string& called)
     lists_[list].erase(lists_[list].begin() + static_cast<std::ptrdiff_t>(index));
 }
 
+void Solver::wrap(const std::string& called, std::string pass, Around around)
+{
+    replace(called, std::move(pass),
+            [inner = this->pass(called).run, around = std::move(around)](
+                World& world, Contacts& contacts, double dt) { around(inner, world, contacts, dt); });
+}
+
 Solver::Place Solver::place_of(const std::string& called) const
 {
     for (std::size_t list = 0; list < lists_.size(); ++list)

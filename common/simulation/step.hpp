@@ -72,6 +72,9 @@ public:
     void insert_before(const std::string& called, Pass pass);
     void replace(const std::string& called, Pass pass);  ///< it may have the same name
     void remove(const std::string& called);
+    /// Something around a pass, or in its place: `around` is given what the pass does.
+    using Around = std::function<void(const Pass::Function& inner, World&, Contacts&, double dt)>;
+    void wrap(const std::string& called, std::string pass, Around around);
 
     void append(StepStage stage, std::string pass, Pass::Function run);
     void insert_before(const std::string& called, std::string pass, Pass::Function run);

@@ -28,7 +28,7 @@ double deepest(const World& world, const Contacts& contacts)
 {
     double depth = 0;
     for (const Contact& contact : contacts)
-        if (!contact.held())
+        if (contact.is_spring())
             depth = std::min(depth, contact_geometry(world, contact, 1).depth);
     return -depth;
 }

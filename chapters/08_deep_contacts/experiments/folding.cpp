@@ -69,7 +69,7 @@ SoftRun pressed_ears(const SoftVariant& variant)
         if (bunny.positions_t0()[vertex].y() > 7.6 * scale)
             ears.vertices.push_back(vertex);
     run.pulls = {ears};
-    run.scene.camera = {{0.1, 0.2, 0.7}, {0, 0.08, 0}, 26};
+    run.scene.camera = {{0.1, 0.2, 0.7}, {0, 0.088, 0}, 18};
     return run;
 }
 
@@ -108,7 +108,8 @@ void show(const Case& shown, Report& report)
         StripProbe film(
             run.scene, shown.shown, [](auto&&...) {}, 400, 284);
         fold(run, static_cast<int>(shown.shown.back() / run.scene.dt) + 2, {&film});
-        rows.push_back({film.all(4), self_contact ? "meets itself" : "does not"});
+        const std::string caption = self_contact ? "with" : "without";
+        rows.push_back({film.all(4), caption + " self-contact"});
     }
     write_png(strip(rows, 1), report.file(shown.picture));
 }

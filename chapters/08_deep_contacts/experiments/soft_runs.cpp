@@ -95,16 +95,14 @@ long own_pairs(const Contacts& contacts)
 /// Adds up what the answers take, times the part of a step's pairs that are of a body with itself.
 void clock_own_answers(Solver& solver, double& seconds)
 {
-    const Pass::Function answer = solver.pass("answer all pairs").run;
-    solver.replace("answer all pairs", "answer all pairs",
-                   [answer, &seconds](World& world, Contacts& contacts, double dt) {
-                       const double start = processor_seconds();
-                       answer(world, contacts, dt);
-                       if (!contacts.empty())
-                           seconds += (processor_seconds() - start) *
-                                      static_cast<double>(own_pairs(contacts)) /
-                                      static_cast<double>(contacts.size());
-                   });
+    solver.wrap("answer all pairs", "answer all pairs",
+                [&seconds](const Pass::Function& answer, World& world, Contacts& contacts, double dt) {
+                    const double start = processor_seconds();
+                    answer(world, contacts, dt);
+                    if (!contacts.empty())
+                        seconds += (processor_seconds() - start) * static_cast<double>(own_pairs(contacts)) /
+                                   static_cast<double>(contacts.size());
+                });
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ void show(Report& report)
         ThinShot shot = shot_at_random(thin_targets()[target], "cube", random);
         while (shot.side < 0)
             shot = shot_at_random(thin_targets()[target], "cube", random);
-        shot.scene.camera = {{1.2, 1.9, 1.9}, {0, 0, 0}, 36};
+        shot.scene.camera = {{0.6, 2.6, 1.2}, {0, 0, 0}, 34};
         const double end = shot.scene.duration;
         StripProbe film(shot.scene, {0, end / 3, end}, mark_contacts, 360, 250);
         hit_of(shot, quiet_chapter08, {&film});

@@ -54,6 +54,24 @@ TEST_CASE("solver: a name gives its pass, and what replaces it runs in its place
     CHECK(runs == 2);
 }
 
+TEST_CASE("solver: what is wrapped around a pass gets what it did, and stands in its place")
+{
+    Solver changed = solver();
+    std::string log;
+    changed.replace("c", "c", [&](World&, Contacts&, double) { log += "c "; });
+    changed.wrap("c", "around c",
+                 [&](const Pass::Function& inner, World& world, Contacts& contacts, double dt) {
+                     log += "before ";
+                     inner(world, contacts, dt);
+                     log += "after ";
+                 });
+    World world;
+    Contacts contacts;
+    advance(world, contacts, changed, 0.1);
+    CHECK(log == "before c after ");
+    CHECK(names(changed, StepStage::detect) == "around c ");
+}
+
 TEST_CASE("solver: a name that no pass has is refused, and the message lists those there are")
 {
     Solver same = solver();
