@@ -1,6 +1,8 @@
+#include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/scenes/start_overlap.hpp"
 #include "common/scenes/stiffness_check.hpp"
+#include "common/simulation/deformable_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -251,4 +253,29 @@ TEST_CASE("scene: of the course's own scenes only the one that begins inside is 
             ++scenes;
         }
     CHECK(scenes > 15);
+}
+
+TEST_CASE(
+    "overlap: a soft body that crosses itself is told, one that does not meet itself or is beside itself is not")
+{
+    const auto two_bars = [](const Vec3& apart, bool self_contact) {
+        TetrahedralMesh mesh = bar(Vec3(1, 0.1, 0.1), {10, 1, 1});
+        const auto first = mesh;
+        const int count = static_cast<int>(mesh.nodes.size());
+        for (const Vec3& node : first.nodes)
+            mesh.nodes.push_back(Vec3(node.z(), node.y(), -node.x()) + apart);
+        for (const auto& [a, b, c, d] : first.elements)
+            mesh.elements.push_back({a + count, b + count, c + count, d + count});
+        DeformableSettings settings;
+        settings.self_contact = self_contact;
+        World world;
+        world.bodies.push_back(std::make_unique<DeformableBody>("bars", mesh, settings));
+        return start_self_overlaps(world);
+    };
+    const auto crossed = two_bars(Vec3(0.02, 0.03, 0.01), true);
+    REQUIRE(crossed.size() == 1);
+    CHECK(crossed[0].body == "bars");
+    CHECK(crossed[0].faces > 0);
+    CHECK(two_bars(Vec3(0.02, 0.03, 0.01), false).empty());
+    CHECK(two_bars(Vec3(0.02, 0.101, 0.01), true).empty());
 }

@@ -219,8 +219,9 @@ World spinning_cube(double speed)
 
 TEST_CASE("step: one in which a body turns too far is taken in parts, and is still one step")
 {
-    for (const auto& [turn, parts] :
+    for (const auto& [turns, parts] :
          {std::pair(0.2, 1), std::pair(0.49, 1), std::pair(0.51, 2), std::pair(4.9, 10)}) {
+        const double turn = turns;
         std::string log;
         World world = spinning_cube(turn / 0.01);
         Solver solver{"", {}, {logged("d", log)}, {}};
