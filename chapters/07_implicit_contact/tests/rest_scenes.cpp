@@ -149,8 +149,8 @@ TEST_CASE("wedged cube: it begins off both planes, and rests where it touches bo
 TEST_CASE("wedged cube: where it holds itself it rests, every solve comes to an end, and no pair is wound up")
 {
     for (const double dt : {0.01, 1.0 / 60})
-        for (const auto& [half_angle_deg, mu] :
-             {std::pair(10.0, 0.3), {10.0, 1.0}, {20.0, 0.5}, {30.0, 0.8}}) {
+        for (const auto& [angle, friction] : {std::pair(10.0, 0.3), {10.0, 1.0}, {20.0, 0.5}, {30.0, 0.8}}) {
+            const double half_angle_deg = angle, mu = friction;
             Scene scene = cube_between_planes(half_angle_deg, mu, dt);
             MostLoad most;
             const PileOutcome outcome = watch(scene, 3, &most);

@@ -73,11 +73,12 @@ TEST_CASE("neighbours: their direction is the mean of those that push already, a
     const Vec3 mean = Vec3(1, 1, 0).normalized();
     CHECK((*direction_of_neighbours(sheet.world, contacts, asks, 0) - mean).norm() < 1e-12);
 
-    for (const auto& [name, silence] :
+    for (const auto& [what, silence] :
          {std::pair<const char*, void (*)(Contact&)>{"held", [](Contact& c) { c.hold(true); }},
           {"resolved", [](Contact& c) { c.resolved = true; }},
           {"hooked", [](Contact& c) { c.category = ContactCategory::hooked; }},
           {"new", [](Contact& c) { c.start = 0.5; }}}) {
+        const std::string name = what;
         CAPTURE(name);
         Contacts changed = contacts;
         silence(changed[2]);

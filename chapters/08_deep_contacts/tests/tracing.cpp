@@ -14,14 +14,13 @@ TEST_CASE("tracing: 200 random overlaps, half on a lattice, close all curves and
     OverlapCheck all;
     for (std::size_t i = 0; i < 200; ++i) {
         const bool on_lattice = i % 2 == 1;
-        const auto& [name_a, a] = meshes[i / 2 % meshes.size()];
-        const auto& [name_b, b] = meshes[i / 10 % meshes.size()];
+        const auto &a = meshes[i / 2 % meshes.size()], &b = meshes[i / 10 % meshes.size()];
         CAPTURE(i);
-        CAPTURE(name_a);
-        CAPTURE(name_b);
-        const SurfaceMesh placed_a = place_at_random(a, random, on_lattice);
-        const OverlapCheck check = check_overlap(placed_a, place_at_random(b, random, on_lattice), on_lattice,
-                                                 40);
+        CAPTURE(a.first);
+        CAPTURE(b.first);
+        const SurfaceMesh placed_a = place_at_random(a.second, random, on_lattice);
+        const OverlapCheck check = check_overlap(placed_a, place_at_random(b.second, random, on_lattice),
+                                                 on_lattice, 40);
         CHECK(check.open_curves == 0);
         CHECK(check.wrong == 0);
         CHECK(check.consistent);
