@@ -1,5 +1,6 @@
 #include "chapters/motivating_scenes/buried_vertex.hpp"
 #include "chapters/motivating_scenes/motivating_scene.hpp"
+#include "chapters/motivating_scenes/self_crossings.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 
@@ -179,59 +180,21 @@ Gauge::Reading energy_if_above(const std::string& body)
     };
 }
 
-/// Whether a segment passes through a triangle, by the signs of volumes. They say nothing of what lies in one
-/// plane, far apart; so the boxes around both have to meet.
-bool passes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c)
-{
-    const auto box = [](const Vec3& first, const auto&... others) {
-        Eigen::AlignedBox3d all(first);
-        (all.extend(others), ...);
-        return all;
-    };
-    if (!box(p, q).intersects(box(a, b, c)))
-        return false;
-    const auto above = [](const Vec3& u, const Vec3& v, const Vec3& w, const Vec3& x) {
-        return (v - u).cross(w - u).dot(x - u) > 0;
-    };
-    const bool side = above(p, q, a, b);
-    return above(a, b, c, p) != above(a, b, c, q) && side == above(p, q, b, c) && side == above(p, q, c, a);
-}
-
-/// Where a body's vertices are without a skin of a millimetre: surfaces that are pressed into each other by less
-/// do not cross then.
-std::vector<Vec3> without_skin(const Body& body)
-{
-    const auto x = body.positions_t0();
-    std::vector<Vec3> normals(x.size(), Vec3::Zero()), result(x.begin(), x.end());
-    for (const auto& [a, b, c] : body.surface().faces())
-        for (const int vertex : {a, b, c})
-            normals[vertex] += (x[b] - x[a]).cross(x[c] - x[a]);
-    for (std::size_t vertex = 0; vertex < x.size(); ++vertex)
-        result[vertex] -= 0.001 * normals[vertex].normalized();
-    return result;
-}
-
 /// Most edges of a body that passed, after a step, through faces that were `apart` from them at first [m], unless
-/// the body still stands higher than `standing` [m].
+/// the body still stands higher than `standing` [m]. Surfaces that are pressed into each other by less than a
+/// millimetre do not cross.
 Gauge::Reading edges_through(const std::string& body, double apart, double standing)
 {
-    return [=, most = 0.0, first = std::vector<Vec3>()](Value& value, const World& world, const Contacts&,
-                                                        double) mutable {
+    return [=, most = 0, first = std::vector<Vec3>()](Value& value, const World& world, const Contacts&,
+                                                      double) mutable {
         const Body& folded = body_named(world, body);
         const auto places = folded.positions_t0();
         if (world.step == 0)
             first.assign(places.begin(), places.end());
-        const std::vector<Vec3> x = without_skin(folded);
-        double crossing = 0, highest = -1e9;
-        for (const auto& [p, q] : folded.surface().edges())
-            for (const auto& [a, b, c] : folded.surface().faces()) {
-                const Vec3 edge = (first[p] + first[q]) / 2, face = (first[a] + first[b] + first[c]) / 3;
-                crossing += (edge - face).norm() > apart && passes_through(x[p], x[q], x[a], x[b], x[c]);
-            }
-        for (const Vec3& place : places)
-            highest = std::max(highest, place.y());
-        most = std::max(most, crossing);
-        value = highest > standing ? Value() : Value(most);
+        most = std::max(most, self_crossings(folded, first, apart, 0.001));
+        const bool stands = std::any_of(places.begin(), places.end(),
+                                        [&](const Vec3& x) { return x.y() > standing; });
+        value = stands ? Value() : Value(most);
     };
 }
 

@@ -90,8 +90,8 @@ RestNeighbours neighbours_in(const SurfaceTopology& surface, const ElasticMesh& 
         rest.push_back(mesh.rest().col(node));
     };
     for (int vertex = 0; vertex < embedding.vertex_count(); ++vertex) {
-        const auto nodes =
-            embedding.nodes_of(vertex);  // the middle of an edge has the largest share of its own
+        // the middle of an edge has the largest share of its own
+        const auto nodes = embedding.nodes_of(vertex);
         append(std::max_element(nodes.begin(), nodes.end(), [](const NodeWeight& a, const NodeWeight& b) {
                    return a.weight < b.weight;
                })->node);

@@ -12,12 +12,13 @@ namespace enduring {
 /// Which features of one surface are never in contact with each other: those with a common vertex, and those
 /// that lie so near in the rest shape that the elements between them have to keep them apart.
 ///
-/// Two vertices are so near if no more than the longer of the longest edges at them lies between them at rest,
-/// and if it is the body that lies between: along the edges of its elements the way is no more than twice as
-/// long. So the strands of a knot, which are near each other through the air, are none. Two features are neighbours if any two of their vertices are. So the distance
-/// follows the mesh, wherever it is coarse or fine: to bring such features together, the surface would have to
-/// fold within two of its triangles. A number of rings would do as well on a surface, but not through a thin
-/// wall, whose two sides are many edges apart.
+/// Two vertices are so near if no more than the longer of the longest edges at them lies between them at
+/// rest, and if it is the body that lies between: along the edges of its elements the way is no more than
+/// twice as long. So the strands of a knot, which are near each other through the air, are none. Two
+/// features are neighbours if any two of their vertices are. So the distance follows the mesh, wherever it
+/// is coarse or fine: to bring such features together, the surface would have to fold within two of its
+/// triangles. A number of rings would do as well on a surface, but not through a thin wall, whose two sides
+/// are many edges apart.
 class RestNeighbours {
 public:
     /// @param surface  outlives it

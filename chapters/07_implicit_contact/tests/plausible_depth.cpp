@@ -3,9 +3,7 @@
 #include "chapters/06_redefinition/pair_projection.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/false_hooks.hpp"
-#include "chapters/07_implicit_contact/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
-#include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
 

@@ -68,9 +68,9 @@ TetrahedralMesh crossed_bar(double thickness, double width, std::array<int, 3> c
 {
     constexpr double leg = 0.2, bend = 0.08, round = 0.75 * full_turn * bend;
     return bent_bar(2 * leg + round, thickness, width, cells, [&](double s) {
-        const double angle = std::clamp((s - leg) / bend, 0.0, 0.75 * full_turn),
-                     past = s - leg -
-                            angle * bend;  // on a leg: negative on the first, positive on the second
+        const double angle = std::clamp((s - leg) / bend, 0.0, 0.75 * full_turn);
+        // negative on the first leg, positive on the second
+        const double past = s - leg - angle * bend;
         const Vec3 along(std::cos(angle), std::sin(angle), 0), left(-std::sin(angle), std::cos(angle), 0);
         return CurvePoint{past * along - bend * left, left};
     });

@@ -1,4 +1,5 @@
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
+#include "chapters/08_deep_contacts/experiments/soft_runs.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
 #include "common/experiments/run/run.hpp"
 
@@ -20,12 +21,8 @@ void cost(const RunOptions& options, Report& report)
 
     Scene meeting = load_scene(scene_file("bunny_bowl"), R"({"/bodies/bunny/self_contact": true})");
     const RunResult itself = run(meeting, chapter08_solver(meeting.contact), {}, {.steps = steps});
-    double before = 0, after = 0;
-    for (const char* pass : {"broad phase", "queries", "resolve vertices", "resolve edges"}) {
-        before += result.timings.of(pass);
-        after += itself.timings.of(pass);
-    }
-    report.fact("cost", "self_percent", 100 * (after - before) / itself.timings.total(), 2);
+    const double more = search_time(itself.timings) - search_time(result.timings);
+    report.fact("cost", "self_percent", 100 * more / itself.timings.total(), 2);
 }
 
 }  // namespace enduring::chapter08

@@ -139,10 +139,10 @@ struct Collected {
         depth_at_end = std::max(depth_at_end, f.depth_at_end);
         gain = std::max(gain, gained);
         share = std::max(share, f.search_share + f.answer_share);
-        if (!run.scene.world.gravity.isZero() &&
-            variant.mu > 0)  // nothing stops what slides without friction
+        const bool falls = !run.scene.world.gravity.isZero();
+        if (falls && variant.mu > 0)  // nothing stops what slides without friction
             rest = std::max(rest, f.rest / f.impact);
-        else if (run.scene.world.gravity.isZero() && run.pulls.empty())  // nothing holds it
+        else if (!falls && run.pulls.empty())  // nothing holds it
             momentum = std::max(momentum, f.momentum / f.impulse);
     }
 };

@@ -2,29 +2,14 @@
 
 #include "chapters/02_collision_detection/swept_box.hpp"
 #include "chapters/08_deep_contacts/piercing.hpp"
+#include "common/geometry/offset_surface.hpp"
 
 #include <algorithm>
 
 namespace enduring::chapter08 {
-namespace {
-
-std::vector<Vec3> without_skin(const Body& body, double skin)
-{
-    const auto x = body.positions_t0();
-    std::vector<Vec3> normals(x.size(), Vec3::Zero()), result(x.begin(), x.end());
-    for (const auto& [a, b, c] : body.surface().faces())
-        for (const int vertex : {a, b, c})
-            normals[vertex] += (x[b] - x[a]).cross(x[c] - x[a]);
-    for (std::size_t vertex = 0; vertex < x.size(); ++vertex)
-        result[vertex] -= skin * normals[vertex].normalized();
-    return result;
-}
-
-}  // namespace
-
 long self_crossings(const Body& body, const RestNeighbours& neighbours, double skin)
 {
-    const std::vector<Vec3> x = without_skin(body, skin);
+    const std::vector<Vec3> x = offset_surface(body.surface().faces(), body.positions_t0(), -skin);
     const SurfaceStep still{body.surface(), x, x};
     const int faces = static_cast<int>(body.surface().faces().size()),
               edges = static_cast<int>(body.surface().edges().size());

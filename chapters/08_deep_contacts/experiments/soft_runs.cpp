@@ -55,6 +55,12 @@ Solver pulling(Solver solver, std::vector<Pull> pulls)
     return solver;
 }
 
+double search_time(const Timings& timings)
+{
+    return timings.of("broad phase") + timings.of("queries") + timings.of("resolve vertices") +
+           timings.of("resolve edges");
+}
+
 namespace {
 
 /// The sums over all bodies of a world.
@@ -143,8 +149,7 @@ Folded fold(SoftRun& soft, int steps, std::vector<Probe*> probes)
     found.crossings_at_end = now.crossings;
     found.depth_at_end = sums_of(soft.scene.world, 0).depth;
     found.steps = result.steps;
-    for (const char* pass : {"broad phase", "queries", "resolve vertices", "resolve edges"})
-        found.search_share += result.timings.of(pass) / result.timings.total();
+    found.search_share = search_time(result.timings) / result.timings.total();
     found.answer_share = own_answers / result.timings.total();
     return found;
 }

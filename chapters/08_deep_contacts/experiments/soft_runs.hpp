@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/experiments/run/probes.hpp"
+#include "common/experiments/run/timings.hpp"
 #include "common/geometry/meshes.hpp"
 #include "common/scenes/scene.hpp"
 
@@ -41,6 +42,9 @@ void add_soft(Scene& scene, const std::string& name, const TetrahedralMesh& mesh
 
 /// The solver with steady forces: they act before anything is looked for.
 Solver pulling(Solver solver, std::vector<Pull> pulls);
+
+/// What a run took to look for pairs [s], of bodies with others and with themselves.
+double search_time(const Timings& timings);
 
 /// What a run showed, the most after any step if nothing else is said.
 struct Folded {
