@@ -4,6 +4,7 @@
 #include "chapters/07_implicit_contact/false_hooks.hpp"
 #include "chapters/07_implicit_contact/plausible_depth.hpp"
 #include "chapters/07_implicit_contact/touching_pairs.hpp"
+#include "chapters/07_implicit_contact/valley_pairs.hpp"
 
 #include <memory>
 #include <utility>
@@ -49,6 +50,28 @@ void keep_plausible_edges(Solver& solver)
     keep_plausible("edge pairs of exits", 1);
 }
 
+//! [valleys]
+/// A vertex at the bottom of a valley has a pair with each wall; chapter 6 sees one of them.
+void push_from_all_walls(Solver& solver)
+{
+    const auto valleys = std::make_shared<ValleyPairs>();
+    solver.insert_before("redefine vertices", "set other walls aside",
+                         [valleys](World&, Contacts& contacts, double) { valleys->set_aside(contacts); });
+    solver.append(StepStage::refresh, "follow other walls",
+                  [valleys](World& world, Contacts& contacts, double) { valleys->follow(world, contacts); });
+    solver.append(StepStage::detect, "find other walls", [valleys](World& world, Contacts& contacts, double) {
+        drop_edges_in_valleys(world, contacts);
+        valleys->append_new(world, contacts);
+    });
+    solver.wrap("resolve vertices", "resolve vertices",
+                [valleys](const Pass::Function& resolve, World& world, Contacts& contacts, double dt) {
+                    valleys->set_aside(contacts);
+                    resolve(world, contacts, dt);
+                    valleys->put_back(contacts);
+                });
+}
+//! [valleys]
+
 }  // namespace
 
 //! [solver]
@@ -68,6 +91,7 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
         });
     find_and_label(solver);
     keep_plausible_edges(solver);
+    push_from_all_walls(solver);
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
     return solver;

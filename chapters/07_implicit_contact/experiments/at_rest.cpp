@@ -14,7 +14,7 @@ std::string in_words(Tip tip, int tip_deg, int crack_deg)
 std::vector<RestRuns::Case> all_cases(double dt, bool quick)
 {
     constexpr double stands_mm = 10;
-    const double duration = quick ? 4 : 6;
+    const double duration = quick ? 4 : 8;
     std::vector<RestRuns::Case> cases;
     for (const int lean_deg : {15, 10, 20})
         if (!quick || lean_deg == 15)

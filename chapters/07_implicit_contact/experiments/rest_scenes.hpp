@@ -28,7 +28,7 @@ enum class Tip { spike, wedge };
 
 /// A spike or a wedge, 1 m long and with the tip down, falls into a crack 1 m deep.
 /// @param tip_deg    between the sides of the tip; of a spike, between a face and the edge on its other side
-/// @param crack_deg  between the walls of the crack
+/// @param crack_deg  between the walls of the crack, below 90
 Scene tip_in_crack(Tip tip, double tip_deg, double crack_deg, double dt);
 
 /// A wedge with its edge down falls on the edge of another one, across it and

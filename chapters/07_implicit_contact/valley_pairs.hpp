@@ -1,0 +1,41 @@
+#pragma once
+
+#include "common/simulation/step.hpp"
+
+namespace enduring {
+
+/// Pairs with the other walls of a valley. Beside a vertex-face pair's face there may be one that looks back
+/// at it across a concave edge. Outside means in front of both, so a vertex at the bottom needs a pair with
+/// each.
+///
+/// Chapter 6 follows one pair for each vertex and body, its own one. The others are kept out of its sight
+/// while it looks at the list, and stand in the list behind all own ones.
+class ValleyPairs {
+public:
+    /// Adds pairs with walls that a vertex can reach in this step. Each pushes from its wall's plane on.
+    void append_new(const World& world, Contacts& contacts) const;
+
+    /// Takes them off the list.
+    void set_aside(Contacts& contacts);
+
+    /// Puts those back whose vertex still has its own pair.
+    void put_back(Contacts& contacts);
+
+    /// The same at the start of a step, when vertices may have gone on to other faces: what a spring holds
+    /// stays with the wall that it pushes from, whichever pair is the vertex' own now.
+    void follow(const World& world, Contacts& contacts);
+
+private:
+    /// A vertex' own pair, as it was, and those with further walls.
+    struct Valley {
+        Contact own;
+        Contacts others;
+    };
+    std::vector<Valley> aside_;
+};
+
+/// Drops the pairs of edges at the bottom of a valley. An edge that touched it between its own ends would
+/// cut into both walls; its ends are vertices, which have pairs with the walls.
+void drop_edges_in_valleys(const World& world, Contacts& contacts);
+
+}  // namespace enduring
