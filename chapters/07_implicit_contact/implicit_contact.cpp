@@ -105,8 +105,8 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         record.converged = record.residual <= settings.tolerance;
         if (record.converged || record.rounds == settings.most_rounds)
             break;
-        // A stiff pair makes much of a small error in the velocities, so they are found more sharply.
-        const ProblemSolution solution = solve(step.problem, matrix, 1e-4 * settings.tolerance, least);
+        // A stiff pair makes up to 1e5 of a small error in the velocities, so they are found more sharply.
+        const ProblemSolution solution = solve(step.problem, matrix, 1e-6 * settings.tolerance, least);
         record.newton_steps += solution.newton_steps;
         const Eigen::VectorXd after = impulses_after(step, solution.change);
         apply_impulses(world, step, mixing.next(impulses_acting(step), after));

@@ -82,7 +82,7 @@ void bowls(RestRuns& runs, const RunOptions& options, Report& report)
     for (const Bunnies& bunnies : all_bunnies(options.quick)) {
         const std::string name = in_words(bunnies);
         RestRuns::Case c{name, bunnies_in_bowl(bunnies, 0.01),
-                         !options.quick       ? 8.0
+                         !options.quick       ? 16.0
                          : bunnies.count == 1 ? 6.0
                                               : 3.0,
                          bunnies.elements == 363 && bunnies.young == (bunnies.count == 1 ? 1e7 : 1e6)};
