@@ -28,7 +28,7 @@ struct ImplicitSettings {
     FrictionCoefficients friction;
     double centre = 1;        ///< of the weight over the step
     double tolerance = 1e-6;  ///< of the residual
-    int most_rounds = 60;
+    int most_rounds = 200;
     std::function<void(const SolveRecord&)> record = tell_unconverged;
 };
 
