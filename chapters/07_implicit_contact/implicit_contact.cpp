@@ -83,6 +83,9 @@ void answer_safely(World& world, StepProblem& step, NewtonMatrix& matrix, double
 }
 //! [answer_safely]
 
+/// What comes to its answer at all comes near it in sixty rounds.
+bool is_hopeless(const SolveRecord& record) { return record.rounds >= 60 && record.residual > nearly_solved; }
+
 /// How much more sharply than to the tolerance a round's problem is solved: a stiff pair makes 1e3 or 1e4 of a small
 /// error in the velocities. The few that make 1e5 of it take many rounds.
 double sharpness(int round) { return round < 10 ? 1e-4 : 1e-6; }
@@ -107,7 +110,7 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         look_again(world, step);
         record.residual = residual_of(step.problem, Eigen::VectorXd::Zero(step.problem.size), least);
         record.converged = record.residual <= settings.tolerance;
-        if (record.converged || record.rounds == settings.most_rounds)
+        if (record.converged || record.rounds == settings.most_rounds || is_hopeless(record))
             break;
         const ProblemSolution solution = solve(step.problem, matrix,
                                                sharpness(record.rounds) * settings.tolerance, least);
