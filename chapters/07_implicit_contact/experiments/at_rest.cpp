@@ -24,11 +24,11 @@ std::vector<RestRuns::Case> all_cases(double dt, bool quick)
     cases.push_back(
         {"the same, every other stone 0.9 m deep", arch(20, 5, dt, 0.9), duration, false, stands_mm});
     for (const Tip tip : {Tip::spike, Tip::wedge})
-        for (const auto& [tip_deg, crack_deg] : {std::pair(70, 40), {70, 20}, {80, 60}, {33, 20}, {33, 60}})
+        for (const auto& [tip_deg, crack_deg] : {std::pair(70, 40), {70, 20}, {80, 60}, {33, 20}, {33, 60}}) {
+            const bool pictured = tip == Tip::spike ? tip_deg == 70 && crack_deg == 40 : tip_deg == 33;
             cases.push_back({in_words(tip, tip_deg, crack_deg), tip_in_crack(tip, tip_deg, crack_deg, dt),
-                             duration,
-                             (tip_deg == 70 && crack_deg == 40) ||
-                                 (tip == Tip::wedge && crack_deg == 20 && tip_deg == 33)});
+                             duration, pictured});
+        }
     cases.push_back({"wedge on an edge", wedge_on_edge(dt), 6, true});
     return cases;
 }
