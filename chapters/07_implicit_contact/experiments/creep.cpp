@@ -25,11 +25,11 @@ constexpr double damping = 0.01;  // Rayleigh's, of the stiffness [s]
 
 /// Long enough for its swinging to die away, where its own weight strains it by less than a twentieth [s]. A mode
 /// of angular frequency w decays with damping w^2 / 2. Along the cube w^2 is about g over the strain, aside the
-/// cube swings half as fast; 14 of these times are a factor of a million.
+/// cube swings half as fast; seven of these times are a factor of a thousand.
 double duration_for(const SoftCube& cube)
 {
     const double decay = 0.5 * damping * 0.25 * 9.81 / own_strain(cube);
-    return is_firm(cube) ? std::max(4.0, 14 / decay) : 4;
+    return is_firm(cube) ? std::max(4.0, 7 / decay) : 4;
 }
 
 /// It lies on triangles that fall by 10 degrees, with mu 0.3.
