@@ -11,6 +11,9 @@ namespace enduring {
 /// things up in logarithmic time, among the contacts there were when it was filled.
 class VertexContacts {
 public:
+    VertexContacts() = default;
+    explicit VertexContacts(std::span<const Contact> contacts) { fill(contacts); }
+
     /// Keeps its memory from one filling to the next.
     void fill(std::span<const Contact> contacts);
 

@@ -32,8 +32,7 @@ void admit_new_pairs(const World& world, Contacts& contacts, std::size_t first_n
     const auto first = contacts.begin() + static_cast<std::ptrdiff_t>(first_new);
     if (first == contacts.end())
         return;
-    VertexContacts in_contact;
-    in_contact.fill(std::span<const Contact>(contacts).first(first_new));
+    const VertexContacts in_contact(std::span<const Contact>(contacts).first(first_new));
     const auto superfluous = [&](const Contact& c) {
         return c.kind == ContactKind::vertex_face ? in_contact.find(c.body_a, c.feature_a, c.body_b) >= 0
                                                   : c.category != ContactCategory::regular;

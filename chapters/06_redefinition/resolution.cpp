@@ -26,8 +26,7 @@ bool are_at_once(double time, double later) { return later - time <= 2 * time_of
 std::vector<Passage> find_passages(const World& world, const CandidateSearch& search,
                                    const Contacts& contacts)
 {
-    VertexContacts in_contact;
-    in_contact.fill(contacts);
+    const VertexContacts in_contact(contacts);
     std::vector<Passage> passages;
     search.visit_candidates(
         [&](int body_a, int vertex, int body_b, int face) {
@@ -151,8 +150,7 @@ bool is_outside(const World& world, const CandidateSearch& search, const VertexC
 
 void resolve_edges_that_left(const World& world, const CandidateSearch& search, Contacts& contacts)
 {
-    VertexContacts in_contact;
-    in_contact.fill(contacts);
+    const VertexContacts in_contact(contacts);
     for (Contact& c : contacts)
         if (c.kind == ContactKind::edge_edge && !c.resolved)
             c.resolved = is_outside(world, search, in_contact, c.body_a, c.feature_a, c.body_b) ||

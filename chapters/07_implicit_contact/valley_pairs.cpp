@@ -123,19 +123,12 @@ int own_pair(const VertexContacts& index, const Contact& pair)
                : -1;
 }
 
-VertexContacts index_of(const Contacts& contacts)
-{
-    VertexContacts index;
-    index.fill(contacts);
-    return index;
-}
-
 }  // namespace
 
 //! [append_new]
 void ValleyPairs::append_new(const World& world, Contacts& contacts) const
 {
-    const VertexContacts index = index_of(contacts);
+    const VertexContacts index(contacts);
     const std::size_t count = contacts.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (!can_stand_in_a_valley(contacts[i]) || own_pair(index, contacts[i]) != static_cast<int>(i))
@@ -153,7 +146,7 @@ void ValleyPairs::append_new(const World& world, Contacts& contacts) const
 //! [set_aside]
 void ValleyPairs::set_aside(Contacts& contacts)
 {
-    const VertexContacts index = index_of(contacts);
+    const VertexContacts index(contacts);
     std::map<int, Contacts> others;  // by the index of the own pair
     Contacts own;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -168,7 +161,7 @@ void ValleyPairs::set_aside(Contacts& contacts)
 
 void ValleyPairs::put_back(Contacts& contacts)
 {
-    const VertexContacts index = index_of(contacts);
+    const VertexContacts index(contacts);
     for (const Valley& valley : aside_)
         if (own_pair(index, valley.own) >= 0)
             contacts.insert(contacts.end(), valley.others.begin(), valley.others.end());
@@ -179,7 +172,7 @@ void ValleyPairs::put_back(Contacts& contacts)
 //! [follow]
 void ValleyPairs::follow(const World& world, Contacts& contacts)
 {
-    const VertexContacts index = index_of(contacts);
+    const VertexContacts index(contacts);
     for (const Valley& valley : aside_) {
         const int own = own_pair(index, valley.own);
         if (own < 0 || !can_stand_in_a_valley(contacts[own]))

@@ -97,8 +97,7 @@ void InsidePairs::append_missing(const World& world, Contacts& contacts)
 {
     fit_trees(world);
     way_of_vertex_.clear();
-    VertexContacts in_contact;
-    in_contact.fill(contacts);
+    const VertexContacts in_contact(contacts);
     const int count = static_cast<int>(bodies_.size());
     for (int i = 0; i < count; ++i)
         for (int j = i + 1; j < count; ++j) {

@@ -53,13 +53,6 @@ std::optional<Vec3> vouched_direction(const World& world, const Contacts& contac
 }
 //! [vouched]
 
-VertexContacts index_of(const Contacts& contacts)
-{
-    VertexContacts in_contact;
-    in_contact.fill(contacts);
-    return in_contact;
-}
-
 //! [follow]
 /// The best face around the present one among those that look in a direction.
 std::optional<FaceTrial> face_in_direction(const World& world, const Contact& contact,
@@ -100,13 +93,13 @@ void follow(const World& world, Contact& contact, const Vec3& direction)
 std::optional<Vec3> direction_of_neighbours(const World& world, const Contacts& contacts,
                                             const Contact& contact, double tau)
 {
-    return direction_among(world, contacts, index_of(contacts), contact, tau);
+    return direction_among(world, contacts, VertexContacts(contacts), contact, tau);
 }
 
 //! [vouch]
 void vouch_for_new_pairs(const World& world, Contacts& contacts)
 {
-    const VertexContacts in_contact = index_of(contacts);
+    const VertexContacts in_contact(contacts);
     for (Contact& contact : contacts)
         if (contact.waiting() && !contact.endures() && contact.category == ContactCategory::hooked &&
             vouched_direction(world, contacts, in_contact, contact, contact.start))
@@ -115,7 +108,7 @@ void vouch_for_new_pairs(const World& world, Contacts& contacts)
 
 std::vector<VouchedPair> take_vouched_pairs(const World& world, Contacts& contacts)
 {
-    const VertexContacts in_contact = index_of(contacts);
+    const VertexContacts in_contact(contacts);
     std::vector<VouchedPair> vouched;
     Contacts others;
     for (const Contact& contact : contacts)
