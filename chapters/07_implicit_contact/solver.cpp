@@ -50,7 +50,7 @@ void keep_plausible_edges(Solver& solver)
     keep_plausible("edge pairs of exits", 1);
 }
 
-//! [valleys]
+//! [all_walls]
 /// A vertex at the bottom of a valley has a pair with each wall; chapter 6 sees one of them.
 void push_from_all_walls(Solver& solver)
 {
@@ -70,7 +70,7 @@ void push_from_all_walls(Solver& solver)
                     valleys->put_back(contacts);
                 });
 }
-//! [valleys]
+//! [all_walls]
 
 }  // namespace
 
