@@ -95,6 +95,39 @@ TEST_CASE("valley pairs: behind both walls a vertex has a pair with each, and no
     }
 }
 
+TEST_CASE("valley pairs: in a corner of three walls the corner of a cube has a pair with each")
+{
+    const std::vector<Vec3> x{{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1}, {1, 1, 0}};
+    const std::vector<Face> faces{{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 1}, {0, 3, 6}, {0, 6, 4}};
+    SurfaceMesh cube = box(Vec3::Constant(0.1));
+    int corner = 0;
+    for (std::size_t i = 0; i < cube.vertices.size(); ++i) {
+        cube.vertices[i] += Vec3::Constant(0.05 - 1e-3);
+        corner = cube.vertices[i].maxCoeff() < 0 ? static_cast<int>(i) : corner;
+    }
+    World world;
+    world.bodies.push_back(std::make_unique<StaticBody>("corner", SurfaceTopology(7, faces), x));
+    world.bodies.push_back(
+        std::make_unique<RigidBody>("cube", cube, with_mass(mass_properties(cube, 1000), 1)));
+    world.bodies[1]->predict(Vec3::Zero(), 0.01);
+    Contact own{ContactKind::vertex_face, 1, 0, corner, -1};
+    own.vertices[0] = corner;
+    own.weights[0] = 1;
+    own.category = ContactCategory::regular;
+    for (const int face : {0, 2, 5}) {
+        const PairSurfaces surfaces(world, own, 0);
+        put_on_face(own, world.bodies[0]->surface(), face,
+                    foot_on_face(surfaces.a, corner, surfaces.b, face)->weights);
+        Contacts contacts{own};
+        ValleyPairs().append_new(world, contacts);
+        REQUIRE(contacts.size() == 3);
+        Vec3 sum = Vec3::Zero();
+        for (const Contact& contact : contacts)
+            sum += surfaces.b.face_normal(contact.feature_b).normalized();
+        CHECK((sum - Vec3::Ones()).norm() < 1e-12);
+    }
+}
+
 TEST_CASE("valley pairs: a wall that the vertex does not reach in the step has none")
 {
     const Vec3 on_left(-0.1, 0.1 - 1e-3, 0);  // 141 mm from the other wall
