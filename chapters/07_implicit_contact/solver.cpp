@@ -59,9 +59,9 @@ void push_from_all_walls(Solver& solver)
                          [valleys](World&, Contacts& contacts, double) { valleys->set_aside(contacts); });
     solver.append(StepStage::refresh, "follow other walls",
                   [valleys](World& world, Contacts& contacts, double) { valleys->follow(world, contacts); });
-    solver.append(StepStage::detect, "find other walls", [valleys](World& world, Contacts& contacts, double) {
+    solver.append(StepStage::detect, "find other walls", [](World& world, Contacts& contacts, double) {
         drop_edges_in_valleys(world, contacts);
-        valleys->append_new(world, contacts);
+        append_pairs_with_other_walls(world, contacts);
     });
     solver.wrap("resolve vertices", "resolve vertices",
                 [valleys](const Pass::Function& resolve, World& world, Contacts& contacts, double dt) {

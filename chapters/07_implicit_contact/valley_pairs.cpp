@@ -125,8 +125,7 @@ int own_pair(const VertexContacts& index, const Contact& pair)
 
 }  // namespace
 
-//! [append_new]
-void ValleyPairs::append_new(const World& world, Contacts& contacts) const
+void append_pairs_with_other_walls(const World& world, Contacts& contacts)
 {
     const VertexContacts index(contacts);
     const std::size_t count = contacts.size();
@@ -141,9 +140,7 @@ void ValleyPairs::append_new(const World& world, Contacts& contacts) const
                 contacts.push_back(pair);
     }
 }
-//! [append_new]
 
-//! [set_aside]
 void ValleyPairs::set_aside(Contacts& contacts)
 {
     const VertexContacts index(contacts);
@@ -167,9 +164,7 @@ void ValleyPairs::put_back(Contacts& contacts)
             contacts.insert(contacts.end(), valley.others.begin(), valley.others.end());
     aside_.clear();
 }
-//! [set_aside]
 
-//! [follow]
 void ValleyPairs::follow(const World& world, Contacts& contacts)
 {
     const VertexContacts index(contacts);
@@ -196,9 +191,7 @@ void ValleyPairs::follow(const World& world, Contacts& contacts)
     }
     aside_.clear();
 }
-//! [follow]
 
-//! [valley_edges]
 namespace {
 
 bool is_bottom_of_a_valley(const Body& body, int edge)
@@ -221,6 +214,5 @@ void drop_edges_in_valleys(const World& world, Contacts& contacts)
                        }),
         contacts.end());
 }
-//! [valley_edges]
 
 }  // namespace enduring

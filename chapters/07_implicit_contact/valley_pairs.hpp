@@ -12,9 +12,6 @@ namespace enduring {
 /// while it looks at the list, and stand in the list behind all own ones.
 class ValleyPairs {
 public:
-    /// Adds pairs with walls that a vertex can reach in this step. Each pushes from its wall's plane on.
-    void append_new(const World& world, Contacts& contacts) const;
-
     /// Takes them off the list.
     void set_aside(Contacts& contacts);
 
@@ -33,6 +30,9 @@ private:
     };
     std::vector<Valley> aside_;
 };
+
+/// Adds pairs with walls that a vertex can reach in this step. Each pushes from its wall's plane on.
+void append_pairs_with_other_walls(const World& world, Contacts& contacts);
 
 /// Drops the pairs of edges at the bottom of a valley. An edge that touched it between its own ends would
 /// cut into both walls; its ends are vertices, which have pairs with the walls.

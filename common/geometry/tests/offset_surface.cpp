@@ -4,8 +4,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 using namespace enduring;
 
 TEST_CASE("offset surface: outwards is where a ball grows, by the distance asked")
