@@ -15,6 +15,12 @@ enum class EdgeRule {
 /// A normal closer than 45 degrees to the span pushes mostly off the surface, a farther one mostly along it.
 inline constexpr double hook_cosine = 0.70710678118654752440;
 
+/// Whether two directions of any length but zero are less than 45 degrees apart.
+inline bool is_within_45_degrees(const Vec3& one, const Vec3& other)
+{
+    return one.dot(other) > hook_cosine * one.norm() * other.norm();
+}
+
 /// Thesis (6.2): whether a vertex of A that is pushed along `normal` is
 /// pushed along its own surface rather than off it.
 /// @param normal  of the contact, out of B; any length but zero

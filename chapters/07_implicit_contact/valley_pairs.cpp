@@ -12,11 +12,6 @@
 namespace enduring {
 namespace {
 
-bool same_wall(const Vec3& normal, const Vec3& other)
-{
-    return normal.dot(other) > hook_cosine * normal.norm() * other.norm();
-}
-
 /// Sine of an angle that is none but for rounding.
 constexpr double in_plane = 1e-9;
 
@@ -33,7 +28,7 @@ bool in_front_of(const SurfaceMoment& b, int face, int other)
 /// Whether two faces look at each other, and not nearly the same way.
 bool are_walls_of_a_valley(const SurfaceMoment& b, int face, int other)
 {
-    return !same_wall(b.face_normal(face), b.face_normal(other)) && in_front_of(b, face, other) &&
+    return !is_within_45_degrees(b.face_normal(face), b.face_normal(other)) && in_front_of(b, face, other) &&
            in_front_of(b, other, face);
 }
 
@@ -85,7 +80,7 @@ Contacts pairs_with_other_walls(const World& world, const Contact& own)
     for (const auto& [beyond, pair] : walls) {
         const Vec3 normal = surfaces.b.face_normal(pair.feature_b);
         if (std::none_of(one_each.begin(), one_each.end(), [&](const Contact& nearer) {
-                return same_wall(normal, surfaces.b.face_normal(nearer.feature_b));
+                return is_within_45_degrees(normal, surfaces.b.face_normal(nearer.feature_b));
             }))
             one_each.push_back(pair);
     }
@@ -112,7 +107,7 @@ void take_over(Contact& contact, const Contact& other)
 bool push_from_one_wall(const World& world, const Contact& pair, const Contact& other)
 {
     const SurfaceMoment b = surface_at(*world.bodies[pair.body_b], 0);
-    return same_wall(b.face_normal(pair.feature_b), b.face_normal(other.feature_b));
+    return is_within_45_degrees(b.face_normal(pair.feature_b), b.face_normal(other.feature_b));
 }
 
 /// Index of the pair that is the own one of another pair's vertex; -1 for a pair of another kind.

@@ -7,11 +7,6 @@
 namespace enduring {
 namespace {
 
-bool stands_within_45_degrees(const Vec3& normal, const Vec3& direction)
-{
-    return normal.dot(direction) > hook_cosine * normal.norm() * direction.norm();
-}
-
 bool pushes_already(const Contact& contact)
 {
     return contact.category == ContactCategory::regular && !contact.held() && !contact.resolved &&
@@ -49,7 +44,7 @@ std::optional<Vec3> vouched_direction(const World& world, const Contacts& contac
     if (!(normal.squaredNorm() > 0) || !is_hooked_vertex(surfaces.a, contact.feature_a, normal))
         return std::nullopt;
     const std::optional<Vec3> direction = direction_among(world, contacts, in_contact, contact, tau);
-    return direction && stands_within_45_degrees(normal, *direction) ? direction : std::nullopt;
+    return direction && is_within_45_degrees(normal, *direction) ? direction : std::nullopt;
 }
 //! [vouched]
 
@@ -64,7 +59,7 @@ std::optional<FaceTrial> face_in_direction(const World& world, const Contact& co
     visit_candidates(surfaces, contact, corners_towards(foot), [&](int face) {
         const FaceTrial trial = try_face(surfaces, contact.feature_a, face, limits);
         const bool lies_below = trial.verdict == FaceVerdict::fit || trial.verdict == FaceVerdict::hooked;
-        if (lies_below && stands_within_45_degrees(surfaces.b.face_normal(face), direction) &&
+        if (lies_below && is_within_45_degrees(surfaces.b.face_normal(face), direction) &&
             (!best || is_better(trial, *best)))
             best = trial;
     });
