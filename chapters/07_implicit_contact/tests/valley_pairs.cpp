@@ -70,6 +70,9 @@ struct TipOver {
 
 const std::vector<std::array<double, 2>> valley{{0, 0}, {-1, 1}, {-2, 1}, {-2, -1}, {2, -1}, {2, 1}, {1, 1}},
     ridge{{0, 0}, {-1, -1}, {1, -1}};
+/// Its walls are 33 degrees apart: one wall that bends.
+const std::vector<std::array<double, 2>> flat{{0, 0},  {-1, 0.3}, {-2, 0.5}, {-2, -1},
+                                              {2, -1}, {2, 0.5},  {1, 0.3}};
 
 Contacts with_other_walls(const TipOver& at, const Contact& own)
 {
@@ -144,8 +147,6 @@ TEST_CASE(
     const TipOver at_ridge(ridge, {0, -1e-3, 0});
     CHECK(with_other_walls(at_ridge, at_ridge.pair(-right)).size() == 1);
     const TipOver at(valley, {0, -1e-3, 0});
-    const std::vector<std::array<double, 2>> flat{{0, 0},  {-1, 0.3}, {-2, 1}, {-2, -1},
-                                                  {2, -1}, {2, 1},    {1, 0.3}};
     const TipOver at_flat(flat, {0, -1e-3, 0});
     CHECK(with_other_walls(at_flat, at_flat.pair(Vec3(0.3, 1, 0).normalized())).size() == 1);
     for (const auto silence : {+[](Contact& c) { c.hold(true); }, +[](Contact& c) { c.resolved = true; },
@@ -205,9 +206,9 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("valley pairs: edges at the bottom of a valley have no pairs, those of its rims and of ridges have")
+TEST_CASE("valley pairs: edges at the bottom of a valley have no pairs, those of rims, ridges and bends have")
 {
-    for (const auto& [outline, bottoms] : {std::pair(valley, 1), std::pair(ridge, 0)}) {
+    for (const auto& [outline, bottoms] : {std::pair(valley, 1), std::pair(ridge, 0), std::pair(flat, 0)}) {
         const TipOver at(outline, {0, 1, 0});
         const SurfaceTopology& ground = at.world.bodies[0]->surface();
         Contacts contacts;
