@@ -134,11 +134,14 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
 void remember_pairs(const World& world, Contacts& contacts, double dt)
 {
     for (Contact& contact : contacts) {
-        if (!contact.held()) {
-            contact.load = contact.impulse.norm() / dt;
-            contact.stretch = contact.stiffness > 0 ? Vec3(contact.friction / (-contact.stiffness * dt))
-                                                    : Vec3(Vec3::Zero());
+        if (contact.held()) {  // its spring lets go: where the pair pushes again, it begins as a new one does
+            contact.stiffness = 0;
+            contact.stretch.setZero();
+            continue;
         }
+        contact.load = contact.impulse.norm() / dt;
+        contact.stretch = contact.stiffness > 0 ? Vec3(contact.friction / (-contact.stiffness * dt))
+                                                : Vec3(Vec3::Zero());
         contact.stretch = surface_turn(world, contact) * contact.stretch;
     }
 }

@@ -38,7 +38,7 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
                       NewtonMatrix& matrix, double dt);
 
 /// Before the step is settled: what each pair hands on to the next one,
-/// its load and the stretch of its friction.
+/// its load and the stretch of its friction. One that is held holds nothing: its spring has let go.
 void remember_pairs(const World& world, Contacts& contacts, double dt);
 
 }  // namespace enduring

@@ -23,13 +23,16 @@ double way_in_step(const World& world, const Contact& contact)
 }  // namespace
 
 //! [plausible_depth]
+/// How much deeper than the places at which a body is pushed its other corners can have sunk beside them.
+constexpr double lever = 10;
+
 double plausible_depth(const World& world, std::span<const Contact> others, const Contact& contact)
 {
     double deepest = 0;
     for (const Contact& other : others)
         if (pushes(other, contact.body_a) || pushes(other, contact.body_b))
             deepest = std::max(deepest, -contact_geometry(world, other, 0).depth);
-    return deepest + way_in_step(world, contact);
+    return lever * deepest + way_in_step(world, contact);
 }
 //! [plausible_depth]
 

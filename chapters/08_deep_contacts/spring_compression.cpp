@@ -37,7 +37,6 @@ void SpringCompressions::note(const World& world, const Contacts& contacts)
         if (has_spring(c))
             springs_.push_back({{c.body_a, c.feature_a, c.body_b},
                                 c.feature_b,
-                                c.held(),
                                 std::min(0.0, depth_of(world, c) - c.slack),
                                 distance_to_face(world, c)});
     std::sort(springs_.begin(), springs_.end(),
@@ -56,10 +55,7 @@ void SpringCompressions::keep(const World& world, Contacts& contacts) const
             [](const Spring& one, const Key& sought) { return one.key < sought; });
         if (spring == springs_.end() || spring->key != key)
             continue;
-        if (spring->held)
-            contact.slack = std::min(0.0, depth_of(world, contact));
-        else if (spring->face != contact.feature_b &&
-                 -depth_of(world, contact) > spring->distance + tolerance)
+        if (spring->face != contact.feature_b && -depth_of(world, contact) > spring->distance + tolerance)
             contact.resolved = true;  // no motion has led there: it has left its face, and that is all
         else if (spring->face != contact.feature_b)
             contact.slack = std::min(0.0, depth_of(world, contact) - spring->compression);

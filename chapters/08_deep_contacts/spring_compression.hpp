@@ -14,9 +14,9 @@ public:
     /// Before pairs are followed: how far each spring is compressed.
     void note(const World& world, const Contacts& contacts);
 
-    /// After it: a spring that acts at another face gets the slack with which it is compressed as before, and
-    /// one that was held begins slack. It never pushes before its vertex is inside. A vertex that is deeper under
-    /// the other face than it was far from its own has not come there along the surface: its pair is resolved.
+    /// After it: a spring that acts at another face gets the slack with which it is compressed as before. It
+    /// never pushes before its vertex is inside. A vertex that is deeper under the other face than it was far from
+    /// its own has not come there along the surface: its pair is resolved.
     void keep(const World& world, Contacts& contacts) const;
 
 private:
@@ -24,7 +24,6 @@ private:
     struct Spring {
         Key key;
         int face;
-        bool held;
         double compression;  ///< [m], not positive
         double distance;     ///< of the vertex from the face [m]
     };

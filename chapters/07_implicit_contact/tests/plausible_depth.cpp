@@ -62,13 +62,13 @@ const Vec3 side = Vec3::UnitX(), top = Vec3::UnitY();
 
 }  // namespace
 
-TEST_CASE("plausible depth: as deep as a pair that pushes one of the bodies, and a step's way")
+TEST_CASE("plausible depth: ten times as deep as a pair that pushes one of the bodies, and a step's way")
 {
     const HookedCorner at(0.3);
     const Contact entry = at.pair(side);
     CHECK(plausible_depth(at.world, {}, entry) == doctest::Approx(1e-3));
     Contacts others{at.pair(top)};
-    CHECK(plausible_depth(at.world, others, entry) == doctest::Approx(0.301));
+    CHECK(plausible_depth(at.world, others, entry) == doctest::Approx(3.001));
     for (const auto silence : {+[](Contact& c) { c.hold(true); }, +[](Contact& c) { c.resolved = true; },
                                +[](Contact& c) { c.category = ContactCategory::hooked; }}) {
         Contacts silent = others;
