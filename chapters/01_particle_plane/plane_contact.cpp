@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
+#include <vector>
 
 namespace enduring {
 namespace {
@@ -26,14 +28,21 @@ PlaneStep plane_step(const World& world, const Contact& contact)
     return plane_step(*world.bodies[contact.body_a], contact.feature_a, world.planes[contact.body_b]);
 }
 
-/// Which vertices of a body already have a contact with a plane.
-std::vector<bool> vertices_in_contact(const Contacts& contacts, int body, int plane, int vertex_count)
+/// A body's vertex and a plane.
+struct PlanePair {
+    int body, plane, vertex;
+    auto operator<=>(const PlanePair&) const = default;
+};
+
+/// Those that have a contact already, ascending.
+std::vector<PlanePair> pairs_in_contact(const Contacts& contacts)
 {
-    std::vector<bool> marks(static_cast<std::size_t>(vertex_count), false);
+    std::vector<PlanePair> pairs;
     for (const Contact& contact : contacts)
-        if (contact.kind == ContactKind::vertex_plane && contact.body_a == body && contact.body_b == plane)
-            marks[contact.feature_a] = true;
-    return marks;
+        if (contact.kind == ContactKind::vertex_plane)
+            pairs.push_back({contact.body_a, contact.body_b, contact.feature_a});
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
 }
 
 Contact new_contact(int body, int vertex, int plane, double start)
@@ -49,17 +58,16 @@ Contact new_contact(int body, int vertex, int plane, double start)
     return contact;
 }
 
-void detect(const World& world, int body_index, int plane_index, Contacts& contacts)
+void detect(const World& world, int body_index, int plane_index, const std::vector<PlanePair>& known,
+            Contacts& contacts)
 {
     const Body& body = *world.bodies[body_index];
     const Plane& plane = world.planes[plane_index];
-    const int count = body.surface().vertex_count();
-    const std::vector<bool> known = vertices_in_contact(contacts, body_index, plane_index, count);
-    for (int vertex = 0; vertex < count; ++vertex) {
-        if (known[vertex])
-            continue;
+    for (int vertex = 0; vertex < body.surface().vertex_count(); ++vertex) {
         const PlaneStep step = plane_step(body, vertex, plane);
-        if (const auto inside = find_plane_interval(step.depth_t0, step.depth_t1))
+        const auto inside = find_plane_interval(step.depth_t0, step.depth_t1);
+        if (inside &&
+            !std::binary_search(known.begin(), known.end(), PlanePair{body_index, plane_index, vertex}))
             contacts.push_back(new_contact(body_index, vertex, plane_index, inside->begin));
     }
 }
@@ -68,10 +76,11 @@ void detect(const World& world, int body_index, int plane_index, Contacts& conta
 
 void detect_plane_contacts(World& world, Contacts& contacts)
 {
+    const std::vector<PlanePair> known = pairs_in_contact(contacts);
     for (std::size_t body = 0; body < world.bodies.size(); ++body)
         if (!world.bodies[body]->is_static())
             for (std::size_t plane = 0; plane < world.planes.size(); ++plane)
-                detect(world, static_cast<int>(body), static_cast<int>(plane), contacts);
+                detect(world, static_cast<int>(body), static_cast<int>(plane), known, contacts);
 }
 
 void resolve_plane_contacts(World& world, Contacts& contacts)

@@ -100,7 +100,7 @@ void growth(bool quick, Report& report)
     std::vector<double> ours, bullet;
     const std::vector<int> counts = quick ? std::vector{20, 50} : std::vector{100, 300, 1000};
     for (const int cubes : counts) {
-        const Pile pile{"stacks of 5", many_stacks(cubes), 0.2, 0.4};
+        const Pile pile{"stacks of 5", many_stacks(cubes), 1, 1};
         ours.push_back(time_pile(pile, chapter_7).at_rest);
         bullet.push_back(time_pile(pile, bullet_solver).at_rest);
         table.add({static_cast<long>(cubes), ours.back(), bullet.back(), ours.back() / bullet.back()});
