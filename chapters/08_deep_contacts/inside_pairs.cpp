@@ -2,6 +2,7 @@
 
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
+#include "chapters/08_deep_contacts/crossing_edges.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
@@ -113,6 +114,7 @@ void InsidePairs::append_missing(const World& world, Contacts& contacts)
                                         ways_b = ways_(still_b, of_b, still_a, -way_out);
                 append_pairs_of(i, still_a, of_a, j, still_b, ways_a, in_contact, contacts);
                 append_pairs_of(j, still_b, of_b, i, still_a, ways_b, in_contact, contacts);
+                append_crossing_edges(world, i, j, overlap, way_out, contacts);
                 note_ways(i, of_a, j, ways_a);
                 note_ways(j, of_b, i, ways_b);
             }

@@ -20,7 +20,8 @@ std::vector<Vec3> shared_way_out(const StillSurface& inner, const std::vector<in
                                  const StillSurface& outer, const Vec3& way_out);
 
 /// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
-/// which the way out of their overlap leads. It needs no history. Between bodies with closed surfaces only.
+/// which the way out of their overlap leads; and the edges that cross on its border without one. It needs no
+/// history. Between bodies with closed surfaces only.
 ///
 /// The trees are shaped once, so it belongs to one world.
 class InsidePairs {

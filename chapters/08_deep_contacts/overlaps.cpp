@@ -164,6 +164,9 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
     for (std::size_t i = 0; i < intersection.curves.size(); ++i) {
         const Vec3 area = vector_area(intersection, intersection.curves[i], a, b);
         Sum& sum = sums[volumes.of_curve(static_cast<int>(i))];
+        std::vector<Piercing>& curve = sum.overlap.curves.emplace_back();
+        for (const int piercing : intersection.curves[i].piercings)
+            curve.push_back(intersection.piercings[piercing]);
         sum.area += area;
         sum.size += area.norm();
     }

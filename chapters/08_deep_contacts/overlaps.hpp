@@ -8,6 +8,7 @@ namespace enduring {
 struct Overlap {
     std::vector<int> vertices_of_a, vertices_of_b;
     Vec3 way_out = Vec3::Zero();  ///< unit length: A leaves B along it, and B leaves A against it
+    std::vector<std::vector<Piercing>> curves;  ///< around it, the piercings of each in their order
 };
 
 /// The vector area that a curve bounds on A [m^2]: the integral of A's normals over what is inside B there,
