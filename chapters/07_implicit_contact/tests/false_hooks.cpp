@@ -161,10 +161,10 @@ TEST_CASE("false hooks: the tip of a narrow spike does not pass the wall of a wi
 
 TEST_CASE("false hooks: the spike passes neither wall at the bottom of the crack")
 {
-    for (const auto& [tip, crack] : {std::pair(33.0, 60), {12.8, 88}, {53.0, 55}})
+    for (const auto& angles : {std::pair(33.0, 60), {12.8, 88}, {53.0, 55}})
         for (const double dt : {0.01, 1.0 / 60}) {
-            CAPTURE(crack);
-            Scene scene = tip_in_crack(Tip::spike, tip, crack, dt);
+            CAPTURE(angles.second);
+            Scene scene = tip_in_crack(Tip::spike, angles.first, angles.second, dt);
             const PileOutcome outcome = watch(scene, 4);
             CHECK(outcome.energy_gain_j <= 1e-9);
             CHECK(outcome.deepest_ever_mm < 5);

@@ -45,15 +45,14 @@ TEST_CASE("stack: cubes exactly edge on edge that fall through small gaps come t
         double gap, dt, turn_deg;
     };
     // a corner beside the cube below leans over its rim, and slips in
-    for (const auto& [cubes, gap, dt, turn_deg] :
-         {Fall{2, 1e-5, 1.0 / 60, 3}, Fall{3, 1e-3, 0.005, 6}, Fall{4, 0.03, 0.01, 3}}) {
-        CAPTURE(cubes);
+    for (const Fall& fall : {Fall{2, 1e-5, 1.0 / 60, 3}, Fall{3, 1e-3, 0.005, 6}, Fall{4, 0.03, 0.01, 3}}) {
+        CAPTURE(fall.cubes);
         std::vector<Box> boxes;
-        for (int i = 0; i < cubes; ++i)
-            boxes.push_back({10, Vec3(0, 0.5 + gap + (1 + gap) * i, 0), turn_deg});
-        Scene scene = scene_of(boxes, dt);
+        for (int i = 0; i < fall.cubes; ++i)
+            boxes.push_back({10, Vec3(0, 0.5 + fall.gap + (1 + fall.gap) * i, 0), fall.turn_deg});
+        Scene scene = scene_of(boxes, fall.dt);
         CHECK(watch(scene, 3).energy_gain_j <= 1e-9);
-        for (int i = 0; i < cubes; ++i)
+        for (int i = 0; i < fall.cubes; ++i)
             CHECK(scene.world.bodies[static_cast<std::size_t>(i)]->centre().y() ==
                   doctest::Approx(0.5 + i).epsilon(2e-3));
     }

@@ -134,10 +134,11 @@ TEST_CASE("valley pairs: in a corner of three walls the corner of a cube has a p
 TEST_CASE("valley pairs: a wall that the vertex does not reach in the step has none")
 {
     const Vec3 on_left(-0.1, 0.1 - 1e-3, 0);  // 141 mm from the other wall
-    for (const auto& [way, pairs] : {std::pair(0.0, 1), {0.069, 1}, {0.073, 2}, {0.2, 2}}) {
+    for (const auto& expected : {std::pair(0.0, 1), {0.069, 1}, {0.073, 2}, {0.2, 2}}) {
+        const double way = expected.first;
         CAPTURE(way);
         const TipOver at(valley, on_left, way * Vec3(1, -1, 0).normalized());
-        CHECK(with_other_walls(at, at.pair(left)).size() == pairs);
+        CHECK(with_other_walls(at, at.pair(left)).size() == expected.second);
     }
 }
 

@@ -242,11 +242,12 @@ TEST_CASE("letting out: a scene says how fast")
 TEST_CASE("letting out: half-way between two ways out, to a hair, a body takes one and does not wait")
 {
     using namespace enduring::chapter08;
-    for (const auto& [place, thickness] : {std::pair(0, 1.0), std::pair(3, 0.8)})
+    for (const auto& ground : {std::pair(0, 1.0), std::pair(3, 0.8)})
         for (const double hair : {-1e-9, 0.0, 1e-9}) {
+            const double thickness = ground.second;
             CAPTURE(thickness);
             CAPTURE(hair);
-            const Surroundings& surroundings = all_surroundings()[place];
+            const Surroundings& surroundings = all_surroundings()[ground.first];
             const double depth = (thickness + height_of(surroundings, "block")) / 2 + hair;
             Scene scene = scene_inside(surroundings, "block", depth, 0.01);
             run(scene, chapter08_solver(scene.contact), {}, {.steps = 240});
