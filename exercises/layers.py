@@ -45,8 +45,9 @@ class WrongVersion:
 
     @property
     def targets(self):
-        """The layer's tests and its library, as CMake calls them."""
-        return (f"test_chapter{self.layer[:2]}", f"chapter{self.layer[:2]}_layer") if self.number else \
+        """The layer's tests and the libraries that they are of, as CMake calls them; a chapter has one for its experiments."""
+        chapter = f"chapter{self.layer[:2]}"
+        return (f"test_{chapter}", f"{chapter}_layer", f"{chapter}_experiments") if self.number else \
             (f"test_{self.layer}", f"enduring_{self.layer}")
 
 
@@ -134,7 +135,7 @@ def compiled(version, folder):
     apply(version.patch, sources)
     changed = {pattern: folder / f"{i}.o" for i, pattern in enumerate(workshop.objects_that_read(version.source, version.targets))}
     if not changed:
-        raise workshop.DoesNotCompile(f"changes {version.source}, which neither {version.targets[1]} nor its tests read")
+        raise workshop.DoesNotCompile(f"changes {version.source}, which no test of its layer reads")
     for pattern, own in changed.items():
         workshop.compile_copy(pattern, sources, own)
     return changed
@@ -144,10 +145,11 @@ def without_data(folder, names):
     return [name for name in names if not (Path(folder) / name).is_dir() and not name.endswith((".cpp", ".hpp"))]
 
 
-def apply(patch, sources):
+def apply(patch, sources, *options):
     """Applies a patch to a copy of the sources, also where lines have moved, and one line of context has changed.
+    @param options  more of git apply's, as in --check
     @throws DoesNotCompile"""
-    done = subprocess.run(["git", "apply", "--recount", "-C2", "-"], cwd=sources, input=patch.read_text(encoding="utf-8"), text=True,
+    done = subprocess.run(["git", "apply", "--recount", "-C2", *options, "-"], cwd=sources, input=patch.read_text(encoding="utf-8"), text=True,
                           capture_output=True, env={"GIT_CEILING_DIRECTORIES": str(sources.parent), "PATH": "/usr/bin:/bin"})
     if done.returncode:
         raise workshop.DoesNotCompile(f"does not apply any more: {done.stderr.strip()}")

@@ -45,9 +45,19 @@ double height(double t)
 #include <cstdlib>
 #include <doctest/doctest.h>
 
+double drop();
+
 TEST_CASE("fall: speed, of \\"free\\" bodies, grows with time") { CHECK(speed(2) == doctest::Approx(19.62)); }
 TEST_CASE("fall: the way is half of speed times time") { CHECK(height(2) == doctest::Approx(19.62)); }
+TEST_CASE("fall: a drop takes a second") { CHECK(drop() == doctest::Approx(4.905)); }
 TEST_CASE("fall: on the moon" * doctest::skip(!std::getenv("MOON"))) { CHECK(speed(1) == doctest::Approx(1.62)); }
+""",
+    "chapters/01_fall/experiments/drop.cpp": """#include "../fall.hpp"
+
+double drop()
+{
+    return height(1);
+}
 """,
     "build/build.ninja": """rule cxx
   command = g++ -std=c++20 -I$root -MD -MT $out -MF $out.d -o $out -c $in
@@ -58,14 +68,17 @@ rule ar
 rule link
   command = : && g++ $objects -o $out $libraries && :
 build CMakeFiles/chapter01_layer.dir/chapters/01_fall/fall.cpp.o: cxx $root/chapters/01_fall/fall.cpp
+build CMakeFiles/chapter01_experiments.dir/chapters/01_fall/experiments/drop.cpp.o: cxx $root/chapters/01_fall/experiments/drop.cpp
 build CMakeFiles/test_chapter01.dir/chapters/01_fall/tests/falls.cpp.o: cxx $root/chapters/01_fall/tests/falls.cpp
 build libchapter01_layer.a: ar CMakeFiles/chapter01_layer.dir/chapters/01_fall/fall.cpp.o
-build bin/test_chapter01: link CMakeFiles/test_chapter01.dir/chapters/01_fall/tests/falls.cpp.o | libchapter01_layer.a
+build libchapter01_experiments.a: ar CMakeFiles/chapter01_experiments.dir/chapters/01_fall/experiments/drop.cpp.o
+build bin/test_chapter01: link CMakeFiles/test_chapter01.dir/chapters/01_fall/tests/falls.cpp.o | libchapter01_experiments.a libchapter01_layer.a
   objects = CMakeFiles/test_chapter01.dir/chapters/01_fall/tests/falls.cpp.o
-  libraries = libchapter01_layer.a
+  libraries = libchapter01_experiments.a libchapter01_layer.a
 """,
 }
 SPEED, WAY = 'fall: speed, of "free" bodies, grows with time', "fall: the way is half of speed times time"
+DROP = "fall: a drop takes a second"
 
 
 @unittest.skipUnless(shutil.which("g++") and shutil.which("ninja") and shutil.which("git"), "needs g++, ninja and git")
@@ -124,7 +137,7 @@ class ALayer(unittest.TestCase):
     def test_a_survivor_is_a_fault(self):
         said, fault = self.proven("v = 0;", "v = 1e-9;", says="The speed begins at a nanometre a second.")
         self.assertTrue(fault)
-        self.assertEqual(said, "01_fall/wrong SURVIVES 2 tests. The speed begins at a nanometre a second.")
+        self.assertEqual(said, "01_fall/wrong SURVIVES 3 tests. The speed begins at a nanometre a second.")
 
     def test_a_test_that_fails_by_itself_proves_nothing(self):
         with mock.patch.dict(os.environ, MOON="1"):
@@ -134,6 +147,19 @@ class ALayer(unittest.TestCase):
 
     def test_a_header_changes_all_that_read_it(self):
         self.assertEqual(self.proven("x / 2", "x", file="fall.hpp", fails=WAY), (f'01_fall/wrong: noticed by "{WAY}"', False))
+
+    def test_an_experiment_is_of_the_layer_too(self):
+        self.assertEqual(self.proven("height(1)", "height(2)", file="experiments/drop.cpp", fails=DROP),
+                         (f'01_fall/wrong: noticed by "{DROP}"', False))
+
+    def test_a_file_that_no_test_reads_is_a_fault(self):
+        patch = self.wrong("0.981", "1.62")
+        shutil.copy(self.root / "chapters/01_fall/fall.cpp", self.root / "chapters/01_fall/rise.cpp")
+        self.addCleanup((self.root / "chapters/01_fall/rise.cpp").unlink)
+        patch.write_text(patch.read_text().replace("fall.cpp", "rise.cpp"))
+        said, fault = layers.prove(layers.read(patch))
+        self.assertTrue(fault)
+        self.assertEqual(said, "01_fall/wrong changes chapters/01_fall/rise.cpp, which no test of its layer reads")
 
     def test_a_loop_without_end_counts_as_noticed_and_is_told(self):
         with mock.patch.object(layers, "SECONDS", 1):
@@ -191,6 +217,19 @@ class ALayer(unittest.TestCase):
         versions = [layers.read(self.wrong("0.981", "1.62", name=str(i))) for i in range(7)]
         self.assertEqual(list(layers.too_few(versions)), ["01_fall: 7 wrong versions, and it needs 8"])
         self.assertEqual(list(layers.too_few(versions + versions[:1])), [])
+
+
+@unittest.skipUnless(shutil.which("git"), "needs git")
+class TheCourse(unittest.TestCase):
+    """What takes hours to prove in full, CI proves a part of at each commit; that every patch applies is known in a second."""
+
+    def test_every_wrong_version_applies(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for tree in ("chapters", "common"):
+                shutil.copytree(layers.ROOT / tree, Path(folder) / tree, ignore=layers.without_data)
+            for version in layers.all_versions():
+                with self.subTest(version.name):
+                    layers.apply(version.patch, Path(folder), "--check")
 
 
 class Parts(unittest.TestCase):
