@@ -1,5 +1,9 @@
 #include "chapters/07_implicit_contact/normal_cone.hpp"
 
+#include "common/geometry/tolerances.hpp"
+
+#include <cmath>
+
 namespace enduring {
 namespace {
 
@@ -14,11 +18,11 @@ bool pair_reaches(const Vec3& n, const Vec3& m, const Vec3& direction, double co
            squared_length > 0;
 }
 
-/// Inside the cone of three normals.
+/// Inside the cone of three normals. Those of a flat side's triangles differ by rounding, which spans none.
 bool triple_holds(const Vec3& n, const Vec3& m, const Vec3& l, const Vec3& direction)
 {
     const double volume = n.dot(m.cross(l));
-    return volume != 0 && volume * direction.dot(n.cross(m)) >= 0 &&
+    return std::abs(volume) > tolerance::least_sine && volume * direction.dot(n.cross(m)) >= 0 &&
            volume * direction.dot(m.cross(l)) >= 0 && volume * direction.dot(l.cross(n)) >= 0;
 }
 

@@ -3,6 +3,7 @@
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/false_hooks.hpp"
 #include "chapters/07_implicit_contact/plausible_depth.hpp"
+#include "chapters/07_implicit_contact/rim_pairs.hpp"
 #include "chapters/07_implicit_contact/touching_pairs.hpp"
 #include "chapters/07_implicit_contact/valley_pairs.hpp"
 
@@ -50,6 +51,26 @@ void keep_plausible_edges(Solver& solver)
     keep_plausible("edge pairs of exits", 1);
 }
 
+//! [rims]
+/// A pair that pushes goes on beyond the rim of its face, or the end of its edge, by as much as it may be deep.
+void push_beyond_rims(Solver& solver, double beyond)
+{
+    solver.wrap("resolve vertices", "resolve vertices",
+                [beyond, rims = std::make_shared<RimPairs>()](const Pass::Function& resolve, World& world,
+                                                              Contacts& contacts, double dt) {
+                    const Contacts before = contacts;
+                    resolve(world, contacts, dt);
+                    rims->keep(world, before, beyond, contacts);
+                });
+    solver.wrap("dismiss edges", "dismiss edges",
+                [beyond](const Pass::Function& dismiss, World& world, Contacts& contacts, double dt) {
+                    const Contacts before = contacts;
+                    dismiss(world, contacts, dt);
+                    push_beyond_ends(world, before, beyond, contacts);
+                });
+}
+//! [rims]
+
 //! [all_walls]
 /// A vertex at the bottom of a valley has a pair with each wall; chapter 6 sees one of them.
 void push_from_all_walls(Solver& solver)
@@ -91,6 +112,7 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
         });
     find_and_label(solver);
     keep_plausible_edges(solver);
+    push_beyond_rims(solver, settings.stiffness.wanted_depth);
     push_from_all_walls(solver);
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });

@@ -104,6 +104,24 @@ TEST_CASE("normal cone: it reaches as far as the nearest sum of its normals says
     CHECK(only_inside > 20);
 }
 
+TEST_CASE("normal cone: the normals of a flat side's triangles, which rounding tells apart, span nothing")
+{
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> rounding(-1e-15, 1e-15);
+    for (int i = 0; i < 2000; ++i) {
+        const Mat3 turn = Eigen::AngleAxisd(i, random_vector(random).normalized()).toRotationMatrix();
+        const auto nearly = [&](const Vec3& n) {
+            return Vec3(turn * n + Vec3(rounding(random), rounding(random), rounding(random)));
+        };
+        // the corner of a box, each of whose sides has two triangles there
+        const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
+        const std::vector<Vec3> normals{nearly(x), nearly(x), nearly(y), nearly(y), nearly(z), nearly(z)};
+        for (const Vec3& side : {x, y, z})
+            CHECK_FALSE(cone_reaches(normals, nearly(-side), hook_cosine));
+        CHECK(cone_reaches(normals, nearly(Vec3::Ones()), 0.999));
+    }
+}
+
 TEST_CASE("normal cone: it holds against what a flat obstacle can touch, at a tip of any shape, and else not")
 {
     std::mt19937 random(11);
