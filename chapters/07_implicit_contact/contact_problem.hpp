@@ -28,6 +28,7 @@ struct PairRow {
     /// of p against q as predicted, all that acts already included [m/s]
     Vec3 velocity = Vec3::Zero();
     Vec3 acting = Vec3::Zero();  ///< impulse on p that the prediction contains already [N s]
+    bool turns = true;           ///< its normal follows the prediction
 
     std::span<const VertexMotion> moving() const
     {

@@ -1,5 +1,6 @@
 #include "chapters/07_implicit_contact/rim_pairs.hpp"
 
+#include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
 #include "common/geometry/triangle_distance.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -35,6 +36,15 @@ std::optional<double> beyond_rim(const World& world, const Contact& contact)
     const Vec3 &x0 = surfaces.b.position(f0), &x1 = surfaces.b.position(f1), &x2 = surfaces.b.position(f2);
     const auto [w0, w1, w2] = foot->weights;
     return distance_to_triangle(w0 * x0 + w1 * x1 + w2 * x2, x0, x1, x2);
+}
+
+/// Whether the edges are far enough from parallel to have feet at the start of the step.
+bool have_feet(const World& world, const Contact& pair)
+{
+    const PairSurfaces surfaces(world, pair, 0);
+    return feet_of_edges(edge_vertices(surfaces, pair.feature_a, pair.feature_b), pair.orientation,
+                         smallest_edge_sine)
+        .has_value();
 }
 
 /// How far the feet of a pair of edges lie from them at the start of the step [m].
@@ -79,7 +89,7 @@ void push_beyond_ends(const World& world, const Contacts& before, double beyond,
     for (std::size_t i = 0; i < before.size(); ++i) {
         Contact& pair = contacts[i];
         const bool is_held_at_an_end = pair.kind == ContactKind::edge_edge && pair.held() && !pair.resolved &&
-                                       pair.category == ContactCategory::regular;
+                                       pair.category == ContactCategory::regular && have_feet(world, pair);
         if (is_held_at_an_end && before[i].is_spring() && beyond_ends(world, pair) <= beyond)
             pair.hold(false);
     }

@@ -1,5 +1,6 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
+#include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/07_implicit_contact/patch_mass.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
@@ -86,9 +87,21 @@ Vec3 apart(const World& world, const Contact& contact, double tau)
     return sum;
 }
 
+//! [nearly_parallel]
+/// Whether two edges are so near to parallel, at the start or at the end, that chapter 6 would not let them push.
+bool are_nearly_parallel(const PairStep& step)
+{
+    const auto sine = [](const PairInstant& at) {
+        return at.side_1.normalized().cross(at.side_2.normalized()).norm();
+    };
+    return std::min(sine(step.t0), sine(step.t1)) < smallest_edge_sine;
+}
+//! [nearly_parallel]
+
 void look_at(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
 {
-    row.law.normal = normal_of(pair_step(world, contact), step.centre);
+    if (row.turns)
+        row.law.normal = normal_of(pair_step(world, contact), step.centre);
     const Vec3 start = apart(world, contact, 0), end = apart(world, contact, 1);
     row.law.depth_t0 = row.law.normal.dot(start) - contact.slack;
     row.velocity = (end - start) / step.dt;
@@ -141,6 +154,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         PairRow row;
         add_parts(world, contact, step, row);
         look_at(world, contact, step_law, row);
+        row.turns = contact.kind != ContactKind::edge_edge || !are_nearly_parallel(pair_step(world, contact));
         if (row.part_count == 0 || row.law.normal.isZero(0))
             continue;
         if (!choice.is_goal && (first || contact.stiffness == 0)) {

@@ -18,6 +18,8 @@ int main(int argc, char** argv)
                  chapter08::tracing},
                 {"born_inside", "bodies that begin inside something else: how they come out",
                  chapter08::born_inside},
+                {"crossed_beams", "two beams that begin in each other, with no vertex inside",
+                 chapter08::crossed_beams},
                 {"born_loaded", "scenes in which pairs are born at a depth: the energy that they bring",
                  chapter08::born_loaded},
                 {"ways_compared", "three choices of the way out: wrong directions, and what they cost",

@@ -141,32 +141,55 @@ TEST_CASE("rim pairs: a vertex that left and came back within a step has one pai
     CHECK(contacts[1].feature_a == other.feature_a);
 }
 
-TEST_CASE("rim pairs: edges whose feet pass an end by a hair go on pushing, but do not begin to")
+/// An edge of this body that has this direction, or its opposite.
+int edge_along(const Body& body, const Vec3& direction)
+{
+    const auto& edges = body.surface().edges();
+    const auto at = [&](int i) { return body.positions_t0()[static_cast<std::size_t>(i)]; };
+    const auto found = std::find_if(edges.begin(), edges.end(), [&](const Edge& edge) {
+        return (at(edge[1]) - at(edge[0])).normalized().cross(direction).norm() < 1e-9;
+    });
+    REQUIRE(found != edges.end());
+    return static_cast<int>(found - edges.begin());
+}
+
+/// Whether a pair of the cube's edge along x, which is held now, goes on to push.
+/// @param along_b   direction of the block's edge
+/// @param past_end  by which the foot is beyond the second end of the cube's edge, or if negative the first [m]
+/// @param pushed    before the step
+bool pushes_past_end(const Vec3& along_b, double past_end, bool pushed)
 {
     const Rim rim(0, -1e-5);
-    const auto edge = rim.world.bodies[1]->surface().edges()[0];
-    const double length = (rim.world.bodies[1]->positions_t0()[static_cast<std::size_t>(edge[0])] -
-                           rim.world.bodies[1]->positions_t0()[static_cast<std::size_t>(edge[1])])
-                              .norm();
-    const auto other = rim.world.bodies[0]->surface().edges()[0];
-    Contact pushes{ContactKind::edge_edge, 1, 0, 0, 0, {edge[0], edge[1], other[0], other[1]}};
-    pushes.category = ContactCategory::regular;
-    const auto pushes_on = [&](double past_end, bool pushed) {
-        Contact before = pushes, now = pushes;
-        before.hold(!pushed);
-        now.hold(true);
-        const double s = past_end > 0 ? 1 + past_end / length : past_end / length;
-        now.weights = {1 - s, s, -0.5, -0.5};
-        Contacts contacts{now};
-        push_beyond_ends(rim.world, {before}, beyond, contacts);
-        return !contacts[0].held();
-    };
+    const Body &cube = *rim.world.bodies[1], &block = *rim.world.bodies[0];
+    Contact before{ContactKind::edge_edge, 1, 0, edge_along(cube, Vec3::UnitX()), edge_along(block, along_b)};
+    const Edge a = cube.surface().edges()[static_cast<std::size_t>(before.feature_a)],
+               b = block.surface().edges()[static_cast<std::size_t>(before.feature_b)];
+    before.vertices = {a[0], a[1], b[0], b[1]};
+    before.category = ContactCategory::regular;
+    Contact now = before;
+    before.hold(!pushed);
+    now.hold(true);
+    const double s = past_end > 0 ? 1 + past_end : past_end;  // of an edge of 1 m
+    now.weights = {1 - s, s, -0.5, -0.5};
+    Contacts contacts{now};
+    push_beyond_ends(rim.world, {before}, beyond, contacts);
+    return !contacts[0].held();
+}
+
+TEST_CASE("rim pairs: edges whose feet pass an end by a hair go on pushing, but do not begin to")
+{
     for (const double past_end : {-0.999 * beyond, -1e-9, 1e-9, 0.999 * beyond}) {
-        CHECK(pushes_on(past_end, true));
-        CHECK_FALSE(pushes_on(past_end, false));
+        CHECK(pushes_past_end(Vec3::UnitZ(), past_end, true));
+        CHECK_FALSE(pushes_past_end(Vec3::UnitZ(), past_end, false));
     }
-    CHECK_FALSE(pushes_on(1.001 * beyond, true));
-    CHECK_FALSE(pushes_on(-1.001 * beyond, true));
+    CHECK_FALSE(pushes_past_end(Vec3::UnitZ(), 1.001 * beyond, true));
+    CHECK_FALSE(pushes_past_end(Vec3::UnitZ(), -1.001 * beyond, true));
+}
+
+TEST_CASE("rim pairs: parallel edges, which have no feet, do not go on pushing at those that they had")
+{
+    for (const double past_end : {-0.5 * beyond, 1e-9, 0.5 * beyond})
+        CHECK_FALSE(pushes_past_end(Vec3::UnitX(), past_end, true));
 }
 
 TEST_CASE("rim pairs: cubes exactly edge on edge stay where they are to a nanometre, at any angle")

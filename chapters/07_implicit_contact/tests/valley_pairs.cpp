@@ -56,6 +56,7 @@ struct TipOver {
                     put_on_face(pair, ground, face, foot->weights);
                 nearest = std::min(nearest, overshoot(foot->weights));
             }
+        REQUIRE(pair.feature_b >= 0);
         pair.vertices[0] = 0;
         pair.weights[0] = 1;
         pair.category = ContactCategory::regular;
@@ -146,7 +147,7 @@ TEST_CASE(
     "valley pairs: none over a ridge, none where the two faces are one wall, none for pairs that do not push")
 {
     const TipOver at_ridge(ridge, {0, -1e-3, 0});
-    CHECK(with_other_walls(at_ridge, at_ridge.pair(-right)).size() == 1);
+    CHECK(with_other_walls(at_ridge, at_ridge.pair(left)).size() == 1);
     const TipOver at(valley, {0, -1e-3, 0});
     const TipOver at_flat(flat, {0, -1e-3, 0});
     CHECK(with_other_walls(at_flat, at_flat.pair(Vec3(0.3, 1, 0).normalized())).size() == 1);

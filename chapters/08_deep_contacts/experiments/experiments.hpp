@@ -9,6 +9,7 @@ void tracing(const RunOptions& options, Report& report);
 void bunny_curve(const RunOptions& options, Report& report);
 void way_out(const RunOptions& options, Report& report);
 void born_inside(const RunOptions& options, Report& report);
+void crossed_beams(const RunOptions& options, Report& report);
 void born_loaded(const RunOptions& options, Report& report);
 void ways_compared(const RunOptions& options, Report& report);
 void thin(const RunOptions& options, Report& report);

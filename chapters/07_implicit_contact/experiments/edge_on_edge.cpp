@@ -1,0 +1,126 @@
+#include "chapters/07_implicit_contact/experiments/experiments.hpp"
+#include "chapters/07_implicit_contact/experiments/rest_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace enduring::chapter07 {
+namespace {
+
+using Boxes = std::vector<Box>;
+
+Box brick(const Vec3& size, const Vec3& centre)
+{
+    Box box;
+    box.size = size;
+    box.centre = centre;
+    return box;
+}
+
+Boxes tower(int cubes) { return stack_of(cubes, 10, 10, 0); }
+
+/// Side by side, behind and on one another.
+Boxes block_of_cubes(int side)
+{
+    Boxes boxes;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            for (int z = 0; z < side; ++z)
+                boxes.push_back(brick(Vec3::Ones(), Vec3(x, y + 0.5, z)));
+    return boxes;
+}
+
+/// In every other layer the bricks begin a little farther on.
+Boxes wall(int layers, int bricks)
+{
+    Boxes boxes;
+    for (int y = 0; y < layers; ++y)
+        for (int x = 0; x < bricks; ++x)
+            boxes.push_back(brick({2, 1, 1}, Vec3(2 * x + 0.8 * (y % 2), y + 0.5, 0)));
+    return boxes;
+}
+
+Boxes pyramid(int layers)
+{
+    Boxes boxes;
+    for (int y = 0; y < layers; ++y)
+        for (int x = 0; x < layers - y; ++x)
+            boxes.push_back(brick(Vec3::Ones(), Vec3(x + 0.5 * y, y + 0.5, 0)));
+    return boxes;
+}
+
+/// Three beams side by side in each layer, across those below.
+Boxes crossed_beams(int layers)
+{
+    Boxes boxes;
+    for (int y = 0; y < layers; ++y)
+        for (int i = -1; i <= 1; ++i) {
+            const bool across = y % 2 == 1;
+            boxes.push_back(brick(across ? Vec3(1, 0.5, 3) : Vec3(3, 0.5, 1),
+                                  across ? Vec3(i, 0.5 * y + 0.25, 0) : Vec3(0, 0.5 * y + 0.25, i)));
+        }
+    return boxes;
+}
+
+/// All together, about the axis.
+Boxes turned(Boxes boxes, double turn_deg)
+{
+    const Eigen::AngleAxisd turn(turn_deg * std::numbers::pi / 180, Vec3::UnitY());
+    for (Box& box : boxes) {
+        box.centre = turn * box.centre;
+        box.turn_deg = turn_deg;
+    }
+    return boxes;
+}
+
+struct Building {
+    std::string name;
+    Boxes boxes;
+    bool pictured = false;
+};
+
+std::vector<Building> all_buildings(bool quick)
+{
+    if (quick)
+        return {
+            {"tower of 5", tower(5)}, {"block of 8", block_of_cubes(2), true}, {"pyramid of 6", pyramid(3)}};
+    return {{"tower of 5", tower(5)},
+            {"tower of 10", tower(10)},
+            {"tower of 20", tower(20)},
+            {"block of 27", block_of_cubes(3), true},
+            {"wall of 30 bricks", wall(6, 5), true},
+            {"pyramid of 21", pyramid(6), true},
+            {"crossed beams, 24", crossed_beams(8), true}};
+}
+
+}  // namespace
+
+/// What people build first, laid exactly side by side and edge on edge: does it stand still? Its angle to the
+/// axes decides how coordinates are rounded.
+void edge_on_edge(const RunOptions& options, Report& report)
+{
+    constexpr double stands_mm = 10;
+    RestRuns runs;
+    double moved = 0, gained = 0;
+    for (const double dt : {0.01, 1.0 / 60})
+        for (const double turn_deg : {0.0, 17.0, 45.0})
+            for (Building& building : all_buildings(options.quick)) {
+                if (options.quick && turn_deg > 17)
+                    continue;
+                RestRuns::Case c{building.name + ", turned by " + std::to_string(std::lround(turn_deg)) + "°",
+                                 scene_of(turned(building.boxes, turn_deg), dt),
+                                 options.quick ? 3.0 : 10.0,
+                                 building.pictured && dt == 0.01 && turn_deg == 0,
+                                 stands_mm,
+                                 Vec3(1, 0.7, 1.4)};
+                const PileOutcome outcome = runs.run(c);
+                moved = std::max(moved, outcome.moved_mm);
+                gained = std::max(gained, outcome.energy_gain_j);
+            }
+    runs.report("edge_on_edge", report, 2);
+    report.fact("edge_on_edge", "moved_mm", moved, 2);
+    report.fact("edge_on_edge", "energy_gain_j", gained, 3);
+}
+
+}  // namespace enduring::chapter07

@@ -1,0 +1,105 @@
+#include "chapters/07_implicit_contact/step_problem.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/simulation/rigid_body.hpp"
+#include "common/simulation/static_body.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace enduring;
+
+namespace {
+
+constexpr double dt = 0.01;
+
+/// An edge of a block that stands upright, along x and at this height.
+Edge edge_along_x(const Body& block, double height)
+{
+    for (const Edge& edge : block.surface().edges()) {
+        const Vec3 &a = block.positions_t0()[static_cast<std::size_t>(edge[0])],
+                   &b = block.positions_t0()[static_cast<std::size_t>(edge[1])];
+        if (std::abs(a.y() - height) < 1e-9 && (b - a).cross(Vec3::UnitX()).norm() < 1e-9)
+            return edge;
+    }
+    FAIL("no such edge");
+    return {};
+}
+
+/// An edge of a cube's lower side above an edge of another one's upper side, which stands still.
+struct CrossingEdges {
+    World world;
+    Contacts contacts;
+
+    /// @param angle  between the edges [rad]
+    explicit CrossingEdges(double angle)
+    {
+        world.gravity.setZero();
+        const SurfaceMesh block = box({1, 1, 1});
+        SurfaceMesh cube = box({1, 1, 1});
+        for (Vec3& x : cube.vertices)
+            x = Eigen::AngleAxisd(angle, Vec3::UnitY()) * x + Vec3::UnitY();
+        world.bodies.push_back(std::make_unique<StaticBody>(
+            "block", SurfaceTopology(static_cast<int>(block.vertices.size()), block.faces), block.vertices));
+        world.bodies.push_back(std::make_unique<RigidBody>("cube", cube, mass_properties(cube, 1000)));
+        for (const auto& body : world.bodies)
+            body->predict(Vec3::Zero(), dt);
+        // both have the same edges
+        const Edge a = edge_along_x(*world.bodies[0], -0.5), b = edge_along_x(*world.bodies[0], 0.5);
+        Contact pair{ContactKind::edge_edge, 1, 0, 0, 0, {a[0], a[1], b[0], b[1]}, {0.5, 0.5, -0.5, -0.5}};
+        pair.orientation = 1;
+        contacts.push_back(pair);
+    }
+
+    /// The cube will have turned about its centre at the end of the step, by about this angle [rad].
+    void turn(const Vec3& axis, double angle)
+    {
+        Body& cube = *world.bodies[1];
+        constexpr double inertia = 1000.0 / 6,
+                         levers = 4;  // sum of the squares over eight corners, across an axis
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 lever = cube.positions_t0()[static_cast<std::size_t>(corner)] - cube.centre();
+            cube.apply_impulse(corner, inertia / levers * angle / dt * axis.cross(lever));
+        }
+        cube.update_prediction(dt);
+    }
+};
+
+/// By how much the pair's normal turns when the cube turns after the problem has been set up [rad].
+double turn_of_normal(double sine)
+{
+    CrossingEdges edges(std::asin(sine));
+    StepProblem step = set_up(edges.world, edges.contacts, {}, {}, {1, dt}, true);
+    REQUIRE(step.problem.rows.size() == 1);
+    const Vec3 before = step.problem.rows[0].law.normal;
+    edges.turn(Vec3::UnitZ(), 0.05);
+    look_again(edges.world, step);
+    return std::acos(std::min(1.0, before.dot(step.problem.rows[0].law.normal)));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "step problem: the normal of crossing edges follows the bodies, that of nearly parallel ones stands still")
+{
+    // An edge that turns by 0.05 out of the plane of both turns their normal by 0.05 over their sine.
+    for (const double sine : {0.11, 0.2, 0.7, 1.0})
+        CHECK(turn_of_normal(sine) == doctest::Approx(std::atan(0.05 / sine)).epsilon(0.05));
+    for (const double sine : {0.01, 0.05, 0.09})
+        CHECK(turn_of_normal(sine) == 0);
+}
+
+TEST_CASE("step problem: edges that a step turns until they are nearly parallel count as such")
+{
+    CrossingEdges edges(0.2);
+    edges.turn(Vec3::UnitY(), -0.15);
+    StepProblem step = set_up(edges.world, edges.contacts, {}, {}, {1, dt}, true);
+    REQUIRE(step.problem.rows.size() == 1);
+    const Vec3 before = step.problem.rows[0].law.normal;
+    edges.turn(Vec3::UnitZ(), 0.05);
+    look_again(edges.world, step);
+    CHECK(step.problem.rows[0].law.normal == before);
+}
