@@ -10,21 +10,38 @@ namespace enduring {
 
 using Eigen::VectorXd;
 
-VectorXd times_mass(const ContactProblem& problem, const VectorXd& x)
+namespace {
+
+/// The product of all bodies' blocks, of one kind, with a vector.
+VectorXd times(const ContactProblem& problem, Eigen::MatrixXd BodyBlock::*kind, const VectorXd& x)
 {
     VectorXd product(x.size());
     for (const BodyBlock& block : problem.blocks)
-        product.segment(block.first, block.mass.rows()).noalias() = block.mass *
-                                                                    x.segment(block.first, block.mass.rows());
+        product.segment(block.first, block.size()).noalias() = block.*kind *
+                                                               x.segment(block.first, block.size());
     return product;
+}
+
+}  // namespace
+
+VectorXd times_mass(const ContactProblem& problem, const VectorXd& x)
+{
+    return times(problem, &BodyBlock::mass, x);
+}
+
+VectorXd times_response(const ContactProblem& problem, const VectorXd& momentum)
+{
+    return times(problem, &BodyBlock::response, momentum);
 }
 
 Answers answers_to(const ContactProblem& problem, const VectorXd& change)
 {
-    Answers answers{VectorXd::Zero(problem.size), VectorXd::Zero(problem.size)};
-    for (const PairRow& row : problem.rows) {
-        const PairAnswer made = answer(row.law, row.velocity_after(change), problem.step);
-        const Vec3 impulse = made.normal_impulse + made.friction;
+    const auto pairs = static_cast<Eigen::Index>(problem.rows.size());
+    Answers answers{VectorXd(3 * pairs), VectorXd::Zero(problem.size), VectorXd::Zero(problem.size)};
+    for (Eigen::Index i = 0; i < pairs; ++i) {
+        const PairRow& row = problem.rows[static_cast<std::size_t>(i)];
+        const Vec3 impulse = pushed(row.law, row.velocity_after(change), problem.step).total();
+        answers.impulses.segment<3>(3 * i) = impulse;
         row.add_impulse(impulse, answers.total);
         row.add_impulse(impulse - row.acting, answers.missing);
     }
@@ -36,11 +53,7 @@ namespace {
 /// Its length in the norm of A^-1.
 double speed_of(const ContactProblem& problem, const VectorXd& momentum)
 {
-    double squared = 0;
-    for (const BodyBlock& block : problem.blocks)
-        squared +=
-            block.factor.matrixL().solve(momentum.segment(block.first, block.mass.rows())).squaredNorm();
-    return std::sqrt(squared);
+    return std::sqrt(std::max(0.0, momentum.dot(times_response(problem, momentum))));
 }
 
 }  // namespace
@@ -79,7 +92,7 @@ const BodyBlock* block_of(const std::vector<BodyBlock>& blocks, int coordinate)
     const auto next = std::upper_bound(
         blocks.begin(), blocks.end(), coordinate,
         [](int wanted, const BodyBlock& block) { return wanted < block.first; });
-    if (next == blocks.begin() || coordinate >= (next - 1)->first + (next - 1)->mass.rows())
+    if (next == blocks.begin() || coordinate >= (next - 1)->first + (next - 1)->size())
         return nullptr;
     return &*(next - 1);
 }
@@ -89,21 +102,24 @@ const BodyBlock* block_of(const std::vector<BodyBlock>& blocks, int coordinate)
 Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
 {
     Mat3 sum = Mat3::Zero();
-    for (int i = 0; i < part_count;) {
-        const BodyBlock* block = block_of(blocks, parts[static_cast<std::size_t>(i)].first);
-        if (!block) {
-            ++i;
-            continue;
-        }
-        Eigen::MatrixXd impulses = Eigen::MatrixXd::Zero(block->mass.rows(), 3);
-        // the parts of one body stand together
-        for (; i < part_count && block_of(blocks, parts[static_cast<std::size_t>(i)].first) == block; ++i) {
-            const VertexMotion& part = parts[static_cast<std::size_t>(i)];
-            impulses.middleRows(part.first - block->first, part.rate.cols()) += part.rate.transpose();
-        }
-        sum += impulses.transpose() * block->factor.solve(impulses);
+    for (const VertexMotion& one : moving()) {
+        const BodyBlock* block = block_of(blocks, one.first);
+        for (const VertexMotion& other : moving())
+            if (block && block_of(blocks, other.first) == block)
+                sum += one.rate *
+                       block->response.block(one.first - block->first, other.first - block->first,
+                                             one.rate.cols(), other.rate.cols()) *
+                       other.rate.transpose();
     }
     return sum;
+}
+
+ProblemSolution unchanged(const ContactProblem& problem)
+{
+    ProblemSolution solution{VectorXd::Zero(problem.size), VectorXd(3 * problem.rows.size())};
+    for (std::size_t i = 0; i < problem.rows.size(); ++i)
+        solution.impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = problem.rows[i].acting;
+    return solution;
 }
 
 double residual_of(const ContactProblem& problem, const VectorXd& change, double least_speed)
@@ -139,6 +155,8 @@ bool newton_step(const ContactProblem& problem, NewtonMatrix& matrix, double lea
         const double residual = residual_of(problem, change, least_speed);
         if (residual > 0.8 * solution.residual)
             continue;
+        solution.impulses += part *
+                             (matrix.tangent(problem, answers.impulses, direction) - solution.impulses);
         solution.change = change;
         solution.residual = residual;
         return true;
@@ -152,16 +170,17 @@ bool newton_step(const ContactProblem& problem, NewtonMatrix& matrix, double lea
 ProblemSolution solve(ContactProblem problem, NewtonMatrix& matrix, double tolerance, double least_speed,
                       int most_steps)
 {
-    ProblemSolution solution{VectorXd::Zero(problem.size)};
+    ProblemSolution solution = unchanged(problem);
     const auto see_residual = [&] {
         problem.step.limit = FrictionLimit::coupled;
         solution.residual = residual_of(problem, solution.change, least_speed);
     };
     const auto lead_on = [&] {
         problem.step.limit = FrictionLimit::lagged;
-        const ProblemSolution led = solve_convex(problem, matrix, solution.change,
-                                                 std::max(tolerance, 0.01 * solution.residual), least_speed);
+        const ProblemSolution led = solve_convex(problem, matrix, solution,
+                                                 std::max(tolerance, 0.1 * solution.residual), least_speed);
         solution.change = led.change;
+        solution.impulses = led.impulses;
         solution.newton_steps += led.newton_steps;
         see_residual();
     };

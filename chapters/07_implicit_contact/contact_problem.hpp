@@ -3,7 +3,6 @@
 #include "chapters/07_implicit_contact/pair_law.hpp"
 #include "common/simulation/body.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <array>
@@ -15,8 +14,10 @@ namespace enduring {
 /// A body's coordinates among those of all.
 struct BodyBlock {
     int first = 0;
-    Eigen::MatrixXd mass;
-    Eigen::LLT<Eigen::MatrixXd> factor{};  ///< of the mass
+    Eigen::MatrixXd mass;      ///< A
+    Eigen::MatrixXd response;  ///< A^-1
+
+    int size() const { return static_cast<int>(mass.rows()); }
 };
 
 /// A pair as the problem sees it.
@@ -70,6 +71,9 @@ struct ContactProblem {
 /// How well and with how much work a problem is solved.
 struct ProblemSolution {
     Eigen::VectorXd change;  ///< x
+    /// that make this change, three numbers for each pair: A x = J^T (impulses - acting) [N s]. Where the problem
+    /// is solved they are what the pairs answer; before, they are Newton's tangent to it.
+    Eigen::VectorXd impulses;
     int newton_steps = 0;
     double residual = 0;  ///< see residual_of()
     bool converged = false;
@@ -77,10 +81,13 @@ struct ProblemSolution {
 
 /// A x.
 Eigen::VectorXd times_mass(const ContactProblem& problem, const Eigen::VectorXd& x);
+/// A^-1 times a momentum.
+Eigen::VectorXd times_response(const ContactProblem& problem, const Eigen::VectorXd& momentum);
 
-/// What the pairs answer to a change, all impulses as momentum of the coordinates.
+/// What the pairs answer to a change.
 struct Answers {
-    Eigen::VectorXd total, missing;  ///< all; without what acts already
+    Eigen::VectorXd impulses;        ///< three numbers for each pair
+    Eigen::VectorXd total, missing;  ///< all as momentum of the coordinates; without what acts already
 };
 Answers answers_to(const ContactProblem& problem, const Eigen::VectorXd& change);
 
@@ -94,14 +101,17 @@ double residual_of(const ContactProblem& problem, const Eigen::VectorXd& change,
 double residual_from(const ContactProblem& problem, const Eigen::VectorXd& gradient,
                      const Eigen::VectorXd& total, double least_speed);
 
+/// No change, by the impulses that act already.
+ProblemSolution unchanged(const ContactProblem& problem);
+
 /// Newton's method with a line search, with limits of friction that are lagged and a guess
 /// of each pair's friction beside the velocities.
-/// @param change       where it begins
+/// @param begin        the change and the impulses with which it begins
 /// @param matrix       of the step's problems, kept from one to the next
 /// @param tolerance    of the residual
 /// @param least_speed  sqrt(kg) m/s: what counts as a momentum at all
 ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
-                             const Eigen::VectorXd& change, double tolerance, double least_speed,
+                             const ProblemSolution& begin, double tolerance, double least_speed,
                              int most_steps = 100);
 
 /// Newton's method on the real equation, whose limits of friction are those that the same motion makes. Far

@@ -27,8 +27,8 @@ double step_length(const ContactProblem& problem, const VectorXd& change, const 
         double slope = slope_t0 + t * curvature;
         for (std::size_t i = 0; i < problem.rows.size(); ++i) {
             const PairRow& row = problem.rows[i];
-            const PairAnswer made = answer(row.law, velocities[i] + t * rates[i], problem.step);
-            slope -= rates[i].dot(made.normal_impulse + made.friction - row.acting);
+            const PairPush made = pushed(row.law, velocities[i] + t * rates[i], problem.step);
+            slope -= rates[i].dot(made.total() - row.acting);
         }
         return slope;
     };
@@ -59,10 +59,11 @@ double step_length(const ContactProblem& problem, const VectorXd& change, const 
 }  // namespace
 
 //! [solve_convex]
-ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix, const VectorXd& change,
-                             double tolerance, double least_speed, int most_steps)
+ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
+                             const ProblemSolution& begin, double tolerance, double least_speed,
+                             int most_steps)
 {
-    ProblemSolution solution{change};
+    ProblemSolution solution{begin.change, begin.impulses};
     DualFriction friction(problem);
     for (;; ++solution.newton_steps) {
         const Answers answers = answers_to(problem, solution.change);
@@ -73,7 +74,10 @@ ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix
             return solution;
         const VectorXd direction = matrix.solve(problem, friction.stiffenings(solution.change), -gradient);
         friction.follow(solution.change, direction);
-        solution.change += step_length(problem, solution.change, direction) * direction;
+        const double part = step_length(problem, solution.change, direction);
+        solution.change += part * direction;
+        solution.impulses += part *
+                             (matrix.tangent(problem, answers.impulses, direction) - solution.impulses);
     }
 }
 //! [solve_convex]

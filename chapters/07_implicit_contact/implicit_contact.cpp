@@ -76,8 +76,8 @@ void answer_safely(World& world, StepProblem& step, NewtonMatrix& matrix, double
     step.problem.step.limit = FrictionLimit::lagged;
     for (std::size_t i = 0; i < step.of_row.size(); ++i)
         step.problem.rows[i].law.pressing = step.of_row[i]->load * step.problem.step.dt;
-    const ProblemSolution solution = solve_convex(step.problem, matrix,
-                                                  Eigen::VectorXd::Zero(step.problem.size), tolerance, least);
+    const ProblemSolution solution = solve_convex(step.problem, matrix, unchanged(step.problem), tolerance,
+                                                  least);
     apply_impulses(world, step, impulses_after(step, solution.change));
     look_again(world, step);
 }
@@ -86,9 +86,9 @@ void answer_safely(World& world, StepProblem& step, NewtonMatrix& matrix, double
 /// What comes to its answer at all comes near it in sixty rounds.
 bool is_hopeless(const SolveRecord& record) { return record.rounds >= 60 && record.residual > nearly_solved; }
 
-/// How much more sharply than to the tolerance a round's problem is solved: a stiff pair makes 1e3 or 1e4 of a small
-/// error in the velocities. The few that make 1e5 of it take many rounds.
-double sharpness(int round) { return round < 10 ? 1e-4 : 1e-6; }
+/// Residual to which the problem of a round is solved, where the bodies are at this one. Its normals stand still and
+/// its soft masses are old, so a round seldom takes away more than this part of what is left.
+double sharp_enough(double residual, double tolerance) { return std::max(0.1 * tolerance, 1e-3 * residual); }
 
 }  // namespace
 
@@ -113,10 +113,9 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         if (record.converged || record.rounds == settings.most_rounds || is_hopeless(record))
             break;
         const ProblemSolution solution = solve(step.problem, matrix,
-                                               sharpness(record.rounds) * settings.tolerance, least);
+                                               sharp_enough(record.residual, settings.tolerance), least);
         record.newton_steps += solution.newton_steps;
-        const Eigen::VectorXd after = impulses_after(step, solution.change);
-        apply_impulses(world, step, mixing.next(impulses_acting(step), after));
+        apply_impulses(world, step, mixing.next(impulses_acting(step), solution.impulses));
     }
     record.turns_too_far = turns_too_far(world, before, dt);
     record.converged = record.converged && !record.turns_too_far;

@@ -46,6 +46,37 @@ bool is_dense(const ContactProblem& problem)
     return 8 * filled > static_cast<double>(problem.size) * problem.size;
 }
 
+std::vector<int> stiff_coordinates(const ContactProblem& problem, const std::vector<Mat3>& stiffenings)
+{
+    std::vector<char> is_stiff(static_cast<std::size_t>(problem.size), 0);
+    for (std::size_t pair = 0; pair < problem.rows.size(); ++pair)
+        if (!stiffenings[pair].isZero(0))
+            for (const VertexMotion& part : problem.rows[pair].moving())
+                std::fill_n(is_stiff.begin() + part.first, part.rate.cols(), 1);
+    std::vector<int> stiff;
+    for (int coordinate = 0; coordinate < problem.size; ++coordinate)
+        if (is_stiff[static_cast<std::size_t>(coordinate)])
+            stiff.push_back(coordinate);
+    return stiff;
+}
+
+/// A^-1 of some coordinates, which are ascending.
+Eigen::MatrixXd response_among(const ContactProblem& problem, const std::vector<int>& coordinates)
+{
+    const auto size = static_cast<Eigen::Index>(coordinates.size());
+    Eigen::MatrixXd response = Eigen::MatrixXd::Zero(size, size);
+    for (const BodyBlock& block : problem.blocks) {
+        const auto first = std::lower_bound(coordinates.begin(), coordinates.end(), block.first),
+                   last = std::lower_bound(first, coordinates.end(), block.first + block.size());
+        std::vector<int> own(first, last);
+        for (int& coordinate : own)
+            coordinate -= block.first;
+        const auto place = first - coordinates.begin(), count = last - first;
+        response.block(place, place, count, count) = block.response(own, own);
+    }
+    return response;
+}
+
 }  // namespace
 
 bool NewtonMatrix::fits(const std::vector<Mat3>& stiffenings) const
@@ -64,22 +95,9 @@ void NewtonMatrix::factor(const ContactProblem& problem)
     const bool symmetric = std::all_of(stiffenings_.begin(), stiffenings_.end(),
                                        [](const Mat3& s) { return s.isApprox(s.transpose(), 1e-12); });
     if (is_dense(problem))
-        factor_dense(problem, symmetric);
+        factor_dense(problem);
     else
         factor_sparse(problem, symmetric);
-}
-
-void NewtonMatrix::factor_dense(const ContactProblem& problem, bool symmetric)
-{
-    dense_.setZero(problem.size, problem.size);
-    assemble(problem, stiffenings_, symmetric, [&](int row, int column) {
-        return BlockPlace{&dense_(row, column), dense_.rows()};
-    });
-    kind_ = symmetric ? Kind::dense_symmetric : Kind::dense;
-    if (symmetric)
-        dense_cholesky_.compute(dense_);
-    else
-        dense_lu_.compute(dense_);
 }
 
 void NewtonMatrix::factor_sparse(const ContactProblem& problem, bool symmetric)
@@ -102,11 +120,59 @@ void NewtonMatrix::factor_sparse(const ContactProblem& problem, bool symmetric)
 }
 //! [factor]
 
-VectorXd NewtonMatrix::solve_with_factor(const VectorXd& b) const
+//! [factor_dense]
+/// With momenta p for unknowns, x = A^-1 p, the matrix is I + K A^-1, K = J^T S J. Where no stiff pair is, K has
+/// neither rows nor columns: there p = b, and what is left to be factored is small.
+void NewtonMatrix::factor_dense(const ContactProblem& problem)
+{
+    kind_ = Kind::dense;
+    stiff_ = stiff_coordinates(problem, stiffenings_);
+    const Eigen::MatrixXd response = response_among(problem, stiff_);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(response.rows(), response.cols());
+    const auto place = [&](int coordinate) {
+        return std::lower_bound(stiff_.begin(), stiff_.end(), coordinate) - stiff_.begin();
+    };
+    Eigen::Matrix3Xd force(3, response.cols());  // of a pair, for a unit momentum of each coordinate
+    for (std::size_t pair = 0; pair < problem.rows.size(); ++pair) {
+        if (stiffenings_[pair].isZero(0))
+            continue;
+        force.setZero();
+        for (const VertexMotion& part : problem.rows[pair].moving())
+            with_fixed_size(part, [&]<class Motion>(int first, const Motion& motion) {
+                const auto stiff = (stiffenings_[pair] * motion).eval();
+                for (Eigen::Index column = 0, row = place(first); column < force.cols(); ++column)
+                    force.col(column).noalias() +=
+                        stiff * response.col(column).template segment<Motion::ColsAtCompileTime>(row);
+            });
+        for (const VertexMotion& part : problem.rows[pair].moving())
+            with_fixed_size(part, [&]<class Motion>(int first, const Motion& motion) {
+                for (Eigen::Index column = 0, row = place(first); column < force.cols(); ++column)
+                    matrix.col(column).template segment<Motion::ColsAtCompileTime>(row).noalias() +=
+                        motion.transpose() * force.col(column);
+            });
+    }
+    dense_lu_.compute(matrix);
+}
+
+VectorXd NewtonMatrix::solve_dense(const ContactProblem& problem, const VectorXd& b) const
+{
+    const VectorXd without = times_response(problem, b);
+    VectorXd pushed = VectorXd::Zero(b.size());  // by the pairs' stiffness, for x of no pairs
+    for (std::size_t pair = 0; pair < problem.rows.size(); ++pair)
+        if (!stiffenings_[pair].isZero(0)) {
+            const PairRow& row = problem.rows[pair];
+            row.add_impulse(-(stiffenings_[pair] * row.rate_of(without)), pushed);
+        }
+    VectorXd momentum = b;
+    momentum(stiff_) += dense_lu_.solve(pushed(stiff_));
+    return times_response(problem, momentum);
+}
+//! [factor_dense]
+
+VectorXd NewtonMatrix::solve_with_factor(const ContactProblem& problem, const VectorXd& b) const
 {
     switch (kind_) {
-        case Kind::dense_symmetric: return dense_cholesky_.solve(b);
-        case Kind::dense: return dense_lu_.solve(b);
+        case Kind::dense: return solve_dense(problem, b);
         case Kind::sparse_symmetric:
             if (sparse_cholesky_.info() == Eigen::Success)
                 return sparse_cholesky_.solve(b);
@@ -120,6 +186,18 @@ VectorXd NewtonMatrix::solve_with_factor(const VectorXd& b) const
     return VectorXd::Zero(b.size());
 }
 
+//! [tangent]
+VectorXd NewtonMatrix::tangent(const ContactProblem& problem, VectorXd impulses,
+                               const VectorXd& direction) const
+{
+    for (std::size_t i = 0; i < problem.rows.size(); ++i)
+        if (!stiffenings_[i].isZero(0))
+            impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) -= stiffenings_[i] *
+                                                                     problem.rows[i].rate_of(direction);
+    return impulses;
+}
+//! [tangent]
+
 VectorXd NewtonMatrix::solve(const ContactProblem& problem, const std::vector<Mat3>& stiffenings,
                              const VectorXd& b)
 {
@@ -127,7 +205,7 @@ VectorXd NewtonMatrix::solve(const ContactProblem& problem, const std::vector<Ma
         stiffenings_ = stiffenings;
         factor(problem);
     }
-    const VectorXd x = solve_with_factor(b);
+    const VectorXd x = solve_with_factor(problem, b);
     return x.allFinite() ? x : VectorXd(VectorXd::Zero(b.size()));
 }
 

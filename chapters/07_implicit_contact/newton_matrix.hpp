@@ -3,7 +3,6 @@
 #include "chapters/07_implicit_contact/block_matrix.hpp"
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
@@ -25,22 +24,28 @@ public:
     Eigen::VectorXd solve(const ContactProblem& problem, const std::vector<Mat3>& stiffenings,
                           const Eigen::VectorXd& b);
 
+    /// What the pairs would push if they answered a change of the velocities as straight as the last solve() took
+    /// them to: impulses - S J direction.
+    /// @param impulses  where the direction begins, three numbers for each pair
+    Eigen::VectorXd tangent(const ContactProblem& problem, Eigen::VectorXd impulses,
+                            const Eigen::VectorXd& direction) const;
+
 private:
     /// Which factor is the present one.
-    enum class Kind { none, dense_symmetric, dense, sparse_symmetric, sparse };
+    enum class Kind { none, dense, sparse_symmetric, sparse };
 
     bool fits(const std::vector<Mat3>& stiffenings) const;
     void factor(const ContactProblem& problem);
-    void factor_dense(const ContactProblem& problem, bool symmetric);
+    void factor_dense(const ContactProblem& problem);
     void factor_sparse(const ContactProblem& problem, bool symmetric);
-    Eigen::VectorXd solve_with_factor(const Eigen::VectorXd& b) const;
+    Eigen::VectorXd solve_dense(const ContactProblem& problem, const Eigen::VectorXd& b) const;
+    Eigen::VectorXd solve_with_factor(const ContactProblem& problem, const Eigen::VectorXd& b) const;
 
     using Sparse = Eigen::SparseMatrix<double>;
 
     Kind kind_ = Kind::none;
     std::vector<Mat3> stiffenings_;  ///< of each pair, when it was factored
-    Eigen::MatrixXd dense_;
-    Eigen::LLT<Eigen::MatrixXd> dense_cholesky_;
+    std::vector<int> stiff_;         ///< coordinates that a stiff pair moves, ascending
     Eigen::PartialPivLU<Eigen::MatrixXd> dense_lu_;
     BlockMatrix blocks_;
     Eigen::SimplicialLLT<Sparse> sparse_cholesky_;

@@ -27,17 +27,24 @@ struct StepLaw {
     FrictionLimit limit = FrictionLimit::lagged;
 };
 
-struct PairAnswer {
+struct PairPush {
     Vec3 normal_impulse, friction;  ///< on p [N s]
-    /// minus the derivative of their sum by the velocity [kg]; symmetric, never negative if lagged
-    Mat3 stiffening;
     bool slips = false;
+
+    Vec3 total() const { return normal_impulse + friction; }
+};
+
+struct PairAnswer : PairPush {
+    /// minus the derivative of the total by the velocity [kg]; symmetric, never negative if lagged
+    Mat3 stiffening;
 };
 
 /// What the spring along the surface would push if it never gave [N s].
 Vec3 spring_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 
 /// @param velocity  of p against q over the step [m/s]
+PairPush pushed(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
+/// The same, and how it changes with the velocity.
 PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 
 }  // namespace enduring

@@ -15,17 +15,6 @@ std::tuple<bool, int, int> patch_of(const Contact& contact)
     return {on_plane, on_plane ? contact.body_a : low, on_plane ? contact.body_b : high};
 }
 
-Eigen::VectorXd velocity_of(const ContactProblem& problem, const Eigen::VectorXd& momentum)
-{
-    Eigen::VectorXd velocity = momentum;
-    for (const BodyBlock& block : problem.blocks) {
-        auto part = velocity.segment(block.first, block.mass.rows());
-        if (!part.isZero(0))
-            part = block.factor.solve(part).eval();
-    }
-    return velocity;
-}
-
 }  // namespace
 
 //! [patch_masses]
@@ -40,7 +29,7 @@ std::vector<double> patch_masses(const StepProblem& step)
         Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
         for (const std::size_t i : members)
             rows[i].add_impulse(rows[i].law.normal, momentum);
-        const Eigen::VectorXd velocity = velocity_of(step.problem, momentum);
+        const Eigen::VectorXd velocity = times_response(step.problem, momentum);
         for (const std::size_t i : members) {
             const Vec3& normal = rows[i].law.normal;
             const double alone = normal.dot(rows[i].response(step.problem.blocks) * normal),

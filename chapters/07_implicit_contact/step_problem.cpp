@@ -31,12 +31,12 @@ void add_blocks(const World& world, StepProblem& step)
     for (std::size_t body = 0; body < world.bodies.size(); ++body) {
         if (step.vertices[body].empty())
             continue;
-        BodyBlock block{step.problem.size, world.bodies[body]->contact_mass(step.vertices[body])};
-        if (block.mass.rows() == 0)
+        ContactMass of = world.bodies[body]->contact_mass(step.vertices[body]);
+        if (of.mass.rows() == 0)
             continue;
-        block.factor.compute(block.mass);
+        BodyBlock block{step.problem.size, std::move(of.mass), std::move(of.response)};
         step.block[body] = static_cast<int>(step.problem.blocks.size());
-        step.problem.size += static_cast<int>(block.mass.rows());
+        step.problem.size += block.size();
         step.problem.blocks.push_back(std::move(block));
     }
 }
@@ -193,7 +193,7 @@ void bring(World& world, const StepProblem& step, const Eigen::VectorXd& momentu
             continue;
         const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[body])];
         world.bodies[body]->apply_contact_impulse(step.vertices[body],
-                                                  momentum.segment(block.first, block.mass.rows()));
+                                                  momentum.segment(block.first, block.size()));
         world.bodies[body]->update_prediction(step.problem.step.dt);
     }
 }

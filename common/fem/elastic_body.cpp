@@ -28,6 +28,8 @@ ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, cons
       external_forces_(NodalVectors::Zero(3, mesh_.node_count())),
       last_prediction_(NodalVectors::Zero(3, mesh_.node_count())),
       last_response_(NodalVectors::Zero(3, mesh_.node_count())),
+      mended_impulses_(NodalVectors::Zero(3, mesh_.node_count())),
+      mended_response_(NodalVectors::Zero(3, mesh_.node_count())),
       rotations_(mesh_.elements().size(), Mat3::Identity()),
       solver_(mesh_, mass_matrix_, options.solver_tolerance, options.linear_solver)
 {
@@ -75,6 +77,8 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
     solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping,
                   dt * (dt + material_.stiffness_damping), rhs, velocities_);
     last_prediction_ = velocities_ - before;
+    mended_impulses_.setZero();
+    mended_response_.setZero();
 }
 //! [predict]
 
@@ -90,6 +94,21 @@ void ElasticBody::respond(const NodalVectors& impulses, double dt)
     last_response_ = change;
 }
 //! [respond]
+
+//! [mend_response]
+void ElasticBody::mend_response(const NodalVectors& impulses, double dt)
+{
+    const CorotatedElasticity elasticity(mesh_, lame_, rotations_);
+    const double given = std::abs(mended_impulses_.cwiseProduct(mended_response_).sum());
+    NodalVectors change = given > 0 ? NodalVectors(NodalVectors::Zero(3, node_count())) : last_response_;
+    solver_.solve(elasticity, fixed_, 1 + dt * material_.mass_damping,
+                  dt * (dt + material_.stiffness_damping), impulses, change, given);
+    velocities_ += change;
+    mended_impulses_ += impulses;
+    mended_response_ += change;
+    last_response_ = mended_response_;
+}
+//! [mend_response]
 
 void ElasticBody::commit(double dt) { positions_ += dt * velocities_; }
 

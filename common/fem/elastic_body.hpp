@@ -63,12 +63,17 @@ public:
     /// system of the last predict gives for them, so that the elements pass them on to their
     /// neighbours within the step. Call after predict(.., dt).
     void respond(const NodalVectors& impulses, double dt);
+    /// The same where a step gives impulses again and again, each time to mend those before: an error that is
+    /// small for all of them together is small enough, so the last ones cost little.
+    void mend_response(const NodalVectors& impulses, double dt);
     /// What respond() would add to the velocities, up to what the elements have turned against each other
     /// since the system was last factored: one pass through that factor. Zero before the first predict().
     NodalVectors near_response(const NodalVectors& impulses) const
     {
         return solver_.nearly_solved(fixed_, impulses);
     }
+    /// The same for each of these, in place and in one passage through the factor.
+    void near_responses(std::span<NodalVectors> impulses) const { solver_.nearly_solve(fixed_, impulses); }
     /// positions += dt velocities.
     void commit(double dt);
 
@@ -101,6 +106,8 @@ private:
     std::vector<char> fixed_;
     NodalVectors positions_, velocities_, external_forces_;
     NodalVectors last_prediction_, last_response_;  ///< changes of the velocities [m/s]
+    /// since the last predict(), by mend_response(): impulses [N s], and what they changed [m/s]
+    NodalVectors mended_impulses_, mended_response_;
     ElementRotations rotations_;
     ImplicitSolver solver_;
 };

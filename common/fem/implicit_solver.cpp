@@ -15,6 +15,15 @@ namespace {
 constexpr int iterations_per_factorisation = 50;
 constexpr int early_solves = 5;
 constexpr int iteration_limit_fresh = 300;
+/// Of a solution that is small beside what it is added to, relative.
+constexpr double largest_error = 0.01;
+
+void clear(const std::vector<char>& fixed, NodalVectors& field)
+{
+    for (Eigen::Index n = 0; n < field.cols(); ++n)
+        if (fixed[n])
+            field.col(n).setZero();
+}
 
 double dot(const NodalVectors& a, const NodalVectors& b) { return a.reshaped().dot(b.reshaped()); }
 
@@ -26,12 +35,7 @@ struct ImplicitSolver::System {
     const std::vector<char>& fixed;
     double mass_scale, stiffness_scale;
 
-    void clear_fixed(NodalVectors& field) const
-    {
-        for (Eigen::Index n = 0; n < field.cols(); ++n)
-            if (fixed[n])
-                field.col(n).setZero();
-    }
+    void clear_fixed(NodalVectors& field) const { clear(fixed, field); }
 
     void multiply(const NodalVectors& v, NodalVectors& result) const
     {
@@ -74,7 +78,7 @@ void ImplicitSolver::account_for_iterations()
 /// against v.rhs, the squared norm of the solution. True if it got there; also true for
 /// numbers that are no longer finite, which the step reports.
 bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v,
-                                         int iteration_limit)
+                                         double given, int iteration_limit)
 {
     NodalVectors r, z, direction, image;
     system.multiply(v, image);
@@ -87,7 +91,8 @@ bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVector
     direction = z;
     double rz = dot(r, z);
     for (iterations_ = 0; iterations_ < iteration_limit; ++iterations_) {
-        if (!(rz > tolerance_ * tolerance_ * std::abs(dot(v, rhs))))
+        const double own = std::abs(dot(v, rhs)), enough = tolerance_ * tolerance_;
+        if (!(rz > std::max(enough * own, std::min(enough * given, largest_error * largest_error * own))))
             return true;
         system.multiply(direction, image);
         const double length = rz / dot(direction, image);
@@ -103,7 +108,7 @@ bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVector
 
 void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed,
                            double mass_scale, double stiffness_scale, const NodalVectors& rhs,
-                           NodalVectors& v)
+                           NodalVectors& v, double given)
 {
     const System system{elasticity, mass_matrix_, fixed, mass_scale, stiffness_scale};
     system.clear_fixed(v);
@@ -113,9 +118,9 @@ void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vec
     if (!factor_.matches(mass_scale, stiffness_scale) || wasted_iterations_ > iterations_per_factorisation)
         renew_factor(system);
     factor_.turn(elasticity.rotations());
-    if (!conjugate_gradients(system, rhs, v, 2 * iterations_per_factorisation)) {
+    if (!conjugate_gradients(system, rhs, v, given, 2 * iterations_per_factorisation)) {
         renew_factor(system);
-        if (!conjugate_gradients(system, rhs, v, iteration_limit_fresh))
+        if (!conjugate_gradients(system, rhs, v, given, iteration_limit_fresh))
             throw std::runtime_error("the elastic system did not converge");
     }
     account_for_iterations();
@@ -130,14 +135,24 @@ NodalVectors ImplicitSolver::nearly_solved(const std::vector<char>& fixed, Nodal
     NodalVectors v = NodalVectors::Zero(3, rhs.cols());
     if (factorisations_ == 0)
         return v;
-    for (Eigen::Index n = 0; n < rhs.cols(); ++n)
-        if (fixed[n])
-            rhs.col(n).setZero();
+    clear(fixed, rhs);
     factor_.apply(rhs, v);
-    for (Eigen::Index n = 0; n < v.cols(); ++n)
-        if (fixed[n])
-            v.col(n).setZero();
+    clear(fixed, v);
     return v;
+}
+
+void ImplicitSolver::nearly_solve(const std::vector<char>& fixed, std::span<NodalVectors> fields) const
+{
+    for (NodalVectors& field : fields)
+        if (factorisations_ == 0)
+            field.setZero();
+        else
+            clear(fixed, field);
+    if (factorisations_ == 0 || fields.empty())
+        return;
+    factor_.apply(fields);
+    for (NodalVectors& field : fields)
+        clear(fixed, field);
 }
 
 }  // namespace enduring

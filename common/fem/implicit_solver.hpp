@@ -28,21 +28,25 @@ public:
     /// @param rhs             [N s]
     /// @param v               a first guess, and the solution on return [m/s]; without fixed nodes its linear
     ///                        momentum is exact to rounding, whatever the tolerance
+    /// @param given           solution times rhs of what this one is added to: an error that is small for both
+    ///                        together is small enough
     /// @throws std::runtime_error  no convergence even with a fresh factor
     void solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
-               double stiffness_scale, const NodalVectors& rhs, NodalVectors& v);
+               double stiffness_scale, const NodalVectors& rhs, NodalVectors& v, double given = 0);
 
     /// One application of the preconditioner: the solution for rhs but for what elements have turned against
     /// each other since the matrix was factored, and for its single precision. Zero before the first solve.
     /// @param fixed  as for solve()
     NodalVectors nearly_solved(const std::vector<char>& fixed, NodalVectors rhs) const;
+    /// The same for each of these, in place and in one passage through the factor.
+    void nearly_solve(const std::vector<char>& fixed, std::span<NodalVectors> fields) const;
 
     int iterations() const { return iterations_; }          ///< of the last solve
     int factorisations() const { return factorisations_; }  ///< of all so far
 
 private:
     struct System;
-    bool conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v,
+    bool conjugate_gradients(const System& system, const NodalVectors& rhs, NodalVectors& v, double given,
                              int iteration_limit);
     void renew_factor(const System& system);
     void account_for_iterations();

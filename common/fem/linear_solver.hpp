@@ -17,6 +17,8 @@ public:
     virtual bool factor(const Eigen::SparseMatrix<double>& matrix) = 0;
     /// Replaces b by A^-1 b, with the A that was factored last.
     virtual void solve(Eigen::VectorXd& b) const = 0;
+    /// The same for each column of b, where the factor is read once for all of them.
+    virtual void solve(Eigen::MatrixXd& b) const = 0;
 };
 
 enum class LinearSolverKind {

@@ -21,6 +21,7 @@ public:
         return cholesky_.info() == Eigen::Success && (cholesky_.vectorD().array() > 0).all();
     }
     void solve(Eigen::VectorXd& b) const override { b = cholesky_.solve(b).eval(); }
+    void solve(Eigen::MatrixXd& b) const override { b = cholesky_.solve(b).eval(); }
 
 private:
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> cholesky_;

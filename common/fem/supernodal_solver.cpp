@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <new>
 
 namespace enduring {
@@ -114,33 +115,53 @@ void SupernodalSolver::copy_supernodes()
 }
 
 //! [block_solve]
-void SupernodalSolver::solve(Eigen::VectorXd& b) const
+/// @param x  unknowns in the factor's order: a vector, or one in each column
+template <class Floats>
+void SupernodalSolver::solve_ordered(Floats& x) const
 {
-    Eigen::VectorXf x(b.size()), below(b.size());
-    for (Eigen::Index i = 0; i < b.size(); ++i)
-        x[i] = static_cast<float>(b[order_[i]]);
-
+    Floats below(x.rows(), x.cols());
     for (const auto& [first, columns, rows, block] : supernodes_) {
-        auto here = x.segment(first, columns);
-        block.topRows(columns).triangularView<Eigen::Lower>().solveInPlace(here);
+        auto here = x.middleRows(first, columns);
+        block.topRows(columns).template triangularView<Eigen::Lower>().solveInPlace(here);
         const auto count = static_cast<Eigen::Index>(rows.size());
-        below.head(count).noalias() = block.bottomRows(count) * here;
+        below.topRows(count).noalias() = block.bottomRows(count) * here;
         for (Eigen::Index i = 0; i < count; ++i)
-            x[rows[i]] -= below[i];
+            x.row(rows[i]) -= below.row(i);
     }
     for (auto node = supernodes_.rbegin(); node != supernodes_.rend(); ++node) {
         const auto& [first, columns, rows, block] = *node;
-        auto here = x.segment(first, columns);
+        auto here = x.middleRows(first, columns);
         const auto count = static_cast<Eigen::Index>(rows.size());
         for (Eigen::Index i = 0; i < count; ++i)
-            below[i] = x[rows[i]];
-        here.noalias() -= block.bottomRows(count).transpose() * below.head(count);
-        block.topRows(columns).transpose().triangularView<Eigen::Upper>().solveInPlace(here);
+            below.row(i) = x.row(rows[i]);
+        here.noalias() -= block.bottomRows(count).transpose() * below.topRows(count);
+        block.topRows(columns).transpose().template triangularView<Eigen::Upper>().solveInPlace(here);
     }
+}
+//! [block_solve]
 
+void SupernodalSolver::solve(Eigen::VectorXd& b) const
+{
+    Eigen::VectorXf x(b.size());
+    for (Eigen::Index i = 0; i < b.size(); ++i)
+        x[i] = static_cast<float>(b[order_[i]]);
+    solve_ordered(x);
     for (Eigen::Index i = 0; i < b.size(); ++i)
         b[order_[i]] = static_cast<double>(x[i]);
 }
-//! [block_solve]
+
+void SupernodalSolver::solve(Eigen::MatrixXd& b) const
+{
+    constexpr Eigen::Index most_columns = 48;  // at once: they and a large block fit a cache
+    for (Eigen::Index first = 0; first < b.cols(); first += most_columns) {
+        const Eigen::Index count = std::min(most_columns, b.cols() - first);
+        Eigen::MatrixXf x(b.rows(), count);
+        for (Eigen::Index i = 0; i < b.rows(); ++i)
+            x.row(i) = b.row(order_[i]).segment(first, count).cast<float>();
+        solve_ordered(x);
+        for (Eigen::Index i = 0; i < b.rows(); ++i)
+            b.row(order_[i]).segment(first, count) = x.row(i).cast<double>();
+    }
+}
 
 }  // namespace enduring

@@ -25,6 +25,7 @@ public:
 
     bool factor(const Eigen::SparseMatrix<double>& matrix) override;
     void solve(Eigen::VectorXd& b) const override;
+    void solve(Eigen::MatrixXd& b) const override;
 
 private:
     /// Neighbouring columns of L as one dense block: a triangle, and what is below it.
@@ -35,6 +36,8 @@ private:
     };
 
     void copy_supernodes();
+    template <class Floats>
+    void solve_ordered(Floats& x) const;
 
     cholmod_common cholmod_;
     cholmod_factor* factor_ = nullptr;

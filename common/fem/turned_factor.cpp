@@ -56,4 +56,17 @@ void TurnedFactor::apply(const NodalVectors& r, NodalVectors& z) const
 }
 //! [turn]
 
+void TurnedFactor::apply(std::span<NodalVectors> fields) const
+{
+    const auto nodes = static_cast<Eigen::Index>(turns_.size());
+    Eigen::MatrixXd turned(3 * nodes, static_cast<Eigen::Index>(fields.size()));
+    for (Eigen::Index i = 0; i < turned.cols(); ++i)
+        for (Eigen::Index n = 0; n < nodes; ++n)
+            turned.col(i).segment<3>(3 * n) = turns_[n].transpose() * fields[i].col(n);
+    solver_->solve(turned);
+    for (Eigen::Index i = 0; i < turned.cols(); ++i)
+        for (Eigen::Index n = 0; n < nodes; ++n)
+            fields[i].col(n) = turns_[n] * turned.col(i).segment<3>(3 * n);
+}
+
 }  // namespace enduring

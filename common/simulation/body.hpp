@@ -2,6 +2,7 @@
 
 #include "common/geometry/surface_topology.hpp"
 #include "common/geometry/vector.hpp"
+#include "common/simulation/contact_mass.hpp"
 #include "common/simulation/mass_parts.hpp"
 #include "common/simulation/trial.hpp"
 
@@ -90,9 +91,8 @@ public:
     /// change, as a few coordinates. A rigid body's are the velocity of its centre and
     /// its angular velocity; what does not move has none.
     ///
-    /// They belong to `touched`, the vertices in contact, each once. Returns the mass matrix A of the
-    /// coordinates: an impulse P on them changes them by A^-1 P.
-    virtual Eigen::MatrixXd contact_mass(std::span<const int> /*touched*/) const { return {}; }
+    /// They belong to `touched`, the vertices in contact, each once.
+    virtual ContactMass contact_mass(std::span<const int> /*touched*/) const { return {}; }
     /// How touched[index] moves with them. The last argument is the moment
     /// of the step whose lever counts, in [0, 1].
     virtual VertexMotion contact_motion(std::span<const int> /*touched*/, std::size_t /*index*/,

@@ -150,6 +150,7 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
 void DeformableBody::predict(const Vec3& gravity, double dt)
 {
     elastic_.predict(gravity, dt);
+    mends_ = false;
     vertex_response_.begin_step(dt);
     update_prediction(dt);
 }
@@ -157,7 +158,10 @@ void DeformableBody::predict(const Vec3& gravity, double dt)
 void DeformableBody::update_prediction(double dt)
 {
     if (!waiting_impulses_.isZero(0)) {
-        elastic_.respond(waiting_impulses_, dt);
+        if (mends_)
+            elastic_.mend_response(waiting_impulses_, dt);
+        else
+            elastic_.respond(waiting_impulses_, dt);
         waiting_impulses_.setZero();
     }
     for (std::size_t vertex = 0; vertex < positions_t1_.size(); ++vertex)
@@ -199,25 +203,28 @@ double DeformableBody::shared_response(int u, int v) const
     return shared;
 }
 
-Eigen::MatrixXd DeformableBody::contact_mass(std::span<const int> touched) const
+ContactMass DeformableBody::contact_mass(std::span<const int> touched) const
 {
     if (impulse_response_ == ImpulseResponse::implicit)
         return vertex_response_.mass_of(touched);
     // Where there are more vertices than nodes, only a part of the diagonal on top makes it positive.
     constexpr double softening = 0.05;
     const auto count = static_cast<Eigen::Index>(touched.size());
-    Eigen::MatrixXd response(count, count);  // the same along every axis
+    Eigen::MatrixXd along_axis(count, count);  // the response, the same along every axis
     for (Eigen::Index i = 0; i < count; ++i)
         for (Eigen::Index j = 0; j < count; ++j)
-            response(i, j) = shared_response(touched[static_cast<std::size_t>(i)],
-                                             touched[static_cast<std::size_t>(j)]);
-    response.diagonal() *= 1 + softening;
-    const Eigen::MatrixXd along_axis = response.llt().solve(Eigen::MatrixXd::Identity(count, count));
-    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(3 * count, 3 * count);
-    for (Eigen::Index i = 0; i < count; ++i)
-        for (Eigen::Index j = 0; j < count; ++j)
-            mass.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(along_axis(i, j));
-    return mass;
+            along_axis(i, j) = shared_response(touched[static_cast<std::size_t>(i)],
+                                               touched[static_cast<std::size_t>(j)]);
+    along_axis.diagonal() *= 1 + softening;
+    const auto along_all = [count](const Eigen::MatrixXd& along) {
+        Eigen::MatrixXd all = Eigen::MatrixXd::Zero(3 * count, 3 * count);
+        for (Eigen::Index i = 0; i < count; ++i)
+            for (Eigen::Index j = 0; j < count; ++j)
+                all.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(along(i, j));
+        return all;
+    };
+    return {along_all(along_axis.llt().solve(Eigen::MatrixXd::Identity(count, count))),
+            along_all(along_axis)};
 }
 
 VertexMotion DeformableBody::contact_motion(std::span<const int>, std::size_t index, double) const
@@ -232,6 +239,7 @@ void DeformableBody::apply_contact_impulse(std::span<const int> touched, const E
 {
     for (std::size_t i = 0; i < touched.size(); ++i)
         apply_impulse(touched[i], impulse.segment<3>(static_cast<Eigen::Index>(3 * i)));
+    mends_ = true;
 }
 
 std::unique_ptr<Trial> DeformableBody::begin_trial() const

@@ -59,7 +59,7 @@ public:
     /// One coordinate for each component of the velocity of each touched vertex. The implicit response's
     /// blocks are the learned ones, turned with their elements, so the mass is an approximation, made stiffer
     /// than it is nowhere: a solver has to look at what its impulses really did.
-    Eigen::MatrixXd contact_mass(std::span<const int> touched) const override;
+    ContactMass contact_mass(std::span<const int> touched) const override;
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
 
@@ -87,6 +87,7 @@ private:
     ImpulseResponse impulse_response_;
     /// on the nodes, until the next update_prediction; only for the implicit response
     NodalVectors waiting_impulses_;
+    bool mends_ = false;  ///< whether the step's impulses mend each other (apply_contact_impulse)
     mutable VertexResponse vertex_response_;  ///< filled when asked; only for the implicit response
     std::unique_ptr<const MassParts> parts_;
     std::unique_ptr<const RestNeighbours> rest_neighbours_;  ///< only if it meets itself

@@ -79,12 +79,14 @@ Vec3 RigidBody::velocity(int vertex) const { return motion_.velocity_at(start_of
 
 Mat3 RigidBody::inverse_mass(int vertex) const { return motion_.inverse_mass_at(start_of(vertex)); }
 
-Eigen::MatrixXd RigidBody::contact_mass(std::span<const int>) const
+ContactMass RigidBody::contact_mass(std::span<const int>) const
 {
-    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(6, 6);
-    mass.topLeftCorner<3, 3>().diagonal().setConstant(motion_.mass());
-    mass.bottomRightCorner<3, 3>() = motion_.inverse_inertia().inverse();
-    return mass;
+    ContactMass of{Eigen::MatrixXd::Zero(6, 6), Eigen::MatrixXd::Zero(6, 6)};
+    of.mass.topLeftCorner<3, 3>().diagonal().setConstant(motion_.mass());
+    of.mass.bottomRightCorner<3, 3>() = motion_.inverse_inertia().inverse();
+    of.response.topLeftCorner<3, 3>().diagonal().setConstant(1 / motion_.mass());
+    of.response.bottomRightCorner<3, 3>() = motion_.inverse_inertia();
+    return of;
 }
 
 // The free end's orientation, not the predicted one: all impulses of a step

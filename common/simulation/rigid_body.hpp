@@ -28,7 +28,7 @@ public:
     double turning_speed() const override { return motion_.angular_velocity().norm(); }
     Mat3 inverse_mass(int vertex) const override;
 
-    Eigen::MatrixXd contact_mass(std::span<const int> touched) const override;
+    ContactMass contact_mass(std::span<const int> touched) const override;
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -21,27 +22,29 @@ std::vector<int> elements_at(const ElasticMesh& mesh, int node)
     return found;
 }
 
-//! [softened_inverse]
+//! [softened]
 /// Ten times the part of the diagonal that makes it positive keeps it off the border. What nothing moves, since
 /// its nodes are fixed, gets a mass a million times as large as the least that there is.
-Eigen::MatrixXd softened_inverse(Eigen::MatrixXd response)
+/// @param response  its lower half
+ContactMass softened(Eigen::MatrixXd response)
 {
     constexpr double held = 1e-6;
     const double largest = response.diagonal().maxCoeff();
     for (double& own : response.diagonal())
         if (own <= 0)
             own = held * (largest > 0 ? largest : 1);
-    const auto softened = [&](double part) {
+    const auto with = [&](double part) {
         Eigen::MatrixXd matrix = response;
         matrix.diagonal() *= 1 + part;
         return matrix;
     };
     double part = 1e-5;
-    while (softened(part).llt().info() != Eigen::Success && part < 1)
+    while (with(part).llt().info() != Eigen::Success && part < 1)
         part *= 10;
-    return softened(10 * part).llt().solve(Eigen::MatrixXd::Identity(response.rows(), response.cols()));
+    response = with(10 * part).selfadjointView<Eigen::Lower>();
+    return {response.llt().solve(Eigen::MatrixXd::Identity(response.rows(), response.cols())), response};
 }
-//! [softened_inverse]
+//! [softened]
 
 }  // namespace
 
@@ -76,16 +79,16 @@ const Mat3& VertexResponse::frame(Vertex& vertex)
     return vertex.frame;
 }
 
-VertexResponse::UnitResponses VertexResponse::unit_responses(int vertex) const
+/// On the nodes, for an impulse along each axis.
+std::array<NodalVectors, 3> VertexResponse::unit_impulses(int vertex) const
 {
-    UnitResponses responses;
+    std::array<NodalVectors, 3> impulses;
     for (int axis = 0; axis < 3; ++axis) {
-        NodalVectors impulse = NodalVectors::Zero(3, body_.node_count());
+        impulses[axis] = NodalVectors::Zero(3, body_.node_count());
         for (const auto& [node, weight] : embedding_.nodes_of(vertex))
-            impulse(axis, node) = weight;
-        responses[axis] = body_.near_response(impulse);
+            impulses[axis](axis, node) = weight;
     }
-    return responses;
+    return impulses;
 }
 
 Mat3 VertexResponse::block_to(const UnitResponses& responses, int vertex) const
@@ -101,14 +104,21 @@ int VertexResponse::column_of(int vertex)
 {
     if (place_.empty())
         place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
-    int& place = place_[vertex];
-    if (place >= 0)
-        return place;
-    place = static_cast<int>(vertices_.size());
-    new_.push_back(place);
+    if (place_[vertex] < 0) {
+        const auto impulses = unit_impulses(vertex);
+        append_column(vertex, {body_.near_response(impulses[0]), body_.near_response(impulses[1]),
+                               body_.near_response(impulses[2])});
+    }
+    return place_[vertex];
+}
+
+void VertexResponse::append_column(int vertex, UnitResponses responses)
+{
+    place_[vertex] = static_cast<int>(vertices_.size());
+    new_.push_back(place_[vertex]);
     vertices_.push_back({vertex,
                          elements_at(body_.mesh(), embedding_.nodes_of(vertex).front().node),
-                         unit_responses(vertex),
+                         std::move(responses),
                          {}});
     Vertex& own = vertices_.back();
     const Mat3 own_frame = frame(own);
@@ -122,9 +132,27 @@ int VertexResponse::column_of(int vertex)
         own.blocks.push_back(
             {&other == &own ? Mat3(0.5 * (local + local.transpose())) : local, local.norm()});
     }
-    return place;
 }
 //! [column_of]
+
+/// As column_of() for each of them, in one passage through the factor.
+void VertexResponse::learn(std::span<const int> vertices)
+{
+    if (place_.empty())
+        place_.assign(static_cast<std::size_t>(embedding_.vertex_count()), -1);
+    std::vector<int> unknown;
+    std::vector<NodalVectors> fields;
+    for (const int vertex : vertices)
+        if (place_[vertex] < 0) {
+            unknown.push_back(vertex);
+            for (NodalVectors& impulse : unit_impulses(vertex))
+                fields.push_back(std::move(impulse));
+        }
+    body_.near_responses(fields);
+    for (std::size_t i = 0; i < unknown.size(); ++i)
+        append_column(unknown[i],
+                      {std::move(fields[3 * i]), std::move(fields[3 * i + 1]), std::move(fields[3 * i + 2])});
+}
 
 const VertexResponse::Block& VertexResponse::stored(int i, int j) const
 {
@@ -186,8 +214,9 @@ Vec3 ResponseTrial::change(int vertex)
     return own.change;
 }
 
-Eigen::MatrixXd VertexResponse::local_mass_of(std::span<const int> vertices)
+ContactMass VertexResponse::local_mass_of(std::span<const int> vertices)
 {
+    learn(vertices);
     const auto size = static_cast<Eigen::Index>(3 * vertices.size());
     Eigen::MatrixXd response(size, size);
     for (std::size_t u = 0; u < vertices.size(); ++u)
@@ -198,7 +227,7 @@ Eigen::MatrixXd VertexResponse::local_mass_of(std::span<const int> vertices)
             response.block<3, 3>(static_cast<Eigen::Index>(3 * u),
                                  static_cast<Eigen::Index>(3 * v)) = i >= j ? local : Mat3(local.transpose());
         }
-    return softened_inverse(response);
+    return softened(std::move(response));
 }
 
 //! [has_bent]
@@ -222,26 +251,35 @@ bool VertexResponse::has_bent(std::span<const int> vertices)
 }
 //! [has_bent]
 
+namespace {
+
+/// A matrix of blocks with each block's two sides in world axes.
+Eigen::MatrixXd turned(const Eigen::MatrixXd& local, const std::vector<Mat3>& frames)
+{
+    Eigen::MatrixXd world(local.rows(), local.cols());
+    for (Eigen::Index u = 0; u < local.rows() / 3; ++u)
+        for (Eigen::Index v = 0; v < local.cols() / 3; ++v)
+            world.block<3, 3>(3 * u, 3 * v) = frames[static_cast<std::size_t>(u)] *
+                                              local.block<3, 3>(3 * u, 3 * v) *
+                                              frames[static_cast<std::size_t>(v)].transpose();
+    return world;
+}
+
+}  // namespace
+
 //! [mass_of]
-Eigen::MatrixXd VertexResponse::mass_of(std::span<const int> vertices)
+ContactMass VertexResponse::mass_of(std::span<const int> vertices)
 {
     if (has_bent(vertices))
         forget();
     if (!std::equal(vertices.begin(), vertices.end(), massive_.begin(), massive_.end())) {
-        local_mass_ = local_mass_of(vertices);
+        local_ = local_mass_of(vertices);
         massive_.assign(vertices.begin(), vertices.end());
     }
-    Eigen::MatrixXd mass(local_mass_.rows(), local_mass_.cols());
     std::vector<Mat3> frames;
     for (const int vertex : vertices)
         frames.push_back(frame(vertices_[column_of(vertex)]));
-    for (std::size_t u = 0; u < vertices.size(); ++u)
-        for (std::size_t v = 0; v < vertices.size(); ++v) {
-            const auto row = static_cast<Eigen::Index>(3 * u), column = static_cast<Eigen::Index>(3 * v);
-            mass.block<3, 3>(row, column) = frames[u] * local_mass_.block<3, 3>(row, column) *
-                                            frames[v].transpose();
-        }
-    return mass;
+    return {turned(local_.mass, frames), turned(local_.response, frames)};
 }
 //! [mass_of]
 

@@ -2,6 +2,7 @@
 
 #include "common/fem/elastic_body.hpp"
 #include "common/fem/surface_embedding.hpp"
+#include "common/simulation/contact_mass.hpp"
 #include "common/simulation/mass_parts.hpp"
 
 #include <array>
@@ -32,10 +33,10 @@ public:
     /// eigenvalue above its largest such sum, this bounds what they do together.
     double response_bound(int vertex, std::span<const Push> pushes);
 
-    /// The inverse of the blocks of these vertices, as one matrix [kg]. Learned in other positions of the
+    /// The blocks of these vertices as one matrix [1/kg], and its inverse. Learned in other positions of the
     /// elements, they need not belong to a positive matrix: a part of their diagonal on top makes it one.
     /// Where the elements have turned far against each other, all is computed anew.
-    Eigen::MatrixXd mass_of(std::span<const int> vertices);
+    ContactMass mass_of(std::span<const int> vertices);
 
 private:
     friend class ResponseTrial;
@@ -59,10 +60,12 @@ private:
     bool has_bent(std::span<const int> vertices);
     int column_of(int vertex);
     const Block& stored(int i, int j) const;
-    UnitResponses unit_responses(int vertex) const;
+    std::array<NodalVectors, 3> unit_impulses(int vertex) const;
+    void append_column(int vertex, UnitResponses responses);
     Mat3 block_to(const UnitResponses& responses, int vertex) const;
     const Mat3& frame(Vertex& vertex);
-    Eigen::MatrixXd local_mass_of(std::span<const int> vertices);
+    ContactMass local_mass_of(std::span<const int> vertices);
+    void learn(std::span<const int> vertices);
 
     const ElasticBody& body_;
     const SurfaceEmbedding& embedding_;
@@ -70,9 +73,9 @@ private:
     int step_ = 0;
     std::vector<int> place_;  ///< of each surface vertex among those computed, -1 before
     std::vector<Vertex> vertices_;
-    std::vector<int> new_;        ///< places of those computed in this step
-    std::vector<int> massive_;    ///< vertices that were asked for their mass
-    Eigen::MatrixXd local_mass_;  ///< theirs, in their frames, where it is the same in every step
+    std::vector<int> new_;      ///< places of those computed in this step
+    std::vector<int> massive_;  ///< vertices that were asked for their mass
+    ContactMass local_;         ///< theirs, in their frames, where it is the same in every step
 };
 
 /// Impulses at surface vertices that are tried out, and what all of them change at a vertex.

@@ -23,8 +23,8 @@ ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiff
     ContactProblem problem;
     problem.step = {0.5 + 0.5 * (seed % 3) / 2, 0.01};
     for (int i = 0; i < bodies; ++i) {
-        BodyBlock block{problem.size, std::exp(3 * normal(random)) * Mat3::Identity()};
-        block.factor.compute(block.mass);
+        BodyBlock block{problem.size, std::exp(3 * normal(random)) * Mat3::Identity(), {}};
+        block.response = block.mass.inverse();
         problem.blocks.push_back(block);
         problem.size += 3;
     }
@@ -50,7 +50,7 @@ ContactProblem random_problem(unsigned seed, int bodies, int pairs, double stiff
 ProblemSolution solved(const ContactProblem& problem, double tolerance)
 {
     NewtonMatrix matrix;
-    return solve_convex(problem, matrix, Eigen::VectorXd::Zero(problem.size), tolerance, 1e-9);
+    return solve_convex(problem, matrix, unchanged(problem), tolerance, 1e-9);
 }
 
 }  // namespace
@@ -65,8 +65,8 @@ TEST_CASE("contact problem: one particle on a plane moves as the implicit partic
 
             ContactProblem problem;
             problem.step = {particle.centre, particle.dt};
-            BodyBlock block{0, 2 * Mat3::Identity()};
-            block.factor.compute(block.mass);
+            BodyBlock block{0, 2 * Mat3::Identity(), {}};
+            block.response = block.mass.inverse();
             problem.blocks.push_back(block);
             problem.size = 3;
             PairRow row;
@@ -141,8 +141,8 @@ TEST_CASE("limit search: where an error of the limits returns enlarged, it finds
     const double rub = 5;  // mu over the tangent of half the angle
     ContactProblem problem;
     problem.step = {1, 0.01};
-    BodyBlock block{0, Mat3::Identity()};
-    block.factor.compute(block.mass);
+    BodyBlock block{0, Mat3::Identity(), {}};
+    block.response = block.mass.inverse();
     problem.blocks.push_back(block);
     problem.size = 3;
     const double angle = std::atan(1 / rub);
@@ -169,6 +169,29 @@ TEST_CASE("limit search: where an error of the limits returns enlarged, it finds
     }
     CHECK(problem.rows[0].law.pressing > 0);
     CHECK(error <= 1e-6 * problem.rows[0].law.pressing);
+}
+
+TEST_CASE("contact problem: its impulses make its change, also where it is solved roughly")
+{
+    for (unsigned seed = 0; seed < 20; ++seed)
+        for (const double tolerance : {0.3, 0.01, 1e-6}) {
+            ContactProblem problem = random_problem(seed, 5, 30, 1e5);
+            for (PairRow& row : problem.rows)
+                row.acting = 0.1 * row.law.normal;
+            NewtonMatrix matrix;
+            for (const ProblemSolution& solution :
+                 {solved(problem, tolerance), solve(problem, matrix, tolerance, 1e-9)}) {
+                Eigen::VectorXd momentum = Eigen::VectorXd::Zero(problem.size);
+                for (std::size_t i = 0; i < problem.rows.size(); ++i)
+                    problem.rows[i].add_impulse(
+                        solution.impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) -
+                            problem.rows[i].acting,
+                        momentum);
+                const Eigen::VectorXd wanted = times_mass(problem, solution.change);
+                CHECK((momentum - wanted).norm() <= 1e-6 * wanted.norm());
+                CHECK(solution.change.norm() > 0);
+            }
+        }
 }
 
 TEST_CASE("contact problem: impulses that act already are not given twice")

@@ -19,8 +19,8 @@ ContactProblem slipping_particles()
     ContactProblem problem;
     problem.step = {1, 0.01};
     for (int i = 0; i < 50; ++i) {
-        BodyBlock block{problem.size, Mat3::Identity()};
-        block.factor.compute(block.mass);
+        BodyBlock block{problem.size, Mat3::Identity(), {}};
+        block.response = block.mass.inverse();
         problem.blocks.push_back(block);
         PairRow& row = problem.rows.emplace_back();
         row.law.normal = vector().normalized();

@@ -16,8 +16,8 @@ public:
     void add_body(int size)
     {
         const Eigen::MatrixXd root = matrix(size, size);
-        BodyBlock body{problem_.size, root * root.transpose() + Eigen::MatrixXd::Identity(size, size)};
-        body.factor.compute(body.mass);
+        const Eigen::MatrixXd mass = root * root.transpose() + Eigen::MatrixXd::Identity(size, size);
+        const BodyBlock body{problem_.size, mass, mass.inverse()};
         problem_.blocks.push_back(body);
         problem_.size += size;
     }
@@ -35,7 +35,7 @@ public:
     {
         PairRow& row = add_row();
         add_part(row, problem_.blocks[rigid].first, 6);
-        const auto vertices = static_cast<int>(problem_.blocks[soft].mass.rows() / 3);
+        const auto vertices = static_cast<int>(problem_.blocks[soft].size() / 3);
         for (int i = 0; i < 3; ++i)
             add_part(row, problem_.blocks[soft].first + 3 * ((5 * i + 1) % vertices), 3);
     }

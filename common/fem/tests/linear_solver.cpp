@@ -115,6 +115,29 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("linear solvers: many right sides at once have the solutions that each has alone")
+{
+    const ElasticMesh mesh = elastic(bar({1, 0.2, 0.2}, {10, 2, 2}), Basis::quadratic);
+    const Eigen::SparseMatrix<double> matrix = system_of(mesh, 1e5, 0.01);
+    for (const auto& [kind, name, relative_error] : solvers)
+        for (const int count : {1, 3, 48, 100}) {
+            CAPTURE(name);
+            CAPTURE(count);
+            const auto solver = make_linear_solver(kind, matrix);
+            REQUIRE(solver->factor(matrix));
+            Eigen::MatrixXd together(matrix.rows(), count);
+            for (int i = 0; i < count; ++i)
+                together.col(i) = random_field(mesh.node_count(), 1, 5 + static_cast<unsigned>(i)).reshaped();
+            const Eigen::MatrixXd sides = together;
+            solver->solve(together);
+            for (int i = 0; i < count; ++i) {
+                Eigen::VectorXd alone = sides.col(i);
+                solver->solve(alone);
+                CHECK((together.col(i) - alone).norm() <= 30 * relative_error * alone.norm());
+            }
+        }
+}
+
 TEST_CASE("linear solvers: a second matrix of the same pattern takes the place of the first")
 {
     for (const auto& [kind, name, relative_error] : solvers) {

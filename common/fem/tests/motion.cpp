@@ -10,6 +10,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 using namespace enduring;
@@ -220,6 +221,52 @@ TEST_CASE("elastic body: a node that is fixed in flight stops at once, and no im
     CHECK(body.velocities().col(3) == Vec3(1, 2, 3));
     CHECK(body.inverse_masses()[4] == 0);
     CHECK(body.inverse_masses()[3] == 1 / body.masses()[3]);
+}
+
+TEST_CASE(
+    "elastic body: impulses that mend others change the velocities as all of them at once do, and cost less")
+{
+    const ElasticMesh mesh = elastic(small_bar(), Basis::quadratic);
+    for (const double tolerance : {1e-10, 1e-5}) {
+        CAPTURE(tolerance);
+        const NodalVectors large = random_field(mesh.node_count(), 0.1, 5),
+                           small = random_field(mesh.node_count(), 1e-5, 6);
+        const auto bent = [&] {
+            auto body = std::make_unique<ElasticBody>(mesh, ElasticMaterial{.young = 1e5, .poisson = 0.3},
+                                                      ElasticOptions{.solver_tolerance = tolerance});
+            body->velocities() = random_field(body->node_count(), 2, 7);
+            run(*body, gravity, 0.01, 20);
+            body->predict(gravity, 0.01);
+            return body;
+        };
+        const auto mended = bent(), alone = bent(), exact = bent();
+        const NodalVectors before = exact->velocities();
+        mended->mend_response(large, 0.01);
+        mended->mend_response(small, 0.01);
+        alone->respond(small, 0.01);
+        exact->respond(large + small, 0.01);
+        const double change = (exact->velocities() - before).norm();
+        CHECK((mended->velocities() - exact->velocities()).norm() <= 30 * tolerance * change);
+        CHECK(mended->solver_iterations() < alone->solver_iterations());
+    }
+}
+
+TEST_CASE("elastic body: near responses are the same one by one and together, and a fixed node has none")
+{
+    ElasticBody body(elastic(small_bar(), Basis::quadratic), {});
+    body.fix(2);
+    const NodalVectors first = random_field(body.node_count(), 0.1, 12),
+                       second = random_field(body.node_count(), 0.3, 13);
+    std::vector<NodalVectors> together{first, second};
+    body.near_responses(together);
+    CHECK(together[0].isZero(0));  // before the first prediction
+    body.predict(gravity, 0.01);
+    together = {first, second};
+    body.near_responses(together);
+    CHECK((together[0] - body.near_response(first)).norm() <= 1e-5 * together[0].norm());
+    CHECK((together[1] - body.near_response(second)).norm() <= 1e-5 * together[1].norm());
+    CHECK(together[1].col(2).isZero(0));
+    CHECK(together[1].norm() > 0);
 }
 
 TEST_CASE("elastic body: what pushes a fixed node is felt nowhere, also by a factor from before it was fixed")
