@@ -30,6 +30,8 @@ int main(int argc, char** argv)
                 {"folding", "soft bodies that fold onto themselves", chapter08::folding},
                 {"knot", "a rope with a knot is pulled tight and let go, with friction and nearly without",
                  chapter08::knot},
+                {"round_turns", "a rope with one turn around its own end: how hard it has to be held back",
+                 chapter08::round_turns},
                 {"cost", "what tracing takes of a step", chapter08::cost},
             },
         });

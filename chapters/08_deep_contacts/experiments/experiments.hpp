@@ -16,6 +16,7 @@ void thin(const RunOptions& options, Report& report);
 void unpaired(const RunOptions& options, Report& report);
 void folding(const RunOptions& options, Report& report);
 void knot(const RunOptions& options, Report& report);
+void round_turns(const RunOptions& options, Report& report);
 void cost(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08

@@ -47,8 +47,10 @@ Solver pulling(Solver solver, std::vector<Pull> pulls)
             if (world.time > pull.until - 0.5 * dt)
                 continue;
             Body& body = *world.bodies[pull.body];
+            const double part = pull.halved > 0 ? std::exp2(-world.time / pull.halved) : 1;
             for (const int vertex : pull.vertices)
-                body.apply_impulse(vertex, dt / static_cast<double>(pull.vertices.size()) * pull.force);
+                body.apply_impulse(vertex,
+                                   part * dt / static_cast<double>(pull.vertices.size()) * pull.force);
             body.update_prediction(dt);
         }
     });
@@ -113,7 +115,8 @@ void clock_own_answers(Solver& solver, double& seconds)
 
 }  // namespace
 
-Folded fold(SoftRun& soft, int steps, std::vector<Probe*> probes)
+Folded fold(SoftRun& soft, int steps, std::vector<Probe*> probes,
+            std::function<bool(const World&, const Contacts&)> stop)
 {
     Folded found;
     Sums first, now;
@@ -144,7 +147,8 @@ Folded fold(SoftRun& soft, int steps, std::vector<Probe*> probes)
     Solver solver = pulling(chapter08_solver(soft.scene.contact, settings), soft.pulls);
     double own_answers = 0;
     clock_own_answers(solver, own_answers);
-    const RunResult result = run(soft.scene, solver, probes, failure_on_purpose({.steps = steps}));
+    const RunResult result = run(soft.scene, solver, probes,
+                                 failure_on_purpose({.steps = steps, .stop = std::move(stop)}));
     found.rest = now.kinetic;
     found.crossings_at_end = now.crossings;
     found.depth_at_end = sums_of(soft.scene.world, 0).depth;

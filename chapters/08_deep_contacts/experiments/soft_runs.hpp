@@ -5,6 +5,7 @@
 #include "common/geometry/meshes.hpp"
 #include "common/scenes/scene.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct Pull {
     std::vector<int> vertices{};
     Vec3 force = Vec3::Zero();  ///< on all of them together [N]
     double until = 0;           ///< [s]
+    double halved = 0;          ///< so long it takes the force to fall by half [s]; 0: it stays
 };
 
 struct SoftRun {
@@ -66,6 +68,8 @@ struct Folded {
 
 /// Runs a scene with this chapter's solver and looks at every body after every step.
 /// @param probes  further ones
-Folded fold(SoftRun& run, int steps, std::vector<Probe*> probes = {});
+/// @param stop    asked after every step; true ends the run
+Folded fold(SoftRun& run, int steps, std::vector<Probe*> probes = {},
+            std::function<bool(const World&, const Contacts&)> stop = {});
 
 }  // namespace enduring::chapter08
