@@ -1,9 +1,11 @@
+#include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/bullet_baseline/bullet_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/experiments/run/run.hpp"
+#include "common/simulation/deformable_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,8 @@
 namespace enduring::solvers {
 namespace {
 
-using chapter07::Box, chapter07::loose_cubes, chapter07::scene_of, chapter07::stack_of;
+using chapter07::Box, chapter07::loose_cubes, chapter07::scene_of, chapter07::stack_of,
+    chapter07::SolveStatistics;
 
 /// Processor time of a step [ms].
 struct StepTimes {
@@ -116,22 +119,53 @@ void growth(bool quick, Report& report)
     report.fact("speed", "bullet_exponent_by_clock", exponent(bullet), 2);
 }
 
+/// How a bunny is stepped.
+struct BunnyRun {
+    std::string chapter, basis, linear_solver;
+};
+
 /// Chapter 6's bunny in its bowl, and how much faster than its clock it runs.
-void bunny(bool quick, Report& report)
+void time_bunny(const BunnyRun& way, bool quick, Table& table, Report& report)
 {
-    Table table({"elements", "falling and landing, times real time", "at rest, times real time",
-                 "all, times real time"});
-    for (const int elements : quick ? std::vector{363} : std::vector{785}) {
-        Scene scene = load_scene(scene_file("bunny_at_rest"), R"({"/bodies/bunny/shape/file": "bunny_)" +
-                                                                  std::to_string(elements) + R"(.msh"})");
-        const Solver solver = chapter_7(scene);
-        const double falls = quick ? 0.2 : 2, rests = quick ? 0.2 : 1, step_ms = 1000 * scene.dt;
-        const StepTimes times = time_scene(scene, solver, falls, rests);
-        const double later = (quick ? falls + rests : scene.duration) - falls;  // as at rest
-        const double all = (falls + later) * step_ms / (falls * times.falling + later * times.at_rest);
-        table.add({static_cast<long>(elements), step_ms / times.falling, step_ms / times.at_rest, all});
-        report.fact("speed", "bunny_" + std::to_string(elements) + "_real_time_factor", all, 2);
-    }
+    const std::string elements = quick ? "363" : "785";
+    Scene scene = load_scene(scene_file("bunny_at_rest"),
+                             R"({"/bodies/bunny/shape/file": "bunny_)" + elements +
+                                 R"(.msh", "/bodies/bunny/basis": ")" + way.basis +
+                                 R"(", "/bodies/bunny/linear_solver": ")" + way.linear_solver + R"("})");
+    SolveStatistics solves;
+    long rounds = 0, newton_steps = 0;
+    ImplicitSettings settings;
+    settings.record = [&](const SolveRecord& record) {
+        solves.add(record);
+        rounds += record.rounds;
+        newton_steps += record.newton_steps;
+    };
+    const Solver solver = way.chapter == "7" ? chapter07_solver(scene.contact, settings)
+                                             : chapter06_solver(scene.contact);
+    const double falls = quick ? 0.2 : 2, rests = quick ? 0.2 : 1, step_ms = 1000 * scene.dt;
+    const StepTimes times = time_scene(scene, solver, falls, rests);
+    const double later = (quick ? falls + rests : scene.duration) - falls;  // as at rest
+    const double all = (falls + later) * step_ms / (falls * times.falling + later * times.at_rest);
+    const auto& bunny = dynamic_cast<const DeformableBody&>(*scene.world.bodies.back());
+    const auto a_solve = [&](long count) {
+        return solves.solves > 0 ? Cell(static_cast<double>(count) / static_cast<double>(solves.solves))
+                                 : Cell("");
+    };
+    table.add({way.chapter, way.basis, way.linear_solver, times.falling, times.at_rest, a_solve(rounds),
+               a_solve(newton_steps), static_cast<long>(bunny.elastic().factorisations()), all});
+    if (way.linear_solver == "supernodal")
+        report.fact("speed", "chapter_" + way.chapter + "_" + way.basis + "_bunny_real_time_factor_by_clock",
+                    all, 2);
+}
+
+void bunnies(bool quick, Report& report)
+{
+    Table table({"chapter", "basis", "linear solver", "falling and landing [ms]", "at rest [ms]",
+                 "rounds a solve", "Newton steps a solve", "elastic factors", "all, times real time"});
+    for (const std::string basis : {"linear", "quadratic"})
+        for (const std::string linear_solver : {"supernodal", "simplicial"})
+            for (const std::string chapter : {"6", "7"})
+                time_bunny({chapter, basis, linear_solver}, quick, table, report);
     report.table("speed_bunny", table);
     report.page_table("speed_bunny", table, 2);
 }
@@ -143,7 +177,7 @@ void speed(const RunOptions& options, Report& report)
 {
     against_bullet(options.quick, report);
     growth(options.quick, report);
-    bunny(options.quick, report);
+    bunnies(options.quick, report);
 }
 
 }  // namespace enduring::solvers

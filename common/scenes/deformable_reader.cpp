@@ -88,6 +88,10 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
     settings.self_contact = value.flag_or("self_contact", false);
     settings.options.solver_tolerance = value.number_or("solver_tolerance", {1e-14, 1e-2},
                                                         settings.options.solver_tolerance);
+    if (const std::optional<JsonValue> solver = value.find("linear_solver"))
+        settings.options.linear_solver = solver->choice({"simplicial", "supernodal"}) == 0
+                                             ? LinearSolverKind::simplicial
+                                             : LinearSolverKind::supernodal;
 
     const std::optional<JsonValue> basis = value.find("basis");
     if (!basis || basis->choice({"linear", "quadratic"}) == 1) {
@@ -104,8 +108,8 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
 std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis",
-                        "fixed", "impulse_response", "self_contact", "solver_tolerance", "position",
-                        "rotation", "velocity", "angular_velocity", "look"});
+                        "fixed", "impulse_response", "self_contact", "solver_tolerance", "linear_solver",
+                        "position", "rotation", "velocity", "angular_velocity", "look"});
     try {
         return build(value, surroundings);
     } catch (const InputError& error) {

@@ -124,6 +124,29 @@ TEST_CASE("scene: a soft body meets itself if it says so, and no other body may 
         "ball.json: /bodies/0/self_contact: expected true or false, found 1");
 }
 
+TEST_CASE("scene: a soft body says which linear solver it has, and the fast one is the default")
+{
+    const auto says = [](const std::string& solver) {
+        return R"({"/bodies/ball": {"type": "deformable", "young": 1e5, "poisson": 0.3,
+                   "shape": {"sphere": null, "bar": {"size": [1, 1, 1], "cells": [2, 2, 2]}})" +
+               solver + "}}";
+    };
+    const auto near_response = [&](const std::string& solver) {
+        const Scene scene = ball(says(solver));
+        Body& body = *scene.world.bodies[0];
+        body.predict(Vec3(0, -9.81, 0), 0.01);
+        const ElasticBody& elastic = dynamic_cast<const DeformableBody&>(body).elastic();
+        return elastic.near_response(NodalVectors::Ones(3, elastic.node_count()));
+    };
+    const NodalVectors simplicial = near_response(R"(, "linear_solver": "simplicial")"),
+                       supernodal = near_response(R"(, "linear_solver": "supernodal")");
+    CHECK(near_response("") == supernodal);
+    CHECK((simplicial != supernodal) == has_supernodal_solver());  // one is in single precision
+    CHECK((simplicial - supernodal).norm() <= 1e-4 * simplicial.norm());
+    CHECK(complaint(says(R"(, "linear_solver": "fast")")).find("/bodies/0/linear_solver") !=
+          std::string::npos);
+}
+
 TEST_CASE("scene: a change reaches one number, by index or by name")
 {
     CHECK(ball(R"({"contact": {"stiffness": 750}})").contact.stiffness == 750);
