@@ -114,12 +114,17 @@ Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
     return sum;
 }
 
+VectorXd impulses_acting(const ContactProblem& problem)
+{
+    VectorXd impulses(3 * problem.rows.size());
+    for (std::size_t i = 0; i < problem.rows.size(); ++i)
+        impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = problem.rows[i].acting;
+    return impulses;
+}
+
 ProblemSolution unchanged(const ContactProblem& problem)
 {
-    ProblemSolution solution{VectorXd::Zero(problem.size), VectorXd(3 * problem.rows.size())};
-    for (std::size_t i = 0; i < problem.rows.size(); ++i)
-        solution.impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = problem.rows[i].acting;
-    return solution;
+    return {VectorXd::Zero(problem.size), impulses_acting(problem)};
 }
 
 double residual_of(const ContactProblem& problem, const VectorXd& change, double least_speed)

@@ -101,6 +101,8 @@ double residual_of(const ContactProblem& problem, const Eigen::VectorXd& change,
 double residual_from(const ContactProblem& problem, const Eigen::VectorXd& gradient,
                      const Eigen::VectorXd& total, double least_speed);
 
+/// The impulses of all pairs as they act, three numbers each [N s].
+Eigen::VectorXd impulses_acting(const ContactProblem& problem);
 /// No change, by the impulses that act already.
 ProblemSolution unchanged(const ContactProblem& problem);
 

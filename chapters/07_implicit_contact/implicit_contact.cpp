@@ -78,7 +78,7 @@ void answer_safely(World& world, StepProblem& step, NewtonMatrix& matrix, double
         step.problem.rows[i].law.pressing = step.of_row[i]->load * step.problem.step.dt;
     const ProblemSolution solution = solve_convex(step.problem, matrix, unchanged(step.problem), tolerance,
                                                   least);
-    apply_impulses(world, step, impulses_after(step, solution.change));
+    apply_impulses(world, step, answers_to(step.problem, solution.change).impulses);
     look_again(world, step);
 }
 //! [answer_safely]
@@ -115,7 +115,7 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         const ProblemSolution solution = solve(step.problem, matrix,
                                                sharp_enough(record.residual, settings.tolerance), least);
         record.newton_steps += solution.newton_steps;
-        apply_impulses(world, step, mixing.next(impulses_acting(step), solution.impulses));
+        apply_impulses(world, step, mixing.next(impulses_acting(step.problem), solution.impulses));
     }
     record.turns_too_far = turns_too_far(world, before, dt);
     record.converged = record.converged && !record.turns_too_far;

@@ -200,25 +200,6 @@ void bring(World& world, const StepProblem& step, const Eigen::VectorXd& momentu
 
 }  // namespace
 
-Eigen::VectorXd impulses_acting(const StepProblem& step)
-{
-    Eigen::VectorXd impulses(3 * step.problem.rows.size());
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i)
-        impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = step.problem.rows[i].acting;
-    return impulses;
-}
-
-Eigen::VectorXd impulses_after(const StepProblem& step, const Eigen::VectorXd& change)
-{
-    Eigen::VectorXd impulses(3 * step.problem.rows.size());
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
-        const PairRow& row = step.problem.rows[i];
-        const PairAnswer made = answer(row.law, row.velocity_after(change), step.problem.step);
-        impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = made.normal_impulse + made.friction;
-    }
-    return impulses;
-}
-
 Eigen::VectorXd last_impulses(const World& world, const StepProblem& step)
 {
     Eigen::VectorXd impulses(3 * step.problem.rows.size());

@@ -28,11 +28,7 @@ double most_load(const World& world, double dt);
 /// Brings normals, velocities and pressing impulses of all rows to the present prediction.
 void look_again(const World& world, StepProblem& step);
 
-/// The impulses of all pairs as they act, three numbers each [N s].
-Eigen::VectorXd impulses_acting(const StepProblem& step);
-/// What all pairs answer to a change, three numbers each [N s].
-Eigen::VectorXd impulses_after(const StepProblem& step, const Eigen::VectorXd& change);
-/// Their impulses of the last step: at rest they are the answer.
+/// The impulses of all pairs in the last step, three numbers each [N s]: at rest they are the answer.
 Eigen::VectorXd last_impulses(const World& world, const StepProblem& step);
 
 /// Gives each pair this impulse, and brings the difference to the bodies and their prediction.
