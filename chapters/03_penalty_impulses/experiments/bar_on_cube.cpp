@@ -3,6 +3,7 @@
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/experiments/jitter.hpp"
 #include "chapters/03_penalty_impulses/experiments/pair_film.hpp"
+#include "common/experiments/report/sweep.hpp"
 #include "common/experiments/run/elements_of.hpp"
 #include "common/experiments/run/progress.hpp"
 
@@ -65,8 +66,13 @@ struct SweepPoint {
     double dt, jitter;  ///< [s], median over the drops as a share of the weight
 };
 
-/// Nine drops at one step.
-SweepPoint at_step(const RunOptions& options, const std::filesystem::path& file, BarDrop drop, Table& table)
+/// What nine drops at one step came to; jitter as a share of the weight, the summed depth in [m].
+struct NineDrops {
+    double jitter, least_jitter, most_jitter, pairs, depth;  ///< medians but for the least and the most
+    long smooth, drops;
+};
+
+NineDrops at_step(const RunOptions& options, const std::filesystem::path& file, BarDrop drop)
 {
     std::vector<double> jitters, pairs, depths;
     for (const double turn : nine_turns(options.quick)) {
@@ -78,27 +84,49 @@ SweepPoint at_step(const RunOptions& options, const std::filesystem::path& file,
     }
     const auto [low, high] = std::minmax_element(jitters.begin(), jitters.end());
     const long smooth = std::count_if(jitters.begin(), jitters.end(), [](double j) { return j < 0.01; });
-    table.add({drop.basis, short_name(drop.method), drop.dt, 100 * median(jitters), 100 * *low, 100 * *high,
-               smooth, static_cast<long>(jitters.size()), median(pairs), 1000 * median(depths)});
-    return {drop.basis, drop.method, drop.dt, median(jitters)};
+    return {median(jitters),
+            *low,
+            *high,
+            median(pairs),
+            median(depths),
+            smooth,
+            static_cast<long>(jitters.size())};
 }
 
-/// Jitter at rest over the step, for both methods and both kinds of elements.
-std::vector<SweepPoint> sweep(const RunOptions& options, const std::filesystem::path& file, Report& report)
+/// Both kinds of elements, both methods, and steps from 5 ms on.
+std::vector<BarDrop> drops_over_step(bool quick)
 {
-    const double spacing = options.quick ? 0.0015 : 0.00025;
-    const int count = options.quick ? 7 : 37;
+    std::vector<BarDrop> drops;
+    for (const std::string& basis : both_bases)
+        for (const PenaltyMethod method : both_methods)
+            for (int i = 0; i < (quick ? 7 : 37); ++i)
+                drops.push_back({method, 0.005 + (quick ? 0.0015 : 0.00025) * i, 5000, 45, basis});
+    return drops;
+}
+
+/// Jitter at rest over the step, for both methods and both kinds of elements; nothing when only a part of it is run.
+std::vector<SweepPoint> jitter_over_step(const RunOptions& options, const std::filesystem::path& file,
+                                         Report& report)
+{
+    const std::vector<BarDrop> drops = drops_over_step(options.quick);
+    Progress progress("bar_on_cube: jitter over the step", static_cast<int>(drops.size()));
+    const auto outcomes = sweep<NineDrops>(options, "jitter", drops.size(), [&](std::size_t i) {
+        const NineDrops outcome = at_step(options, file, drops[i]);
+        progress.update(static_cast<int>(i + 1));
+        return outcome;
+    });
+    if (!outcomes)
+        return {};
     std::vector<SweepPoint> points;
     Table table({"elements", "method", "dt_s", "median_percent", "smallest_percent", "largest_percent",
                  "smooth_drops", "drops", "pairs", "depth_mm"});
-    Progress progress("bar_on_cube: jitter over the step", 4 * count);
-    for (const std::string& basis : both_bases)
-        for (const PenaltyMethod method : both_methods)
-            for (int i = 0; i < count; ++i) {
-                points.push_back(
-                    at_step(options, file, {method, 0.005 + spacing * i, 5000, 45, basis}, table));
-                progress.update(static_cast<int>(points.size()));
-            }
+    for (std::size_t i = 0; i < drops.size(); ++i) {
+        const BarDrop& drop = drops[i];
+        const NineDrops& of = (*outcomes)[i];
+        table.add({drop.basis, short_name(drop.method), drop.dt, 100 * of.jitter, 100 * of.least_jitter,
+                   100 * of.most_jitter, of.smooth, of.drops, of.pairs, 1000 * of.depth});
+        points.push_back({drop.basis, drop.method, drop.dt, of.jitter});
+    }
     report.table("bar_jitter", table);
     report.plot("chapters/03_penalty_impulses/plots/bar_jitter.gp");
     return points;
@@ -166,6 +194,9 @@ double lightest_vertex(const std::filesystem::path& file, const std::string& bas
 void bar_on_cube(const RunOptions& options, Report& report)
 {
     const std::filesystem::path file = options.scene.value_or(scene_file("bar_on_cube"));
+    const std::vector<SweepPoint> points = jitter_over_step(options, file, report);
+    if (options.share.is_part())
+        return;
     for (const std::string& basis : both_bases)
         report.fact("bar_on_cube", basis + "_lightest_g", 1000 * lightest_vertex(file, basis), 3);
     Scene scene = load_bar_scene(file, {});
@@ -175,7 +206,7 @@ void bar_on_cube(const RunOptions& options, Report& report)
     film.finish();
 
     force_curves(options, file, report);
-    compare_smooth_steps(sweep(options, file, report), report);
+    compare_smooth_steps(points, report);
 }
 
 }  // namespace enduring::chapter03

@@ -1,5 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/experiments/report/sweep.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
@@ -77,13 +78,20 @@ std::vector<SoftCube> all_cubes(bool quick)
 /// own weight strains by a twentieth or more still swing when the others have long been at rest.
 void creep(const RunOptions& options, Report& report)
 {
+    const std::vector<SoftCube> cubes = all_cubes(options.quick);
+    const auto outcomes = sweep<PileOutcome>(options, "creep", cubes.size(), [&](std::size_t i) {
+        Scene scene = on_triangles(cubes[i]);
+        return watch(scene, duration_for(cubes[i]));
+    });
+    if (!outcomes)
+        return;
     Table table({"cells", "young_pa", "dt_s", "mass_kg", "own_strain", "creep_um_per_s", "deepest_mm",
                  "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"});
     double fastest = 0, deepest = 0;
     long firm = 0, still = 0, shallow = 0, unconverged = 0;
-    for (const SoftCube& cube : all_cubes(options.quick)) {
-        Scene scene = on_triangles(cube);
-        const PileOutcome outcome = watch(scene, duration_for(cube));
+    for (std::size_t i = 0; i < cubes.size(); ++i) {
+        const SoftCube& cube = cubes[i];
+        const PileOutcome& outcome = (*outcomes)[i];
         table.add({static_cast<long>(cube.cells), cube.young, cube.dt, cube.mass, own_strain(cube),
                    outcome.drift_um_per_s, outcome.deepest_mm, outcome.energy_gain_j,
                    static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,

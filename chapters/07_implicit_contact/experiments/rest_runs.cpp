@@ -20,6 +20,18 @@ RestRuns::RestRuns()
 PileOutcome RestRuns::run(Case& c, Probe* observer)
 {
     const PileOutcome outcome = watch(c.scene, c.duration, observer);
+    add(c, outcome);
+    if (c.pictured) {
+        Renderer renderer(480, 360);
+        Stage stage = stage_of(c.scene.world, c.scene);
+        stage.camera = frame(points_of(stage), c.seen_from, 480.0 / 360);
+        ends_.push_back({renderer.draw(stage), c.name});
+    }
+    return outcome;
+}
+
+void RestRuns::add(const Case& c, const PileOutcome& outcome)
+{
     const bool rests = is_at_rest(outcome) && outcome.moved_mm < c.kept_mm;
     table_.add({c.name, c.scene.dt, rests ? "yes" : "no", outcome.deepest_mm, outcome.deepest_ever_mm,
                 outcome.moved_mm, outcome.drift_um_per_s, outcome.energy_gain_j,
@@ -32,13 +44,6 @@ PileOutcome RestRuns::run(Case& c, Probe* observer)
     }
     unconverged_ += outcome.solves.unconverged;
     solves_ += outcome.solves.solves;
-    if (c.pictured) {
-        Renderer renderer(480, 360);
-        Stage stage = stage_of(c.scene.world, c.scene);
-        stage.camera = frame(points_of(stage), c.seen_from, 480.0 / 360);
-        ends_.push_back({renderer.draw(stage), c.name});
-    }
-    return outcome;
 }
 
 void RestRuns::report(const std::string& experiment, Report& report, int columns) const

@@ -20,6 +20,8 @@ public:
     RestRuns();
     /// Runs it, and leaves the scene as it ended.
     PileOutcome run(Case& c, Probe* observer = nullptr);
+    /// The row of a case that has been run, with its outcome.
+    void add(const Case& c, const PileOutcome& outcome);
     /// The table and the facts of an experiment, and its picture: all ends in a grid.
     void report(const std::string& experiment, Report& report, int columns) const;
 

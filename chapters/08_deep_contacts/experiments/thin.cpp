@@ -4,6 +4,7 @@
 #include "chapters/08_deep_contacts/experiments/thin_shots.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/sweep.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/simulation/energy.hpp"
 
@@ -68,42 +69,56 @@ void show(Report& report)
     write_png(strip(rows, 1), report.file("thin.png"));
 }
 
+/// What many shots of one body at one target came to.
+struct Volley {
+    long through = 0, gains = 0;
+    double most_energy = 0;
+};
+
+Volley volley_of(const ThinTarget& target, const std::string& body, MakeSolver make, int trials)
+{
+    Volley volley;
+    std::mt19937_64 random(7);  // the same shots for each solver
+    for (int trial = 0; trial < trials; ++trial) {
+        ThinShot shot = shot_at_random(target, body, random);
+        const Hit hit = hit_of(shot, make);
+        volley.through += hit.through;
+        volley.most_energy = std::max(volley.most_energy, hit.most_energy);
+        volley.gains += hit.most_energy > 1.001;
+    }
+    return volley;
+}
+
 }  // namespace
 
 /// Shots at thin bodies, from both sides: how many come out on the wrong one.
 void thin(const RunOptions& options, Report& report)
 {
+    const int trials = options.quick ? 4 : 120;
     constexpr std::array<MakeSolver, 3> solvers{chapter06_solver, quiet_chapter07, quiet_chapter08};
+    const std::size_t bodies = thin_shots().size(), rows = thin_targets().size() * bodies;
+    const auto volleys = sweep<Volley>(options, "thin", rows * solvers.size(), [&](std::size_t i) {
+        const std::size_t row = i / solvers.size();
+        return volley_of(thin_targets()[row / bodies], thin_shots()[row % bodies],
+                         solvers[i % solvers.size()], trials);
+    });
+    if (!volleys)
+        return;
     Table table({"target", "shot", "trials", "through_with_6", "through_with_7", "through_with_8",
                  "most_energy_ratio_with_8", "gains_with_8"});
-    const int trials = options.quick ? 4 : 120;
     std::array<long, 3> all{};
-    long shots = 0, gains = 0;
+    long gains = 0;
     double most = 0;
-    for (const ThinTarget& target : thin_targets())
-        for (const std::string& body : thin_shots()) {
-            std::array<long, 3> through{};
-            long gains_here = 0;
-            double most_here = 0;
-            for (std::size_t i = 0; i < solvers.size(); ++i) {
-                std::mt19937_64 random(7);
-                for (int trial = 0; trial < trials; ++trial) {
-                    ThinShot shot = shot_at_random(target, body, random);
-                    const Hit hit = hit_of(shot, solvers[i]);
-                    through[i] += hit.through;
-                    if (i == 2) {
-                        most_here = std::max(most_here, hit.most_energy);
-                        gains_here += hit.most_energy > 1.001;
-                    }
-                }
-                all[i] += through[i];
-            }
-            table.add({target.name, body, static_cast<long>(trials), through[0], through[1], through[2],
-                       most_here, gains_here});
-            shots += trials;
-            gains += gains_here;
-            most = std::max(most, most_here);
-        }
+    for (std::size_t row = 0; row < rows; ++row) {
+        const Volley* const by = &(*volleys)[row * solvers.size()];
+        table.add({thin_targets()[row / bodies].name, thin_shots()[row % bodies], static_cast<long>(trials),
+                   by[0].through, by[1].through, by[2].through, by[2].most_energy, by[2].gains});
+        for (std::size_t i = 0; i < solvers.size(); ++i)
+            all[i] += by[i].through;
+        gains += by[2].gains;
+        most = std::max(most, by[2].most_energy);
+    }
+    const long shots = static_cast<long>(rows) * trials;
     show(report);
     report.table("thin", table);
     report.page_table("thin", table);

@@ -1,6 +1,7 @@
 #include "common/experiments/report/chapter_program.hpp"
 
 #include "common/experiments/report/pending_file.hpp"
+#include "common/experiments/report/share.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/source_directory.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 /// What the command line said, before anything was done about it.
 struct CommandLine {
     std::vector<std::string> words;
-    std::string out, scene;
+    std::string out, scene, parts, part;
     bool list = false, quick = false;
 };
 
@@ -38,6 +39,12 @@ void describe(CLI::App& app, const ChapterProgram& program, CommandLine& line)
         ->type_name("DIR");
     app.add_flag("--list", line.list, "name the experiments, one a line");
     app.add_flag("--quick", line.quick, "a small version: seconds instead of minutes");
+    auto* const parts = app.add_option("--parts", line.parts,
+                                       "folder that keeps what each run of a sweep has found");
+    parts->type_name("DIR");
+    app.add_option("--part", line.part, "run this share of a sweep alone, as in 2/8, and write no table")
+        ->type_name("K/N")
+        ->needs(parts);
     if (program.add_options)
         program.add_options(app);
 }
@@ -90,6 +97,7 @@ RunOptions settle(const ChapterProgram& program, const CommandLine& line)
     if (!line.scene.empty())
         options.scene = line.scene;
     options.quick = line.quick;
+    options.share = read_share(line.parts, line.part);
     return options;
 }
 
@@ -102,6 +110,8 @@ void run_experiments(const ChapterProgram& program, const std::vector<const Expe
                   << experiment->name << "  " << std::flush;
         Report report(options.out);
         experiment->run(options, report);
+        if (options.share.is_part() && !report.written().empty())
+            throw InputError("--part: " + experiment->name + " has no parts");
         for (const std::filesystem::path& file : report.written())
             if (std::filesystem::exists(file))
                 std::cout << file.filename().string() << ' ';

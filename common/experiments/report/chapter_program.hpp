@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/experiments/report/report.hpp"
+#include "common/experiments/report/share.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -20,6 +21,7 @@ struct RunOptions {
     std::filesystem::path out;
     std::optional<std::filesystem::path> scene;  ///< --scene
     bool quick = false;                          ///< --quick: seconds instead of minutes, for a first look
+    Share share;                                 ///< --parts, --part: of the runs of a sweep()
 };
 
 /// One experiment of a chapter: a word for the command line, a line for --list, and the work.
@@ -42,7 +44,8 @@ struct ChapterProgram {
     std::function<void(const RunOptions&, Report&)> own_scene = {};
 };
 
-/// The conventional command line: experiment names, --scene FILE, --out DIR, --list, --quick, --help.
+/// The conventional command line: experiment names, --scene FILE, --out DIR, --list, --quick, --help,
+/// and --parts DIR, --part K/N for one share of a large experiment (sweep.hpp).
 /// @return 0; 2 after a message on stderr for anything the user gave wrong
 ///     (unknown word, InputError); 1 for a failed run
 int run_chapter(int argc, char** argv, const ChapterProgram& program);

@@ -156,3 +156,18 @@ TEST_CASE(
     CHECK(call({"drop", "--out", out}, program).code == 0);
     CHECK(ran.empty());
 }
+
+TEST_CASE("chapter program: a part of an experiment that has none, or a part that is none, ends with 2")
+{
+    const TemporaryFolder folder, parts;
+    const std::vector<std::string> words{
+        "drop", "--out", folder.path.string(), "--parts", parts.path.string(), "--part"};
+    for (const auto& [part, says] : {std::pair{"1/2", "drop has no parts"}, std::pair{"3/2", "--part 3/2"}}) {
+        std::vector<std::string> with_part = words;
+        with_part.emplace_back(part);
+        const Outcome outcome = call(with_part, two_experiments());
+        CHECK(outcome.code == 2);
+        CHECK(contains(outcome.err, says));
+    }
+    CHECK(call({"drop", "--part", "1/2"}, two_experiments()).code == 2);
+}
