@@ -20,6 +20,9 @@ expect() { # EXIT-CODE PATTERN ARGUMENT...: the code, and a line of the output
 
 expect 0 './course run --list' help
 expect 0 './course run --list'
+expect 0 '^  two_looks *three steps' run --list --no-install
+expect 2 '--quick is the small version, --full the whole one: one of them' run --quick --full
+expect 2 '--full means nothing here' test --full
 expect 2 'unknown command: frobnicate' frobnicate
 expect 2 'there is no chapter 99' run 99
 expect 2 'there is no chapter 98' test 98

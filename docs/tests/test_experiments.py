@@ -1,0 +1,99 @@
+"""The list of experiments, which is read without a build, is what the programs say; each is in the list of costs; the graph for ninja."""
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PROGRAMS = Path(os.environ.get("ENDURING_BUILD", ROOT / "build/release")) / "bin"
+sys.path.insert(0, str(ROOT / "cmake"))
+import experiments  # noqa: E402
+import run_beside  # noqa: E402
+import run_one  # noqa: E402
+
+
+def options(full, jobs=2, results="/nowhere/results"):
+    return argparse.Namespace(full=full, jobs=jobs, book=False, results=Path(results), release=Path("/nowhere/release"))
+
+
+class Experiments(unittest.TestCase):
+    def test_the_list_without_a_build_is_that_of_the_programs(self):
+        compared = 0
+        for folder in experiments.folders():
+            program = PROGRAMS / experiments.program_of(folder)
+            if program.is_file():
+                compared += 1
+                said = subprocess.run([program, "--list"], capture_output=True, text=True, encoding="utf-8", check=True).stdout
+                self.assertEqual(experiments.listed(folder), said)
+        if not compared:
+            self.skipTest("no program is built")
+
+    def test_the_list_of_costs_names_each_experiment_and_no_other(self):
+        known = {(folder, name) for folder in experiments.folders() for name in experiments.experiments_of(folder)}
+        of_runs, of_builds = experiments.costs()
+        self.assertEqual(set(of_runs), known)
+        self.assertEqual(set(of_builds), {experiments.program_of(folder) for folder in experiments.folders()} | {"book"})
+
+    def test_strings_are_joined_as_a_compiler_joins_them(self):
+        self.assertEqual(experiments.joined('"with \\"and\\" "\n   "and more"'), 'with "and" and more')
+
+    def test_a_line_of_the_list_of_costs_that_is_wrong_is_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "cmake").mkdir()
+            for line in ("01_particle_plane drop 1 two 1", "01_particle_plane drop", "build chapter01"):
+                (Path(folder) / experiments.COSTS).write_text("# a comment\n" + line + "\n", encoding="utf-8")
+                with self.assertRaisesRegex(SystemExit, "experiments.txt:2: "):
+                    experiments.costs(Path(folder))
+
+
+class Graph(unittest.TestCase):
+    def plan(self, full, folders=("07_implicit_contact", "solvers"), jobs=2):
+        return run_beside.plan_of(options(full, jobs), run_beside.chosen(folders))
+
+    def test_a_large_experiment_comes_in_parts_that_are_joined_and_a_small_one_whole(self):
+        parts = experiments.costs()[0]["07_implicit_contact", "creep"].parts
+        self.assertGreater(parts, 1)
+        edges = {name: edge for name, edge in self.plan(True)["edges"].items() if "/creep" in name}
+        self.assertEqual(len(edges), parts + 1)
+        self.assertEqual(sorted(edges["done/07_implicit_contact/creep"]["needs"]), sorted(name for name in edges if ".1" in name or "of" in name))
+        self.assertEqual([name for name in self.plan(False)["edges"] if "/creep" in name], ["done/07_implicit_contact/creep"])
+
+    def test_the_commands_are_the_same_for_any_number_of_cores(self):
+        of_runs = [[edge["command"] for edge in self.plan(True, jobs=jobs)["edges"].values() if edge["kind"] == "run"] for jobs in (1, 8)]
+        self.assertEqual(*of_runs)
+
+    def test_what_measures_time_runs_alone_and_the_longest_of_the_others_begins_first(self):
+        plan = self.plan(True)
+        beside, alone = run_beside.edges_in_order(plan, True)
+        self.assertEqual(alone, ["done/solvers/speed"])
+        runs = [plan["edges"][name]["seconds"] for name in beside if plan["edges"][name]["kind"] == "run"]
+        self.assertEqual(runs, sorted(runs, reverse=True))
+
+    def test_the_first_chapter_is_compiled_first_and_small_runs_begin_in_the_order_of_the_chapters(self):
+        plan = run_beside.plan_of(options(False), run_beside.chosen(experiments.folders()))
+        beside, _ = run_beside.edges_in_order(plan, False)
+        self.assertEqual(beside[0], "build chapter01")
+        self.assertEqual(next(name for name in beside if name.startswith("done/")), "done/01_particle_plane/two_looks")
+
+    def test_the_rest_takes_as_long_as_its_longest_edge_or_as_all_on_all_cores(self):
+        with tempfile.TemporaryDirectory() as runs:
+            def plan(*seconds, jobs=2):
+                edges = {f"done/x/{i}": {"kind": "run", "alone": False, "seconds": s, "cause": "cause/x", "out": runs} for i, s in enumerate(seconds)}
+                return {"runs": runs, "jobs": jobs, "then": 5, "edges": edges}
+            self.assertEqual(run_one.estimate(plan(10, 20, 30)), (30 + 5, 3))
+            self.assertEqual(run_one.estimate(plan(10, 20, 60)), (60 + 5, 3))
+            self.assertEqual(run_one.estimate(plan(40, 40, 40)), (60 + 5, 3))
+            # a machine that is twice as slow as the list is believed the more the longer it has been so
+            (Path(runs) / "seconds").mkdir()
+            (Path(runs) / "seconds/done.x.0").write_text("600", encoding="utf-8")
+            seconds, left = run_one.estimate(plan(300, 300))
+            self.assertEqual(left, 1)
+            self.assertGreater(seconds, 500)
+            self.assertLess(seconds, 605)
+
+
+if __name__ == "__main__":
+    unittest.main()
