@@ -189,13 +189,17 @@ def recorded_includes():
 
 
 def compile_copy(pattern, sources, changed):
-    """Compiles one file of a copy of the sources as the build compiles its original; warnings are nobody's business there.
+    """Compiles one file of a copy of the sources, or several that are one for the compiler, as the build compiles its original; warnings are nobody's business there.
     @param pattern  the build's object file
     @param sources  the copy, with the same folders in it
     @param changed  the new object, which lies above the copy
     @throws DoesNotCompile"""
     own = {pattern: str(changed), f"-I{ROOT}": f"-I{sources}"}
     words = [word.replace(f"{ROOT}/", f"{sources}/", 1) if word.endswith(".cpp") else word for word in last_command(pattern)]
+    together = [word for word in words if word.endswith(".cxx")]  # a file of the build that includes several sources
+    if together:
+        own[together[0]] = str(changed.with_suffix(".cxx"))
+        Path(own[together[0]]).write_text(Path(together[0]).read_text(encoding="utf-8").replace(f"{ROOT}/", f"{sources}/"), encoding="utf-8")
     done = run_tool([*exchanged(words, own), "-w"], changed.parent)
     if done.returncode:
         raise DoesNotCompile(f"does not compile: {done.err[-2000:]}")

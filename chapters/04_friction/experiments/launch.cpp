@@ -17,14 +17,14 @@ namespace {
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double still_for = 5, still_within = 1e-3;  // [s], [m]
 
-double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+double in_radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 nlohmann::json list(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 /// Long enough to stop, to settle and to stand still: on a flat slope it takes longest.
 double patience(const Launch& launch)
 {
-    const double deceleration = 9.81 * std::sin(radians(launch.angle_deg));
+    const double deceleration = 9.81 * std::sin(in_radians(launch.angle_deg));
     return launch.speed / deceleration + 7 + still_for;
 }
 
@@ -35,7 +35,10 @@ FrictionParameters with_mu_s(const FrictionParameters& friction, double mu_s)
     return with_coefficients(friction, mu_s, std::min(0.1, mu_s / 2));
 }
 
-Vec3 uphill(double angle_deg) { return {std::cos(radians(angle_deg)), std::sin(radians(angle_deg)), 0}; }
+Vec3 uphill(double angle_deg)
+{
+    return {std::cos(in_radians(angle_deg)), std::sin(in_radians(angle_deg)), 0};
+}
 
 Scene scene_of(const Launch& launch)
 {
@@ -100,7 +103,7 @@ double smallest_mu_s(Launch launch)
         launch.friction = with_mu_s(friction, mu_s);
         return holds(launch);
     };
-    const double tangent = std::tan(radians(launch.angle_deg));
+    const double tangent = std::tan(in_radians(launch.angle_deg));
     double low = 0.8 * tangent, high = 4 * tangent;
     if (!holds_with(high))
         return not_a_number;

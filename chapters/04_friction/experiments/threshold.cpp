@@ -9,7 +9,7 @@
 namespace enduring::chapter04 {
 namespace {
 
-constexpr double mass = 100, pairs = 4, stiffness = 20000;
+constexpr double block_mass = 100, block_pairs = 4, stiffness = 20000;
 
 double tangent(double angle_deg) { return std::tan(angle_deg * std::numbers::pi / 180); }
 
@@ -18,8 +18,9 @@ double tangent(double angle_deg) { return std::tan(angle_deg * std::numbers::pi 
 FrictionParameters printed_model(double damping_ratio)
 {
     constexpr double spring = 5000;
-    return YamaneNakamura{.spring = spring,
-                          .damper = damping_ratio * 2 * std::sqrt(pairs * spring * mass) / pairs};
+    return YamaneNakamura{
+        .spring = spring,
+        .damper = damping_ratio * 2 * std::sqrt(block_pairs * spring * block_mass) / block_pairs};
 }
 
 /// The largest force of a spring and damper that catch a weight, relative to that weight: they start
@@ -33,15 +34,15 @@ double peak_over_weight(double damping_ratio)
 }
 //! [overshoot]
 
-struct Series {
+struct ThresholdSeries {
     std::string model;
     double damping_ratio;
     FrictionParameters friction;
 };
 
-std::vector<Series> all_series(bool quick)
+std::vector<ThresholdSeries> all_series(bool quick)
 {
-    std::vector<Series> all;
+    std::vector<ThresholdSeries> all;
     for (const double ratio : quick ? std::vector{0.25, 1.0} : std::vector{0.05, 0.25, 0.5, 1.0, 2.0})
         all.push_back({"yamane_nakamura", ratio, printed_model(ratio)});
     const MassSplitting mass_splitting{.spring = stiffness};
@@ -85,10 +86,10 @@ void threshold(const RunOptions& options, Report& report)
     Table ten({"model", "damping ratio", "Δt [s]", "smallest", "over tan 10°", "one degree of freedom"});
     Table mass_splitting({"angle [°]", "tan", "Δt [s]", "smallest", "over tan"});
     double worst = 0;
-    const std::vector<Series> all = all_series(options.quick);
+    const std::vector<ThresholdSeries> all = all_series(options.quick);
     Progress progress("threshold", static_cast<int>(all.size() * angles.size()));
     int done = 0;
-    for (const Series& series : all)
+    for (const ThresholdSeries& series : all)
         for (const double angle : angles) {
             for (const double dt : steps) {
                 Launch launch;

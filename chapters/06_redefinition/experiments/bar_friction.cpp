@@ -13,7 +13,7 @@
 namespace enduring::chapter06 {
 namespace {
 
-Vec3 middle(const World& world) { return body_named(world, "cube").centre(); }
+Vec3 middle_of_cube(const World& world) { return body_named(world, "cube").centre(); }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ RestOnBar rest_on_bar(Scene& scene, int settled, int steps, Table* moments, Prob
     const double mu = std::get<MassSplitting>(scene.contact.friction).mu_s;
     Vec3 begin = Vec3::Zero(), anchor = Vec3::Zero();
     WatchProbe watch([&](const World& world, const Contacts&, double) {
-        const Vec3 now = middle(world);
+        const Vec3 now = middle_of_cube(world);
         if (world.step == 0)
             begin = now;
         if (world.step <= settled)

@@ -12,7 +12,7 @@
 namespace enduring::chapter06 {
 namespace {
 
-constexpr double half_height = 0.125;
+constexpr double half_block = 0.125;
 
 World world_of(const LaidBlock& laid)
 {
@@ -21,11 +21,11 @@ World world_of(const LaidBlock& laid)
     };
     const Mat3 slope = rotation(laid.slope_deg * std::numbers::pi / 180, Vec3::UnitZ()),
                turn = rotation(laid.turned, Vec3::UnitY());
-    SurfaceMesh slab = box({4, 0.4, 4}, {8, 1, 8}), block = box({1, 2 * half_height, 1});
+    SurfaceMesh slab = box({4, 0.4, 4}, {8, 1, 8}), block = box({1, 2 * half_block, 1});
     for (Vec3& x : slab.vertices)
         x = slope * (x - Vec3(0, 0.2, 0));
     for (Vec3& x : block.vertices)
-        x = slope * (turn * x + Vec3(0.125, half_height + laid.gap, 0.125));
+        x = slope * (turn * x + Vec3(0.125, half_block + laid.gap, 0.125));
     World world;
     world.bodies.push_back(std::make_unique<StaticBody>(
         "slab", SurfaceTopology(static_cast<int>(slab.vertices.size()), slab.faces), slab.vertices));

@@ -16,7 +16,7 @@ namespace {
 
 // [m], between block and triangles: a pair begins with a crossing, so it starts outside
 constexpr double gap = 0.0005;
-constexpr double half_height = 0.05, g = 9.81;
+constexpr double half_height = 0.05, gravity = 9.81;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
@@ -30,7 +30,7 @@ Vec3 middle(const World& world) { return body_named(world, "block").centre(); }
 double rise_time(const SlopeTrial& trial)
 {
     const double angle = radians(trial.angle_deg);
-    return trial.speed / (g * (std::sin(angle) + trial.mu_d * std::cos(angle)));
+    return trial.speed / (gravity * (std::sin(angle) + trial.mu_d * std::cos(angle)));
 }
 
 }  // namespace
@@ -108,7 +108,7 @@ void mesh_slope(const RunOptions& options, Report& report)
                 continue;
             const double tangent = std::tan(radians(angle)), mu_d = tangent / 2,
                          ratio = threshold_over_tangent(angle, dt);
-            const double exact = g * (std::sin(radians(angle)) - mu_d * std::cos(radians(angle)));
+            const double exact = gravity * (std::sin(radians(angle)) - mu_d * std::cos(radians(angle)));
             const double acceleration = slide_acceleration(angle, dt, mu_d) / exact;
             table.add({angle, dt, ratio * tangent, ratio, acceleration});
             double& worst_here = dt == 0.01 ? worst_threshold : worst_fine;

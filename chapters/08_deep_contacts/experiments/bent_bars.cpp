@@ -7,7 +7,7 @@
 namespace enduring::chapter08 {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double whole_turn = 2 * std::numbers::pi;
 
 /// To the left of a direction in the plane z = 0.
 Vec3 left_of(const Vec3& direction) { return Vec3::UnitZ().cross(direction).normalized(); }
@@ -37,7 +37,7 @@ TetrahedralMesh upright_strip(double length, double thickness, double width, std
 TetrahedralMesh spiral(double inner_radius, double pitch, double length, double thickness, double width,
                        std::array<int, 3> cells)
 {
-    const double growth = pitch / full_turn;  // of the radius with the angle
+    const double growth = pitch / whole_turn;  // of the radius with the angle
     return bent_bar(length, thickness, width, cells, [&](double s) {
         const double angle = (std::sqrt(inner_radius * inner_radius + 2 * growth * s) - inner_radius) /
                              growth,
@@ -49,7 +49,7 @@ TetrahedralMesh spiral(double inner_radius, double pitch, double length, double 
 
 TetrahedralMesh ring(double radius, double thickness, double width, std::array<int, 3> cells)
 {
-    const TetrahedralMesh opened = bent_bar(full_turn * radius, thickness, width, cells, [&](double s) {
+    const TetrahedralMesh opened = bent_bar(whole_turn * radius, thickness, width, cells, [&](double s) {
         const Vec3 out(std::cos(s / radius), std::sin(s / radius), 0);
         return CurvePoint{radius * out, -out};
     });
@@ -66,9 +66,9 @@ TetrahedralMesh ring(double radius, double thickness, double width, std::array<i
 
 TetrahedralMesh crossed_bar(double thickness, double width, std::array<int, 3> cells)
 {
-    constexpr double leg = 0.2, bend = 0.08, round = 0.75 * full_turn * bend;
+    constexpr double leg = 0.2, bend = 0.08, round = 0.75 * whole_turn * bend;
     return bent_bar(2 * leg + round, thickness, width, cells, [&](double s) {
-        const double angle = std::clamp((s - leg) / bend, 0.0, 0.75 * full_turn);
+        const double angle = std::clamp((s - leg) / bend, 0.0, 0.75 * whole_turn);
         // negative on the first leg, positive on the second
         const double past = s - leg - angle * bend;
         const Vec3 along(std::cos(angle), std::sin(angle), 0), left(-std::sin(angle), std::cos(angle), 0);
@@ -87,7 +87,7 @@ std::vector<Vec3> knot_line(double size, double arm, double thickness)
     const double scale = size / 3;  // the trefoil's loops reach 3
     std::vector<Vec3> line;
     for (int i = 0; i <= fine; ++i) {
-        const double t = cut + (full_turn - 2 * cut) * i / fine + std::numbers::pi;
+        const double t = cut + (whole_turn - 2 * cut) * i / fine + std::numbers::pi;
         line.emplace_back(scale * (std::sin(t) + 2 * std::sin(2 * t)),
                           scale * (std::cos(t) - 2 * std::cos(2 * t)), -apart * thickness * std::sin(3 * t));
     }
@@ -95,7 +95,7 @@ std::vector<Vec3> knot_line(double size, double arm, double thickness)
     const auto lead_away = [&](double side) {  // a quarter of a circle downwards and away, and the arm
         const Vec3 start = line.back();
         for (int i = 1; i <= fine; ++i) {
-            const double angle = full_turn / 4 * i / fine;
+            const double angle = whole_turn / 4 * i / fine;
             line.push_back(start + bend * Vec3(side * (1 - std::cos(angle)), -std::sin(angle), 0));
         }
         const Vec3 end = line.back();

@@ -99,7 +99,7 @@ double fastest_without_keeping()
 }
 
 /// The leaning block, 30 cm deep: pictures, and the accounts of its energy over time.
-void show(Report& report)
+void show_leaning_block(Report& report)
 {
     Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.3, 0.01);
     StripProbe film(
@@ -180,7 +180,7 @@ void born_inside(const RunOptions& options, Report& report)
             if (body != "ball")
                 at_rest = std::max(at_rest, of_body.moving);
         }
-    show(report);
+    show_leaning_block(report);
     show_surroundings(report);
     report.table("born_inside", table);
     report.page_table("born_inside", page);

@@ -96,11 +96,11 @@ Gain gain_of(World world, const Solver& solver, double dt, double duration)
     return gain;
 }
 
-struct Compared {
+struct LoadedWith {
     std::string name;
     Solver (*make)(const ContactParameters&);
 };
-const std::vector<Compared> solvers{
+const std::vector<LoadedWith> solvers{
     {"chapter_6", chapter06_solver}, {"chapter_7", chapter07_solver}, {"chapter_8", chapter08_solver}};
 
 void laid_blocks(bool quick, Report& report, Table& table)
@@ -164,7 +164,7 @@ void towers(bool quick, Report& report, Table& table)
     double brought = 0, gained = 0, aside_7 = 0, aside_8 = 0;
     for (const int cubes : quick ? std::vector{1, 2, 5} : std::vector{1, 2, 3, 5, 7, 20}) {
         std::vector<Towers> of;
-        for (const Compared& solver : solvers)
+        for (const LoadedWith& solver : solvers)
             of.push_back(try_towers(cubes, quick, solver.make));
         page.add({static_cast<long>(cubes), static_cast<long>(of[2].runs), static_cast<long>(of[0].fallen),
                   static_cast<long>(of[1].fallen), static_cast<long>(of[2].fallen), of[0].brought_percent,

@@ -18,14 +18,14 @@ Solver chapter06_asking(const ContactParameters& parameters)
     return asking_neighbours(chapter06_solver(parameters));
 }
 
-struct Compared {
+struct RammedWith {
     std::string name;
     Solver (*make)(const ContactParameters&);
 };
-const std::vector<Compared> all_solvers{{"chapter 6", chapter06_solver},
-                                        {"chapter 6, asking", chapter06_asking},
-                                        {"chapter 7", chapter07_solver},
-                                        {"chapter 8", chapter08_solver}};
+const std::vector<RammedWith> all_solvers{{"chapter 6", chapter06_solver},
+                                          {"chapter 6, asking", chapter06_asking},
+                                          {"chapter 7", chapter07_solver},
+                                          {"chapter 8", chapter08_solver}};
 
 /// What becomes of the kinetic energy with which the cube rams the block, weightless.
 struct Ram {
@@ -46,7 +46,7 @@ Scene ram_scene(const Variant& variant)
 }
 
 /// @param times  time_s, solver, energy_ratio: gets a row a step, if there is one
-Ram ram(const Compared& compared, const Variant& variant, Table* times = nullptr)
+Ram ram(const RammedWith& compared, const Variant& variant, Table* times = nullptr)
 {
     Scene scene = ram_scene(variant);
     Ram result;
@@ -67,12 +67,12 @@ Ram ram(const Compared& compared, const Variant& variant, Table* times = nullptr
 }
 
 /// The ram at 3 m/s under chapter 6's solver, without and with asking.
-void show(Report& report)
+void show_ram(Report& report)
 {
     constexpr Variant shown{3, 0.005, 0.03};
     Table times({"time_s", "solver", "energy_ratio"});
     std::vector<StripPicture> rows;
-    for (const Compared& compared : {all_solvers[0], all_solvers[1]}) {
+    for (const RammedWith& compared : {all_solvers[0], all_solvers[1]}) {
         ram(compared, shown, &times);
         Scene scene = ram_scene(shown);
         StripProbe film(scene, {0, 0.06, 0.3}, mark_contacts, 420, 300);
@@ -102,7 +102,7 @@ void deep(const RunOptions& options, Report& report)
     Table table({"speed_m_per_s", "solver", "energy_ratio", "most_energy_ratio", "across_m_per_s"});
     std::map<std::string, double> worst;
     for (const double speed : {0.5, 1.0, 2.0, 3.0, 5.0, 10.0})
-        for (const Compared& compared : all_solvers) {
+        for (const RammedWith& compared : all_solvers) {
             Ram most;
             for (const Variant& variant : variants(speed, options.quick)) {
                 const Ram result = ram(compared, variant);
@@ -113,7 +113,7 @@ void deep(const RunOptions& options, Report& report)
             table.add({speed, compared.name, most.after, most.most, most.across});
             worst[compared.name] = std::max(worst[compared.name], most.after);
         }
-    show(report);
+    show_ram(report);
     report.table("deep", table);
     report.page_table("deep", table, 3);
     for (const auto& [name, ratio] : worst) {

@@ -98,7 +98,7 @@ const std::array variants{SoftVariant{3e4, 2, 0.005, 0.3}, SoftVariant{2e4, 2, 0
                           SoftVariant{2e4, 2, 0.01, 0.8}};
 
 /// A case with and without contact of the body with itself.
-void show(const Case& shown, Report& report)
+void show_folds(const Case& shown, Report& report)
 {
     std::vector<StripPicture> rows;
     for (const bool self_contact : {false, true}) {
@@ -115,7 +115,7 @@ void show(const Case& shown, Report& report)
 }
 
 /// What all runs showed, row by row and the worst of them.
-struct Collected {
+struct CollectedFolds {
     Table found{{"body", "young_pa", "cells_per_5_cm", "dt_s", "friction", "steps", "own_pairs", "crossings",
                  "deepest_um", "crossings_at_end", "deepest_at_end_um", "inverted", "energy_gain_percent",
                  "rest_percent"}};
@@ -152,7 +152,7 @@ struct Collected {
 /// Soft bodies that fold onto themselves.
 void folding(const RunOptions& options, Report& report)
 {
-    Collected all;
+    CollectedFolds all;
     for (const Case& c : cases())
         for (const SoftVariant& variant : variants) {
             if (options.quick && &variant != &variants[0])
@@ -168,7 +168,7 @@ void folding(const RunOptions& options, Report& report)
     }
     for (const Case& c : cases())
         if (!c.picture.empty())
-            show(c, report);
+            show_folds(c, report);
     report.table("folding", all.found);
     report.page_table("folding", all.found, 3);
     report.page_table("folding_cost", all.cost, 3);

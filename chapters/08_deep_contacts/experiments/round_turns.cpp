@@ -41,7 +41,7 @@ RoundTurnRun rope(const Load& load, double mu)
 }
 
 /// What becomes of a rope.
-struct Outcome {
+struct PullOutcome {
     double way = 0;    ///< of the middle of the turn [m]
     double creep = 0;  ///< most way between two moments of the second half of the time [m]
     double time = 0;   ///< when the run ends [s]
@@ -49,10 +49,10 @@ struct Outcome {
 };
 
 /// @param enough  way at which the run ends [m]
-Outcome pull(RoundTurnRun& turn, const Load& load, double duration, double enough,
-             std::vector<Probe*> probes = {})
+PullOutcome pull(RoundTurnRun& turn, const Load& load, double duration, double enough,
+                 std::vector<Probe*> probes = {})
 {
-    Outcome outcome;
+    PullOutcome outcome;
     const RoundTurn shape = shape_of(load);
     const double start = way_of_turn(shape, turn);
     double least = 1e9, most = -1e9;
@@ -72,17 +72,17 @@ Outcome pull(RoundTurnRun& turn, const Load& load, double duration, double enoug
 }
 
 /// All outcomes, row by row and the worst of them.
-struct Collected {
+struct CollectedPulls {
     Table table{{"dt_s", "pull_n", "ratio", "cell_mm", "friction", "way_mm", "creep_um", "time_s",
                  "crossings", "deepest_um", "inverted", "unconverged"}};
-    Outcome held, coarse,
+    PullOutcome held, coarse,
         slid{.way = 1e9, .found = {}};  ///< coarse: held, with a longer step than the usual one
 
-    void add(const Load& load, double mu, const Outcome& o)
+    void add(const Load& load, double mu, const PullOutcome& o)
     {
         table.add({load.dt, load.force, load.ratio, 1000 * load.cell, mu, 1000 * o.way, 1e6 * o.creep, o.time,
                    o.found.crossings, 1e6 * o.found.depth, o.found.inverted, o.found.unconverged});
-        Outcome& worst = mu == slippery ? slid : load.dt > loads[0].dt ? coarse : held;
+        PullOutcome& worst = mu == slippery ? slid : load.dt > loads[0].dt ? coarse : held;
         worst.way = mu == slippery ? std::min(worst.way, o.way) : std::max(worst.way, std::abs(o.way));
         worst.creep = std::max(worst.creep, o.creep);
         worst.time = std::max(worst.time, o.time);
@@ -93,7 +93,7 @@ struct Collected {
 /// The same forces on a rough and on a slippery rope.
 void hold_or_slip(bool quick, Report& report)
 {
-    Collected all;
+    CollectedPulls all;
     std::vector<StripPicture> rows;
     for (const Load& load : loads)
         for (const double mu : {slippery, rough}) {
@@ -135,7 +135,7 @@ void let_go(bool quick, Report& report)
         RoundTurnRun turn = rope(load, mu);
         const double expected = std::exp(mu * shape_of(load).angle()),
                      longest = load.halved * std::log2(4 * expected);
-        const Outcome o = pull(turn, load, longest, begun);
+        const PullOutcome o = pull(turn, load, longest, begun);
         last = std::exp2(o.time / load.halved);
         table.add({mu, last, expected, 100 * (last / expected - 1), 1e6 * o.found.depth});
         off = std::max(off, std::abs(last / expected - 1));

@@ -16,15 +16,15 @@
 namespace enduring::chapter08 {
 namespace {
 
-struct Compared {
+struct ComparedWay {
     std::string name;
     WaysOut ways;
 };
-const std::vector<Compared>& all_ways()
+const std::vector<ComparedWay>& all_ways()
 {
-    static const std::vector<Compared> all{{"vector area", shared_way_out},
-                                           {"from the border", ways_from_the_border},
-                                           {"to the boundary", ways_to_the_boundary}};
+    static const std::vector<ComparedWay> all{{"vector area", shared_way_out},
+                                              {"from the border", ways_from_the_border},
+                                              {"to the boundary", ways_to_the_boundary}};
     return all;
 }
 
@@ -114,10 +114,10 @@ Costs costs_of(Scene scene, const WaysOut& ways, double duration)
     return costs;
 }
 
-void show(const Place& place, Report& report)
+void show_place(const Place& place, Report& report)
 {
     std::vector<StripPicture> pictures;
-    for (const Compared& compared : all_ways()) {
+    for (const ComparedWay& compared : all_ways()) {
         Scene scene = scene_inside(place.surroundings, place.body, place.depth, 0.01);
         scene.camera = {{-1.1, 0.5, 1.3}, {0.05, 0, 0.05}, 19};
         Stage stage = stage_of(scene.world, scene);
@@ -143,7 +143,7 @@ void ways_compared(const RunOptions& options, Report& report)
     std::map<std::string, Costs> worst;
     std::map<std::string, long> wrong, asked;
     for (const Place& place : places())
-        for (const Compared& compared : all_ways()) {
+        for (const ComparedWay& compared : all_ways()) {
             Scene scene = scene_inside(place.surroundings, place.body, place.depth, 0.01);
             const Directions directions = directions_at_start(scene, compared.ways);
             const Costs costs = costs_of(std::move(scene), compared.ways, options.quick ? 0.5 : 2.5);
@@ -154,10 +154,10 @@ void ways_compared(const RunOptions& options, Report& report)
             asked[compared.name] += static_cast<long>(directions.of_vertices.size());
             worst[compared.name].fastest = std::max(worst[compared.name].fastest, costs.fastest);
         }
-    show(places()[2], report);
+    show_place(places()[2], report);
     report.table("ways_compared", table);
     report.page_table("ways_compared", table);
-    for (const Compared& compared : all_ways()) {
+    for (const ComparedWay& compared : all_ways()) {
         const std::string word = compared.name.substr(compared.name.rfind(' ') + 1);
         report.fact(
             "ways_compared", word + "_wrong",
