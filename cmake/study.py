@@ -25,7 +25,8 @@ ROOT = Path(__file__).resolve().parents[1]
 KEYS = {"scenes", "solvers", "vary", "keep"}
 CHOICES = {"first": lambda column: column[0], "last": lambda column: column[-1], "least": min, "most": max}
 SNAKEFILE = '''# Written by ./course study from {file}. On the cores here: snakemake --cores all; on a cluster's queue, as
-# snakemake --jobs 100 --cluster 'sbatch --cpus-per-task 1'. A run that was made is not made again.
+# snakemake --jobs 100 --cluster 'sbatch --cpus-per-task 1'. A run that was made is not made again; each file is there whole or not at
+# all (--ignore-incomplete).
 RUNS = {runs}
 
 rule all:

@@ -50,7 +50,7 @@ class Studies(unittest.TestCase):
 
     def snakemake(self):
         return subprocess.Popen(["snakemake", "--directory", self.folder / "out", "--snakefile", self.folder / "out/Snakefile", "--cores", "2",
-                                 "--keep-going", "--rerun-incomplete", "--nolock", "--quiet"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                 "--keep-going", "--ignore-incomplete", "--nolock", "--quiet"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                 start_new_session=True, env=os.environ | {"XDG_CACHE_HOME": str(self.folder / "cache")})
 
     @unittest.skipUnless(shutil.which("snakemake"), "needs snakemake (./course setup study)")
