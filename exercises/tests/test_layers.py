@@ -244,6 +244,19 @@ class Parts(unittest.TestCase):
             with self.assertRaises(CatalogueError):
                 layers.part_of([1, 2, 3], part)
 
+    def test_of_sources_that_stand_together_in_one_file_of_the_build_the_copies_are_compiled(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            together, seen = folder / "unity_0_cxx.cxx", []
+            together.write_text(f'#include "{workshop.ROOT}/chapters/a.cpp"\n#include "{workshop.ROOT}/chapters/b.cpp"\n', encoding="utf-8")
+            command = ("c++", f"-I{workshop.ROOT}", "-o", "Unity/unity_0_cxx.cxx.o", "-c", str(together))
+            with mock.patch.object(workshop, "last_command", return_value=command), \
+                    mock.patch.object(workshop, "run_tool", side_effect=lambda words, _: seen.extend(words) or mock.Mock(returncode=0)):
+                workshop.compile_copy("Unity/unity_0_cxx.cxx.o", folder / "sources", folder / "0.o")
+            self.assertEqual(seen[:-1], ["c++", f"-I{folder}/sources", "-o", f"{folder}/0.o", "-c", f"{folder}/0.cxx"])
+            self.assertEqual((folder / "0.cxx").read_text(encoding="utf-8"),
+                             f'#include "{folder}/sources/chapters/a.cpp"\n#include "{folder}/sources/chapters/b.cpp"\n')
+
 
 if __name__ == "__main__":
     unittest.main()
