@@ -167,6 +167,17 @@ def stamp_folders(plan, wanted):
                 (out / ".made_by").write_text(maker, encoding="utf-8")
 
 
+def written_twice(plan, folder):
+    """(file, two experiments) for each file of a folder that two of them have left: they may run at the same time, and so must not."""
+    writers = {}
+    for name in experiments.experiments_of(folder):
+        stamp = Path(plan["runs"], "done", folder, name)
+        for file in stamp.read_text(encoding="utf-8").splitlines()[1:] if stamp.is_file() else []:
+            if file in writers:
+                yield file, f"{writers[file]} and {name}"
+            writers[file] = name
+
+
 def keep_costs(plan):
     """What each took, in the form of the list of costs."""
     runs, lines = Path(plan["runs"]), []
@@ -201,10 +212,12 @@ def report(plan, wanted, started):
     keep_costs(plan)
     for file in sorted(Path(plan["runs"], "failed").iterdir()):
         sys.stderr.write(f"   failed: {file.read_text(encoding='utf-8')}")
+    twice = [f"{folder}/{file} is written by {both}" for folder in wanted for file, both in written_twice(plan, folder)]
+    sys.stderr.writelines(f"   failed: {fault}, which may run at the same time\n" for fault in twice)
     missing = [name for name, edge in plan["edges"].items() if edge["kind"] == "run" and not run_one.holds(plan, name)]
     if not missing:
         sys.stderr.write(f"   all is there after {run_one.in_words(time.monotonic() - started)}\n")
-    return 1 if missing else 0
+    return 1 if missing or twice else 0
 
 
 if __name__ == "__main__":

@@ -78,6 +78,14 @@ class Graph(unittest.TestCase):
         self.assertEqual(beside[0], "build chapter01")
         self.assertEqual(next(name for name in beside if name.startswith("done/")), "done/01_particle_plane/two_looks")
 
+    def test_two_experiments_that_write_one_file_are_told(self):
+        with tempfile.TemporaryDirectory() as runs:
+            done = Path(runs) / "done/01_particle_plane"
+            done.mkdir(parents=True)
+            (done / "drop").write_text("cause\ndrop.csv\nboth.csv\n", encoding="utf-8")
+            (done / "ground").write_text("cause\nground.csv\nboth.csv\n", encoding="utf-8")
+            self.assertEqual(list(run_beside.written_twice({"runs": runs}, "01_particle_plane")), [("both.csv", "drop and ground")])
+
     def test_the_rest_takes_as_long_as_its_longest_edge_or_as_all_on_all_cores(self):
         with tempfile.TemporaryDirectory() as runs:
             def plan(*seconds, jobs=2):
