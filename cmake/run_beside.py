@@ -95,7 +95,7 @@ def quoted(path):
 
 def graph_of(plan, edges):
     """Some edges of the plan as ninja reads them, which begins with what stands first of all that is ready. What no edge makes is there."""
-    lines = ["ninja_required_version = 1.10", "pool compiling", "  depth = 1", "rule edge",
+    lines = ["ninja_required_version = 1.11", "pool compiling", "  depth = 1", "rule edge",
              f"  command = {quoted(sys.executable)} {quoted(ROOT / 'cmake/run_one.py')} {quoted(Path(plan['runs'], 'plan.json'))} '$name'",
              "build always: phony"]
     for name in edges:

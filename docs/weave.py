@@ -24,7 +24,7 @@ import measured
 import teaching
 from concordance import KINDS, Concordance, heading_of
 
-QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run (`./course docs --quick`)."
+QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run, of a small version of each experiment; `./course docs --full` makes the others."
 
 
 LONG_TABLE = 30  # rows; more are folded: the text says what they come to
