@@ -3,8 +3,8 @@
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/experiments/jitter.hpp"
 #include "chapters/03_penalty_impulses/experiments/pair_film.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/experiments/run/elements_of.hpp"
-#include "common/experiments/run/progress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -66,7 +66,8 @@ struct SweepPoint {
 };
 
 /// Nine drops at one step.
-SweepPoint at_step(const RunOptions& options, const std::filesystem::path& file, BarDrop drop, Table& table)
+SweepPoint at_step(const RunOptions& options, const std::filesystem::path& file, BarDrop drop,
+                   GrowingTable& table)
 {
     std::vector<double> jitters, pairs, depths;
     for (const double turn : nine_turns(options.quick)) {
@@ -89,16 +90,15 @@ std::vector<SweepPoint> sweep(const RunOptions& options, const std::filesystem::
     const double spacing = options.quick ? 0.0015 : 0.00025;
     const int count = options.quick ? 7 : 37;
     std::vector<SweepPoint> points;
-    Table table({"elements", "method", "dt_s", "median_percent", "smallest_percent", "largest_percent",
-                 "smooth_drops", "drops", "pairs", "depth_mm"});
-    Progress progress("bar_on_cube: jitter over the step", 4 * count);
+    GrowingTable table(report, "bar_jitter",
+                       {"elements", "method", "dt_s", "median_percent", "smallest_percent", "largest_percent",
+                        "smooth_drops", "drops", "pairs", "depth_mm"},
+                       4 * static_cast<std::size_t>(count));
     for (const std::string& basis : both_bases)
         for (const PenaltyMethod method : both_methods)
-            for (int i = 0; i < count; ++i) {
+            for (int i = 0; i < count; ++i)
                 points.push_back(
                     at_step(options, file, {method, 0.005 + spacing * i, 5000, 45, basis}, table));
-                progress.update(static_cast<int>(points.size()));
-            }
     report.table("bar_jitter", table);
     report.plot("chapters/03_penalty_impulses/plots/bar_jitter.gp");
     return points;

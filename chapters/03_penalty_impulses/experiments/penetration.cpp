@@ -2,7 +2,7 @@
 #include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/experiments/jitter.hpp"
-#include "common/experiments/run/progress.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 #include <cmath>
 
@@ -33,7 +33,8 @@ struct Best {
 };
 
 /// One method over the stiffness, from soft to hard, at the step of figure 7.7.
-Best over_stiffness(const RunOptions& options, const std::filesystem::path& file, BarDrop drop, Table& table)
+Best over_stiffness(const RunOptions& options, const std::filesystem::path& file, BarDrop drop,
+                    GrowingTable& table)
 {
     constexpr double smooth = 0.003;
     Best best;
@@ -60,11 +61,12 @@ Best over_stiffness(const RunOptions& options, const std::filesystem::path& file
 /// Figure 7.7: depth and jitter over the stiffness, at one step.
 void depth_over_stiffness(const RunOptions& options, const std::filesystem::path& file, Report& report)
 {
-    Table table(
-        {"elements", "method", "stiffness_n_per_m", "depth_mm", "jitter_percent", "pairs", "nk_n_per_m"});
+    GrowingTable table(
+        report, "depth_over_stiffness",
+        {"elements", "method", "stiffness_n_per_m", "depth_mm", "jitter_percent", "pairs", "nk_n_per_m"},
+        4 * (options.quick ? 4 : 15));
     Table summary({"elements", "method", "largest smooth k [N/m]", "summed depth there [mm]",
                    "thesis k [N/m]", "thesis depth [mm]"});
-    Progress progress("penetration: over the stiffness", 4);
     for (const std::string& basis : both_bases)
         for (const PenaltyMethod method : both_methods) {
             const bool discrete = method == PenaltyMethod::discrete, of_thesis = basis == "quadratic";
@@ -75,7 +77,6 @@ void depth_over_stiffness(const RunOptions& options, const std::filesystem::path
             report.fact("penetration", basis + (discrete ? "_dpf_best_mm" : "_cpf_best_mm"),
                         1000 * best.depth, 3);
             report.fact("penetration", basis + (discrete ? "_dpf_best_k" : "_cpf_best_k"), best.stiffness, 3);
-            progress.update(static_cast<int>(summary.rows().size()));
         }
     report.table("depth_over_stiffness", table);
     report.plot("chapters/03_penalty_impulses/plots/depth_over_stiffness.gp");

@@ -1,11 +1,13 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/static_body.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace enduring::chapter07 {
@@ -54,6 +56,15 @@ Scene on_triangles(const SoftCube& cube)
     return scene;
 }
 
+/// What a run of each takes, in any unit: its steps, times its elements.
+std::vector<double> costs_of(const std::vector<SoftCube>& cubes)
+{
+    std::vector<double> costs;
+    for (const SoftCube& cube : cubes)
+        costs.push_back(duration_for(cube) / cube.dt * std::pow(cube.cells, 3));
+    return costs;
+}
+
 std::vector<SoftCube> all_cubes(bool quick)
 {
     std::vector<SoftCube> cubes;
@@ -77,11 +88,15 @@ std::vector<SoftCube> all_cubes(bool quick)
 /// own weight strains by a twentieth or more still swing when the others have long been at rest.
 void creep(const RunOptions& options, Report& report)
 {
-    Table table({"cells", "young_pa", "dt_s", "mass_kg", "own_strain", "creep_um_per_s", "deepest_mm",
-                 "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"});
+    const std::vector<SoftCube> cubes = all_cubes(options.quick);
+    GrowingTable table(
+        report, "creep",
+        {"cells", "young_pa", "dt_s", "mass_kg", "own_strain", "creep_um_per_s", "deepest_mm",
+         "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"},
+        costs_of(cubes));
     double fastest = 0, deepest = 0;
     long firm = 0, still = 0, shallow = 0, unconverged = 0;
-    for (const SoftCube& cube : all_cubes(options.quick)) {
+    for (const SoftCube& cube : cubes) {
         Scene scene = on_triangles(cube);
         const PileOutcome outcome = watch(scene, duration_for(cube));
         table.add({static_cast<long>(cube.cells), cube.young, cube.dt, cube.mass, own_strain(cube),

@@ -101,7 +101,7 @@ std::vector<Building> all_buildings(bool quick)
 void edge_on_edge(const RunOptions& options, Report& report)
 {
     constexpr double stands_mm = 10;
-    RestRuns runs;
+    RestRuns runs(report, "edge_on_edge", (options.quick ? 4 : 6) * all_buildings(options.quick).size());
     double moved = 0, gained = 0;
     for (const double dt : {0.01, 1.0 / 60})
         for (const double turn_deg : {0.0, 17.0, 45.0})

@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_runs.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,10 @@ void wedged(const RunOptions& options, Report& report)
     std::vector<double> steps{0.01, 1.0 / 60, 0.002};
     if (options.quick)
         steps = {0.01};
-    Table table({"half_angle_deg", "mu", "mu over tan", "dt_s", "at_rest", "deepest_mm", "most_newton_steps",
-                 "unconverged", "solves"});
+    GrowingTable table(report, "wedged",
+                       {"half_angle_deg", "mu", "mu over tan", "dt_s", "at_rest", "deepest_mm",
+                        "most_newton_steps", "unconverged", "solves"},
+                       steps.size() * 3 * 7);
     long locking_runs = 0, locking_at_rest = 0, other_runs = 0, other_at_rest = 0, solves = 0,
          unconverged = 0;
     double deepest_mm = 0;

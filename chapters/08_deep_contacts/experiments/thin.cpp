@@ -4,6 +4,7 @@
 #include "chapters/08_deep_contacts/experiments/thin_shots.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/simulation/energy.hpp"
 
@@ -74,8 +75,10 @@ void show(Report& report)
 void thin(const RunOptions& options, Report& report)
 {
     constexpr std::array<MakeSolver, 3> solvers{chapter06_solver, quiet_chapter07, quiet_chapter08};
-    Table table({"target", "shot", "trials", "through_with_6", "through_with_7", "through_with_8",
-                 "most_energy_ratio_with_8", "gains_with_8"});
+    GrowingTable table(report, "thin",
+                       {"target", "shot", "trials", "through_with_6", "through_with_7", "through_with_8",
+                        "most_energy_ratio_with_8", "gains_with_8"},
+                       thin_targets().size() * thin_shots().size());
     const int trials = options.quick ? 4 : 120;
     std::array<long, 3> all{};
     long shots = 0, gains = 0;

@@ -1,17 +1,19 @@
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
 #include "chapters/08_deep_contacts/experiments/random_overlaps.hpp"
+#include "common/experiments/report/progress.hpp"
 
 namespace enduring::chapter08 {
 namespace {
 
 /// What is summed over many overlaps.
 struct Sums {
-    long overlaps = 0, piercings = 0, curves = 0, open_curves = 0, inconsistent = 0;
+    long trials = 0, overlaps = 0, piercings = 0, curves = 0, open_curves = 0, inconsistent = 0;
     long textbook_breaks = 0;  ///< overlaps in which the textbook's test leaves a curve open
     long asked = 0, wrong = 0;
 
     void add(const OverlapCheck& check)
     {
+        ++trials;
         overlaps += check.piercings > 0;
         piercings += check.piercings;
         curves += check.curves;
@@ -34,6 +36,7 @@ void tracing(const RunOptions& options, Report& report)
     Table table({"coordinates", "trials", "overlaps", "piercings", "curves", "open_curves", "broken_regions",
                  "vertices_asked", "wrong_vertices", "textbook_breaks"});
     Sums all;
+    Progress progress("", trials, " overlaps");
     for (const bool on_lattice : {false, true}) {
         Sums sums;
         for (int i = 0; i < trials / 2; ++i) {
@@ -44,6 +47,7 @@ void tracing(const RunOptions& options, Report& report)
             const OverlapCheck check = check_overlap(a, b, on_lattice, 40);
             sums.add(check);
             all.add(check);
+            progress.update(all.trials);
         }
         table.add({std::string(on_lattice ? "on a lattice" : "any"), static_cast<long>(trials / 2),
                    sums.overlaps, sums.piercings, sums.curves, sums.open_curves, sums.inconsistent,
