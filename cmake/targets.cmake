@@ -179,7 +179,7 @@ function(enduring_chapter number name)
 
   if(PROJECT_IS_TOP_LEVEL AND EXISTS ${folder}/main.cpp)
     enduring_library(chapter${number}_experiments SOURCES ${experiments}
-                     USES chapter${number}_layer enduring_render ${ARG_EXPERIMENTS_USE})
+                     USES chapter${number}_layer enduring_own_scene ${ARG_EXPERIMENTS_USE})
     enduring_compile_together(chapter${number}_experiments)
     # A parameter in one file may be called as a constant at the head of another.
     target_compile_options(chapter${number}_experiments PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>)
@@ -214,7 +214,7 @@ function(enduring_solvers)
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   list(REMOVE_ITEM sources ${folder}/main.cpp)
   file(GLOB tests CONFIGURE_DEPENDS ${folder}/tests/*.cpp)
-  enduring_library(solvers_experiments SOURCES ${sources} USES chapter06_experiments chapter07_experiments chapter08_layer motivating_scenes bullet_baseline enduring_paraview)
+  enduring_library(solvers_experiments SOURCES ${sources} USES chapter06_experiments chapter07_experiments chapter08_layer motivating_scenes bullet_baseline)
   enduring_compile_together(solvers_experiments)
   add_executable(solvers ${folder}/main.cpp)
   target_link_libraries(solvers PRIVATE solvers_experiments)

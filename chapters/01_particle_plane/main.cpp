@@ -1,4 +1,6 @@
 #include "chapters/01_particle_plane/experiments/experiments.hpp"
+#include "chapters/01_particle_plane/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
 
 int main(int argc, char** argv)
 {
@@ -21,7 +23,8 @@ int main(int argc, char** argv)
                  "how much of each bounce is kept, and where the particle rests (thesis figure 7.2)",
                  chapter01::damping},
                 {"ground", "a deformable bar and a rigid cube dropped on the plane (thesis equation 5.20)",
-                 chapter01::ground},
+                 chapter01::ground, takes_scene},
             },
-        });
+        },
+        chapter01_solver);
 }

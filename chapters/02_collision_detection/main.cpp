@@ -1,4 +1,6 @@
 #include "chapters/02_collision_detection/experiments/experiments.hpp"
+#include "chapters/02_collision_detection/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
 
 int main(int argc, char** argv)
 {
@@ -22,5 +24,6 @@ int main(int argc, char** argv)
                 },
             .add_options = [&](CLI::App& app) { queries.add_options(app); },
             .instead_of_experiments = [&](const RunOptions&) { return queries.run(); },
-        });
+        },
+        chapter02_solver);
 }

@@ -1,4 +1,6 @@
 #include "chapters/04_friction/experiments/experiments.hpp"
+#include "chapters/04_friction/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
 
 int main(int argc, char** argv)
 {
@@ -10,7 +12,7 @@ int main(int argc, char** argv)
             "Chapter 4: friction",
             {
                 {"slope", "a cube is pushed up a slope, and slides back or stays (thesis figure 7.15)",
-                 chapter04::slope},
+                 chapter04::slope, takes_scene},
                 {"printed_constants", "what the thesis' k_fp = 100 and k_fd = 25 do, read in six ways",
                  chapter04::printed_constants},
                 {"threshold",
@@ -21,7 +23,8 @@ int main(int argc, char** argv)
                 {"rocking", "why a launched cube needs more friction than a block", chapter04::rocking},
                 {"turning", "friction against slip whose direction turns", chapter04::turning},
                 {"mesh_slope", "the block on a slope of triangles: pairs that hook (thesis 6.1.2)",
-                 chapter04::mesh_slope},
+                 chapter04::mesh_slope, takes_scene},
             },
-        });
+        },
+        chapter04_solver);
 }

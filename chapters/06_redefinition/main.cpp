@@ -1,4 +1,6 @@
 #include "chapters/06_redefinition/experiments/experiments.hpp"
+#include "chapters/06_redefinition/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
 
 #include <string>
 
@@ -33,15 +35,15 @@ int main(int argc, char** argv)
              chapter06::step_by_step},
             {"sliding",
              "a cube slides over triangles and over a soft bar without friction (thesis figures 7.8-7.12)",
-             chapter06::sliding},
+             chapter06::sliding, takes_scene},
             {"mesh_slope",
              "friction on triangles: when the block of chapter 4 holds, and how it slides (thesis 7.3)",
              chapter06::mesh_slope},
             {"bunny_bowl", "a soft bunny falls into a bowl and comes to rest (thesis figures 7.13 and 7.14)",
-             chapter06::bunny_bowl},
+             chapter06::bunny_bowl, takes_scene},
             {"cost",
              "what one pair takes, stage by stage, and what whole steps take (thesis figure 7.17, section 7.4)",
-             chapter06::cost},
+             chapter06::cost, takes_scene},
             {"bar_friction", "a cube comes to rest on the soft bar and stays (thesis figure 7.16)",
              chapter06::bar_friction},
             {"turntable", "loads that are held on what turns: how far they creep", chapter06::turntable},
@@ -53,5 +55,5 @@ int main(int argc, char** argv)
              chapter06::deep},
         },
     };
-    return run_chapter(argc, argv, program);
+    return run_chapter(argc, argv, program, chapter06_solver);
 }

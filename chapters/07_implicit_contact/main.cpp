@@ -1,4 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
 
 int main(int argc, char** argv)
 {
@@ -50,5 +52,6 @@ int main(int argc, char** argv)
                  chapter07::launch},
                 {"facets", "prisms and balls: what flat sides cost a body that rolls", chapter07::facets},
             },
-        });
+        },
+        [](const ContactParameters& parameters) { return chapter07_solver(parameters); });
 }

@@ -1,4 +1,6 @@
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
+#include "chapters/08_deep_contacts/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
 
 int main(int argc, char** argv)
 {
@@ -34,5 +36,6 @@ int main(int argc, char** argv)
                  chapter08::round_turns},
                 {"cost", "what tracing takes of a step", chapter08::cost},
             },
-        });
+        },
+        [](const ContactParameters& parameters) { return chapter08_solver(parameters); });
 }

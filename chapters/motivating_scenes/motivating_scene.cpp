@@ -71,14 +71,4 @@ Outcome try_scene(const MotivatingScene& motivating, const PrepareScene& prepare
     return outcome;
 }
 
-void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
-{
-    for (Drawable& drawable : stage.bodies)
-        drawable.wireframe = drawable.faces.size() < 800;  // finer ones would be all lines
-    Contacts pushing;
-    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pushing),
-                 [](const Contact& contact) { return !contact.held(); });
-    mark_contacts(stage, world, pushing);
-}
-
 }  // namespace enduring::motivating

@@ -84,8 +84,4 @@ Outcome try_scene(const MotivatingScene& scene, const MakeSolver& make, const Ru
 Outcome try_scene(const MotivatingScene& scene, const PrepareScene& prepare, const RunLimits& limits = {},
                   bool with_picture = false);
 
-/// Surfaces with their triangles, and the pairs in the thesis' colours.
-/// Held pairs, which take no impulse, are left out.
-void mark_pairs(Stage& stage, const World& world, const Contacts& contacts);
-
 }  // namespace enduring::motivating

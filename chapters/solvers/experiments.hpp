@@ -7,5 +7,8 @@ namespace enduring::solvers {
 void passes(const RunOptions& options, Report& report);
 void ledger(const RunOptions& options, Report& report);
 void speed(const RunOptions& options, Report& report);
+/// The example of the page on scenes, run as a scene of the reader's own: its results go to the folder
+/// tumble, and the picture to the program's as well.
+void own_scene_example(const RunOptions& options, Report& report);
 
 }  // namespace enduring::solvers

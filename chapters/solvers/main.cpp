@@ -1,12 +1,15 @@
+#include "chapters/solvers/chapter_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
-#include "chapters/solvers/own_scene.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
+
+#include <CLI/CLI.hpp>
 
 #include <memory>
 
 int main(int argc, char** argv)
 {
     using namespace enduring;
-    const auto choice = std::make_shared<solvers::OwnSceneOptions>();
+    const auto chapter = std::make_shared<int>(solvers::chapters);
     ChapterProgram program{
         "solvers",
         "All solvers of the course side by side",
@@ -17,12 +20,17 @@ int main(int argc, char** argv)
              "how long chapter 7's steps take: against Bullet, over the number of bodies, against the clock",
              solvers::speed},
             {"own_scene", "the example of a scene of your own; any other runs with --scene FILE",
-             solvers::own_scene_example},
+             solvers::own_scene_example, takes_scene},
         },
     };
-    program.add_options = [choice](CLI::App& app) { solvers::add_own_scene_options(app, *choice); };
-    program.own_scene = [choice](const RunOptions& options, Report& report) {
-        solvers::own_scene(options, report, *choice);
+    program.add_options = [chapter](CLI::App& app) {
+        app.add_option("--solver", *chapter, "the chapter whose solver runs a scene of your own")
+            ->check(CLI::Range(1, solvers::chapters))
+            ->capture_default_str()
+            ->needs(app.get_option("--scene"))
+            ->excludes(app.get_option("experiments"));
     };
-    return run_chapter(argc, argv, program);
+    return run_chapter(argc, argv, program, [chapter](const ContactParameters& parameters) {
+        return solvers::chapter_solver(*chapter, parameters);
+    });
 }

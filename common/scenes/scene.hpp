@@ -31,6 +31,7 @@ struct Scene {
     double duration = 1.0;  ///< [s]
     ContactParameters contact;
     SceneCamera camera;
+    bool camera_given = false;              ///< by the file; else one may be chosen that sees more
     std::map<std::string, BodyLook> looks;  ///< by body name
     World world;                            ///< bodies placed, velocities set, time 0
     /// what will probably go wrong, a sentence each (see scene_warnings()); run() tells them

@@ -134,8 +134,10 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
     });
     mistakes.gather(
         [&] { scene.contact = root.find("contact") ? read_contact(root.at("contact")) : scene.contact; });
-    mistakes.gather(
-        [&] { scene.camera = root.find("camera") ? read_camera(root.at("camera")) : scene.camera; });
+    mistakes.gather([&] {
+        scene.camera_given = root.find("camera").has_value();
+        scene.camera = scene.camera_given ? read_camera(root.at("camera")) : scene.camera;
+    });
     mistakes.gather([&] { read_planes(root, names, scene, mistakes); });
     mistakes.gather([&] { read_bodies(root, surroundings, names, scene, mistakes); });
     mistakes.complain();

@@ -1,6 +1,7 @@
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/01_particle_plane/experiments/experiments.hpp"
 #include "chapters/01_particle_plane/settling.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 namespace enduring::chapter01 {
 
@@ -11,7 +12,9 @@ void stability_map(const RunOptions& options, Report& report)
     const double shortest = 0.01, longest = 0.18;  // [s]; the critical steps are 0.115 and 0.141
     const int count = options.quick ? 60 : 240;
 
-    Table map({"method", "dt_s", "spectral_radius", "predicted", "simulated", "swing_m"});
+    GrowingTable map(report, "stability_map",
+                     {"method", "dt_s", "spectral_radius", "predicted", "simulated", "swing_m"},
+                     2 * static_cast<std::size_t>(count));
     Table visited({"method", "dt_s", "height_m"});
     long agree = 0;
     const auto word = [](bool at_rest) { return at_rest ? "settles" : "keeps bouncing"; };

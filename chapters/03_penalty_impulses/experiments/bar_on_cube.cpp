@@ -5,7 +5,6 @@
 #include "chapters/03_penalty_impulses/experiments/pair_film.hpp"
 #include "common/experiments/report/sweep.hpp"
 #include "common/experiments/run/elements_of.hpp"
-#include "common/experiments/run/progress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -109,12 +108,8 @@ std::vector<SweepPoint> jitter_over_step(const RunOptions& options, const std::f
                                          Report& report)
 {
     const std::vector<BarDrop> drops = drops_over_step(options.quick);
-    Progress progress("bar_on_cube: jitter over the step", static_cast<int>(drops.size()));
-    const auto outcomes = sweep<NineDrops>(options, "jitter", drops.size(), [&](std::size_t i) {
-        const NineDrops outcome = at_step(options, file, drops[i]);
-        progress.update(static_cast<int>(i + 1));
-        return outcome;
-    });
+    const auto outcomes = sweep<NineDrops>(options, "jitter", drops.size(),
+                                           [&](std::size_t i) { return at_step(options, file, drops[i]); });
     if (!outcomes)
         return {};
     std::vector<SweepPoint> points;

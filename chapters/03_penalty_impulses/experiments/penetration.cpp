@@ -3,7 +3,6 @@
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/experiments/jitter.hpp"
 #include "common/experiments/report/sweep.hpp"
-#include "common/experiments/run/progress.hpp"
 
 #include <array>
 #include <cmath>
@@ -93,13 +92,10 @@ void depth_over_stiffness(const RunOptions& options, const std::filesystem::path
     const std::vector<double> stiffnesses = all_stiffnesses(options.quick);
     const std::size_t of_basis = dpf_and_cpf.size() * stiffnesses.size(),
                       count = both_bases.size() * of_basis;
-    Progress progress("penetration: over the stiffness", static_cast<int>(count));
     const auto outcomes = sweep<NineDrops>(options, "depth_over_stiffness", count, [&](std::size_t i) {
         const PenaltyMethod method = dpf_and_cpf[i % of_basis / stiffnesses.size()];
         BarDrop drop{method, 0.01, stiffnesses[i % stiffnesses.size()], 45, both_bases[i / of_basis]};
-        const NineDrops outcome = at_stiffness(options, file, drop);
-        progress.update(static_cast<int>(i + 1));
-        return outcome;
+        return at_stiffness(options, file, drop);
     });
     if (!outcomes)
         return;

@@ -1,6 +1,6 @@
 #include "chapters/04_friction/experiments/experiments.hpp"
 #include "chapters/04_friction/experiments/launch.hpp"
-#include "common/experiments/run/progress.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,15 +82,14 @@ void threshold(const RunOptions& options, Report& report)
     const std::vector<double> angles = options.quick ? std::vector{10.0, 30.0}
                                                      : std::vector{5.0, 10.0, 20.0, 30.0};
     const std::vector<double> steps = options.quick ? std::vector{0.01} : std::vector{0.01, 0.002};
-    Table table({"model", "angle_deg", "dt", "damping_ratio", "mu_s"});
+    const std::vector<ThresholdSeries> all = all_series(options.quick);
+    GrowingTable table(report, "threshold", {"model", "angle_deg", "dt", "damping_ratio", "mu_s"},
+                       all.size() * angles.size() * steps.size());
     Table ten({"model", "damping ratio", "Δt [s]", "smallest", "over tan 10°", "one degree of freedom"});
     Table mass_splitting({"angle [°]", "tan", "Δt [s]", "smallest", "over tan"});
     double worst = 0;
-    const std::vector<ThresholdSeries> all = all_series(options.quick);
-    Progress progress("threshold", static_cast<int>(all.size() * angles.size()));
-    int done = 0;
     for (const ThresholdSeries& series : all)
-        for (const double angle : angles) {
+        for (const double angle : angles)
             for (const double dt : steps) {
                 Launch launch;
                 launch.angle_deg = angle;
@@ -107,8 +106,6 @@ void threshold(const RunOptions& options, Report& report)
                     ten.add({series.model, series.damping_ratio, dt, mu_s, ratio,
                              is_mass_splitting ? Cell("-") : Cell(peak_over_weight(series.damping_ratio))});
             }
-            progress.update(++done);
-        }
     report.table("threshold", table);
     report.page_table("threshold_ten_degrees", ten, 3);
     report.page_table("threshold_mass_splitting", mass_splitting, 3);

@@ -2,7 +2,6 @@
 
 #include "chapters/06_redefinition/experiments/experiments.hpp"
 #include "chapters/06_redefinition/solver.hpp"
-#include "chapters/motivating_scenes/motivating_scene.hpp"
 #include "common/experiments/render/film_probes.hpp"
 #include "common/experiments/run/elements_of.hpp"
 #include "common/experiments/run/run.hpp"
@@ -65,7 +64,7 @@ void bar_friction(const RunOptions& options, Report& report)
         for (const FrictionCoefficients& mu : bar_coefficients) {
             const bool of_thesis = basis == "quadratic";
             Scene scene = scene_of(mu, basis);
-            StripProbe strip(scene, {0.0, 0.15, steps * scene.dt}, motivating::mark_pairs, 560, 360);
+            StripProbe strip(scene, {0.0, 0.15, steps * scene.dt}, mark_pairs, 560, 360);
             const double speed = 1.2, on_plane = speed * speed / (2 * 9.81 * mu.mu_d);
             const RestOnBar result = rest_on_bar(scene, settled, steps, of_thesis ? &moments : nullptr,
                                                  of_thesis ? &strip : nullptr);

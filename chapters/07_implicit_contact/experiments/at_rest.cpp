@@ -38,10 +38,10 @@ std::vector<RestRuns::Case> all_cases(double dt, bool quick)
 /// Buildings that should stand, and tips that should come to rest in cracks and on edges.
 void at_rest(const RunOptions& options, Report& report)
 {
-    RestRuns runs;
     std::vector<double> steps{0.01, 1.0 / 60};
     if (options.quick)
         steps = {1.0 / 60};
+    RestRuns runs(report, "at_rest", steps.size() * all_cases(steps.front(), options.quick).size());
     for (const double dt : steps)
         for (RestRuns::Case& c : all_cases(dt, options.quick)) {
             c.pictured = c.pictured && dt == steps.front();

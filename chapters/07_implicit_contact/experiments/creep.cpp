@@ -7,6 +7,7 @@
 #include "common/simulation/static_body.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace enduring::chapter07 {
@@ -53,6 +54,15 @@ Scene on_triangles(const SoftCube& cube)
     scene.world.bodies.push_back(std::make_unique<DeformableBody>(
         "cube", bar(Vec3::Ones(), {cube.cells, cube.cells, cube.cells}), settings));
     return scene;
+}
+
+/// What a run of each takes, in any unit: its steps, times its elements.
+std::vector<double> costs_of(const std::vector<SoftCube>& cubes)
+{
+    std::vector<double> costs;
+    for (const SoftCube& cube : cubes)
+        costs.push_back(duration_for(cube) / cube.dt * std::pow(cube.cells, 3));
+    return costs;
 }
 
 std::vector<SoftCube> all_cubes(bool quick)

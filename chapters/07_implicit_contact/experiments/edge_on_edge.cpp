@@ -122,7 +122,7 @@ void edge_on_edge(const RunOptions& options, Report& report)
     });
     if (!outcomes)
         return;
-    RestRuns runs;
+    RestRuns runs(report, "edge_on_edge", cases.size());
     double moved = 0, gained = 0;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         PileOutcome outcome = (*outcomes)[i];

@@ -4,6 +4,7 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/experiments/rimless_wheel.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,8 +55,10 @@ namespace {
 /// Prisms, whose facets are exactly those of the wheel.
 void roll_prisms(bool quick, Report& report)
 {
-    Table table({"sides", "dt_s", "kept_percent", "speed_m_per_s", "wheel_m_per_s", "error_percent",
-                 "round_m_per_s", "least_pressed_n"});
+    GrowingTable table(report, "facets_prisms",
+                       {"sides", "dt_s", "kept_percent", "speed_m_per_s", "wheel_m_per_s", "error_percent",
+                        "round_m_per_s", "least_pressed_n"},
+                       quick ? 4 : 4 * 4);
     double worst = 0, finest = 0;
     for (const int sides : {8, 16, 32, 64})
         for (const double dt : quick ? std::vector{0.0025} : std::vector{0.01, 0.005, 0.0025, 0.001}) {

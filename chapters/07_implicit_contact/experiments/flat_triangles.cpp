@@ -2,6 +2,7 @@
 #include "chapters/06_redefinition/experiments/plane_slide.hpp"
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,10 @@ std::vector<PlaneSlide> all_slides(bool quick)
 
 void slide_without_friction(bool quick, Report& report)
 {
-    Table table({"diagonals", "direction_deg", "on_lattice", "dt_s", "pairs", "speed_change_percent",
-                 "sideways_percent", "largest_leap_percent", "unconverged", "solves"});
+    GrowingTable table(report, "flat_slides",
+                       {"diagonals", "direction_deg", "on_lattice", "dt_s", "pairs", "speed_change_percent",
+                        "sideways_percent", "largest_leap_percent", "unconverged", "solves"},
+                       all_slides(quick).size());
     double speed = 0, sideways = 0, leap = 0;
     long unconverged = 0, solves = 0;
     for (const PlaneSlide& slide : all_slides(quick)) {

@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +32,11 @@ std::vector<Drop> all_drops(bool quick)
 /// Cubes dropped on a heap, over seeds and steps.
 void heap(const RunOptions& options, Report& report)
 {
-    Table table({"cubes", "dt_s", "seed", "deepest_mm", "deepest_ever_mm", "drift_um_per_s", "energy_gain_j",
-                 "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"});
+    GrowingTable table(
+        report, "heap",
+        {"cubes", "dt_s", "seed", "deepest_mm", "deepest_ever_mm", "drift_um_per_s", "energy_gain_j",
+         "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"},
+        all_drops(options.quick).size());
     double deepest = 0, ever = 0, drift = 0, gain = 0;
     long unconverged = 0, solves = 0;
     for (const Drop& drop : all_drops(options.quick)) {

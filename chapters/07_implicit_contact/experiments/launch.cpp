@@ -2,6 +2,7 @@
 
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 
@@ -94,7 +95,9 @@ Scan scan(Launch launch, double from, double to, int count, double falls)
 /// With one coefficient for what holds and what slips.
 void with_one_coefficient(bool quick, Report& report)
 {
-    Table table({"slope_deg", "dt_s", "first_that_stays", "last_that_slides", "by_rocking"});
+    GrowingTable table(report, "launch",
+                       {"slope_deg", "dt_s", "first_that_stays", "last_that_slides", "by_rocking"},
+                       quick ? 2 : 4 * 2);
     double worst = 0;
     for (const double slope : quick ? std::vector{10.0} : std::vector{5.0, 10.0, 20.0, 30.0})
         for (const double dt : {0.01, 0.002}) {
@@ -114,7 +117,9 @@ void with_one_coefficient(bool quick, Report& report)
 void laid(bool quick, Report& report)
 {
     constexpr double falls = 0.8;
-    Table table({"slope_deg", "dt_s", "first_that_stays", "last_that_slides", "if_what_slipped_slips"});
+    GrowingTable table(report, "launch_laid",
+                       {"slope_deg", "dt_s", "first_that_stays", "last_that_slides", "if_what_slipped_slips"},
+                       quick ? 2 : 4 * 2);
     double worst = 0;
     for (const double slope : quick ? std::vector{10.0} : std::vector{5.0, 10.0, 20.0, 30.0})
         for (const double dt : {0.01, 0.002}) {

@@ -12,9 +12,11 @@ bool is_at_rest(const PileOutcome& outcome)
     return outcome.drift_um_per_s < 10 && outcome.energy_gain_j <= 1e-6;
 }
 
-RestRuns::RestRuns()
-    : table_({"scene", "dt_s", "at_rest", "deepest_mm", "deepest_ever_mm", "moved_mm", "drift_um_per_s",
-              "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"})
+RestRuns::RestRuns(Report& report, const std::string& experiment, std::size_t count)
+    : table_(report, experiment,
+             {"scene", "dt_s", "at_rest", "deepest_mm", "deepest_ever_mm", "moved_mm", "drift_um_per_s",
+              "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"},
+             count)
 {}
 
 PileOutcome RestRuns::run(Case& c, Probe* observer)

@@ -2,6 +2,7 @@
 
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "common/experiments/render/strip.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 namespace enduring::chapter07 {
 
@@ -17,7 +18,8 @@ public:
         double kept_mm = 1e9;
         Vec3 seen_from{1, 0.6, 2};  ///< direction to the camera
     };
-    RestRuns();
+    /// @param count  of the runs; 0 if nobody knows
+    RestRuns(Report& report, const std::string& experiment, std::size_t count = 0);
     /// Runs it, and leaves the scene as it ended.
     PileOutcome run(Case& c, Probe* observer = nullptr);
     /// The row of a case that has been run, with its outcome.
@@ -26,7 +28,7 @@ public:
     void report(const std::string& experiment, Report& report, int columns) const;
 
 private:
-    Table table_;
+    GrowingTable table_;
     std::vector<StripPicture> ends_;
     PileOutcome worst_;  ///< of the runs that come to rest
     long at_rest_ = 0, unconverged_ = 0, solves_ = 0;

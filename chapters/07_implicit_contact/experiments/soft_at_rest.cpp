@@ -113,7 +113,7 @@ void bowls(RestRuns& runs, const RunOptions& options, Report& report)
 /// A ton on a soft block, and soft bunnies that fall into a bowl.
 void soft_at_rest(const RunOptions& options, Report& report)
 {
-    RestRuns runs;
+    RestRuns runs(report, "soft_at_rest");
     blocks(runs, options);
     bowls(runs, options, report);
     runs.report("soft_at_rest", report, 3);

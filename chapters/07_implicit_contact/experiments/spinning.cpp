@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/spinning.hpp"
 
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/simulation/energy.hpp"
 
 #include <algorithm>
@@ -44,7 +45,9 @@ void spinning(const RunOptions& options, Report& report)
 {
     constexpr double whole = std::numeric_limits<double>::infinity();
     const unsigned seeds = options.quick ? 10 : 50;
-    Table table({"turn_rad", "most turn", "runs", "gain", "most_energy", "unconverged", "solves"});
+    GrowingTable table(report, "spinning",
+                       {"turn_rad", "most turn", "runs", "gain", "most_energy", "unconverged", "solves"},
+                       6 * 4);
     std::map<double, double> most_of;  // by the most turn, of all runs
     for (const double turn : {0.2, 0.5, 1.0, 2.0, 3.0, 6.0})
         for (const double most_turn : {whole, 1.0, 0.5, 0.25}) {

@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 #include <algorithm>
 
@@ -31,8 +32,10 @@ std::vector<Case> all_cases()
 /// Stacks of cubes, equal ones and 1000 : 1, for 20 s: no number is chosen for any of them.
 void stack(const RunOptions& options, Report& report)
 {
-    Table table({"stack", "dt_s", "deepest_mm", "drift_um_per_s", "energy_gain_j", "most_newton_steps",
-                 "newton_steps_at_rest", "unconverged", "solves"});
+    GrowingTable table(report, "stack",
+                       {"stack", "dt_s", "deepest_mm", "drift_um_per_s", "energy_gain_j", "most_newton_steps",
+                        "newton_steps_at_rest", "unconverged", "solves"},
+                       all_cases().size());
     double deepest = 0, drift = 0;
     for (const Case& c : all_cases()) {
         Scene scene = scene_of(c.boxes, c.dt);

@@ -1,6 +1,7 @@
 #include "chapters/04_friction/experiments/rides.hpp"
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/experiments/report/growing_table.hpp"
 
 namespace enduring::chapter07 {
 namespace {
@@ -17,7 +18,8 @@ std::string name_of(rides::Ground ground)
 /// What rides on a table that turns, or head over heels in a wheel: how far it creeps in a turn.
 void turntable(const RunOptions& options, Report& report)
 {
-    Table table(
+    GrowingTable table(
+        report, "turntable",
         {"ground", "load", "steps_a_turn", "dt_s", "pairs", "creep_um", "slips", "unconverged", "solves"});
     double most = 0;
     for (const rides::Ground ground : {rides::Ground::table, rides::Ground::wheel, rides::Ground::soft_slab})

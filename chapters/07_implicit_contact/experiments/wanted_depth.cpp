@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 
@@ -88,7 +89,9 @@ bool is_reached(const PileOutcome& outcome)
 /// Asked for a depth of a millimetre: is it reached?
 void wanted_depth(const RunOptions& options, Report& report)
 {
-    Table table({"body", "mass_kg", "dt_s", "limit_mm", "goal_mm", "drift_um_per_s", "unconverged"});
+    GrowingTable table(report, "wanted_depth",
+                       {"body", "mass_kg", "dt_s", "limit_mm", "goal_mm", "drift_um_per_s", "unconverged"},
+                       all_laid(options.quick).size());
     Table page(table.columns());
     long reached = 0, reached_goal = 0, too_deep = 0;
     double farthest = 0;

@@ -3,6 +3,7 @@
 #include "chapters/08_deep_contacts/experiments/inside_scenes.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/experiments/run/spring_ledger.hpp"
 #include "common/simulation/energy.hpp"
@@ -154,8 +155,9 @@ std::vector<double> depths_for(double height, bool quick)
 /// Bodies that begin inside something else, from a millimetre to wholly: what becomes of them.
 void born_inside(const RunOptions& options, Report& report)
 {
-    Table table({"inside", "body", "dt_s", "depth_mm", "height_mm", "highest_mm", "fastest_m_per_s",
-                 "last_moving_s", "excess_energy_j", "left_inside"});
+    GrowingTable table(report, "born_inside",
+                       {"inside", "body", "dt_s", "depth_mm", "height_mm", "highest_mm", "fastest_m_per_s",
+                        "last_moving_s", "excess_energy_j", "left_inside"});
     Table page({"inside", "body", "runs", "highest_mm", "fastest_m_per_s", "last_moving_s", "excess_energy_j",
                 "left_inside"});
     Solves solves;

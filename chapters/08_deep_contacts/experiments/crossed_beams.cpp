@@ -3,6 +3,7 @@
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/energy.hpp"
 #include "common/simulation/rigid_body.hpp"
@@ -89,7 +90,8 @@ Scene crossed_beams(double depth, double turn_deg, double aside, double dt)
 /// Beams that begin in each other and have only edges there.
 void crossed_beams(const RunOptions& options, Report& report)
 {
-    Table table(
+    GrowingTable table(
+        report, "crossed_beams",
         {"depth_mm", "turn_deg", "aside_m", "dt_s", "above_mm", "below_mm", "fastest_m_per_s", "excess_j"});
     Outcome worst;
     for (const double dt : {0.005, 0.01, 1.0 / 60})

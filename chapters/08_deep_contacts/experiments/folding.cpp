@@ -2,6 +2,7 @@
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
 #include "chapters/08_deep_contacts/experiments/soft_runs.hpp"
 #include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/progress.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/read_gmsh.hpp"
 #include "common/input/source_directory.hpp"
@@ -153,6 +154,9 @@ struct CollectedFolds {
 void folding(const RunOptions& options, Report& report)
 {
     CollectedFolds all;
+    const std::size_t long_runs = 3, of_a_case = options.quick ? 1 : variants.size();
+    Progress progress("", static_cast<long>(cases().size() * of_a_case + long_runs), " runs");
+    const auto count_runs = [&] { progress.update(static_cast<long>(all.found.rows().size())); };
     for (const Case& c : cases())
         for (const SoftVariant& variant : variants) {
             if (options.quick && &variant != &variants[0])
@@ -160,11 +164,13 @@ void folding(const RunOptions& options, Report& report)
             SoftRun run = c.make(variant);
             const double part = options.quick ? 0.5 : 1;
             all.add(c.name, variant, run, fold(run, static_cast<int>(part * c.duration / variant.dt + 0.5)));
+            count_runs();
         }
     for (const auto& [c, variant] : {std::pair(cases()[0], variants[0]), std::pair(cases()[0], variants[3]),
                                      std::pair(cases()[1], variants[0])}) {
         SoftRun run = c.make(variant);
         all.add(c.name, variant, run, fold(run, options.quick ? 20 : long_run));
+        count_runs();
     }
     for (const Case& c : cases())
         if (!c.picture.empty())

@@ -4,6 +4,7 @@
 #include "chapters/08_deep_contacts/overlaps.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
 #include "chapters/motivating_scenes/buried_vertex.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/experiments/run/run.hpp"
 
 #include <algorithm>
@@ -71,7 +72,9 @@ private:
 /// The course's scenes with the solvers of chapters 7 and 8: in how many steps a vertex is inside without a pair.
 void unpaired(const RunOptions& options, Report& report)
 {
-    Table table({"scene", "steps", "steps_with_7", "deepest_with_7_mm", "steps_with_8", "deepest_with_8_mm"});
+    GrowingTable table(
+        report, "unpaired",
+        {"scene", "steps", "steps_with_7", "deepest_with_7_mm", "steps_with_8", "deepest_with_8_mm"});
     long steps = 0, some = 0;
     std::vector<Start> starts;
     for (const char* scene : {"hooked", "deep", "shifted", "false_resolution", "through_the_side", "tumble",

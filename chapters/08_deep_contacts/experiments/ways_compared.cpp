@@ -5,6 +5,7 @@
 #include "common/experiments/render/renderer.hpp"
 #include "common/experiments/render/scene_view.hpp"
 #include "common/experiments/render/strip.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/experiments/run/spring_ledger.hpp"
 #include "common/simulation/energy.hpp"
@@ -138,8 +139,9 @@ void show_place(const Place& place, Report& report)
 /// Three choices of the way out in the same scenes: wrong directions at the start, and what each costs.
 void ways_compared(const RunOptions& options, Report& report)
 {
-    Table table({"scene", "ways", "vertices", "wrong", "without", "fastest_m_per_s", "lifted_j", "gained_j",
-                 "brought_j", "aside_mm", "out"});
+    GrowingTable table(report, "ways_compared",
+                       {"scene", "ways", "vertices", "wrong", "without", "fastest_m_per_s", "lifted_j",
+                        "gained_j", "brought_j", "aside_mm", "out"});
     std::map<std::string, Costs> worst;
     std::map<std::string, long> wrong, asked;
     for (const Place& place : places())

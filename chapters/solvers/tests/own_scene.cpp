@@ -1,4 +1,4 @@
-#include "chapters/solvers/own_scene.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
 #include "chapters/solvers/chapter_solver.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"
@@ -26,9 +26,16 @@ struct Outcome {
     std::string broke{};  ///< why, empty if it did not
 };
 
+MakeSolver solver_of(int chapter)
+{
+    return [chapter](const ContactParameters& parameters) {
+        return solvers::chapter_solver(chapter, parameters);
+    };
+}
+
 /// Runs a scene given as text, quickly, and keeps what it says.
-Outcome run_own(const TemporaryFolder& folder, const std::string& text,
-                const solvers::OwnSceneOptions& choice = {})
+Outcome run_own(const TemporaryFolder& folder, const std::string& text, int chapter = solvers::chapters,
+                const OwnSceneOptions& choice = {})
 {
     write_file(folder.path / "scene.json", text);
     RunOptions options;
@@ -40,7 +47,7 @@ Outcome run_own(const TemporaryFolder& folder, const std::string& text,
     auto* const real_out = std::cout.rdbuf(out.rdbuf());
     auto* const real_err = std::cerr.rdbuf(err.rdbuf());
     try {
-        solvers::own_scene(options, report, choice);
+        own_scene(options, report, solver_of(chapter), choice);
     } catch (const std::runtime_error& failure) {
         outcome.broke = failure.what();
     }
@@ -117,10 +124,9 @@ TEST_CASE("own scene: a run that breaks leaves what it saw until then, and a ser
         R"({"name": "trap", "dt": 0.1, "duration": 60, "contact": {"stiffness": 1e12},
         "planes": [{"name": "floor"}, {"name": "ceiling", "point": [0, 2, 0], "normal": [0, -1, 0]}],
         "bodies": [{"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25}}, "mass": 5, "position": [0, 1, 0]}]})";
-    solvers::OwnSceneOptions choice;
-    choice.solver = 6;
+    OwnSceneOptions choice;
     choice.paraview = (folder.path / "series").string();
-    const Outcome outcome = run_own(folder, between_floor_and_ceiling, choice);
+    const Outcome outcome = run_own(folder, between_floor_and_ceiling, 6, choice);
     CHECK_FALSE(outcome.broke.empty());
     CHECK(rows(folder.path / "out/energy.csv").size() > 3);
     CHECK(rows(folder.path / "out/energy.csv").size() < 601);
@@ -141,8 +147,7 @@ TEST_CASE(
         return R"({"name": "stack", "dt": )" + dt + R"(, "duration": 0.5, "contact": {"stiffness": )" +
                stiffness + R"(}, "planes": [{"name": "ground"}], "bodies": [)" + cubes + "]}";
     };
-    solvers::OwnSceneOptions with_given_stiffness;
-    with_given_stiffness.solver = 6;
+    constexpr int with_given_stiffness = 6;
     const Outcome stiff = run_own(folder, stack("30000", "0.01"), with_given_stiffness);
     CAPTURE(stiff.broke);
     CHECK(stiff.warned.find("/contact/stiffness: too stiff for the step where 'cube 0' meets 'cube 1'") !=

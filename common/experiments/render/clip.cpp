@@ -1,6 +1,7 @@
 #include "common/experiments/render/clip.hpp"
 
 #include "common/experiments/report/pending_file.hpp"
+#include "common/experiments/report/pictures_wanted.hpp"
 #include "common/experiments/report/subprocess.hpp"
 #include "common/experiments/report/warn_once.hpp"
 #include "common/input/input_error.hpp"
@@ -88,6 +89,8 @@ void Clip::add(const Picture& frame)
 
 void Clip::finish()
 {
+    if (!pictures_wanted())
+        std::filesystem::remove(path_);
     if (!encoder_)
         return;
     encoder_->ffmpeg.finish();

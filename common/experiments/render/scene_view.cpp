@@ -2,6 +2,9 @@
 
 #include "common/simulation/contact_geometry.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace enduring {
 namespace {
 
@@ -64,6 +67,16 @@ void mark_contacts(Stage& stage, const World& world, const Contacts& contacts)
     for (const Contact& contact : contacts)
         mark(stage, world, contact,
              {palette::colliding_vertex, palette::colliding_face, palette::colliding_edge});
+}
+
+void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
+{
+    for (Drawable& drawable : stage.bodies)
+        drawable.wireframe = drawable.faces.size() < 800;  // finer ones would be all lines
+    Contacts pushing;
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pushing),
+                 [](const Contact& contact) { return !contact.held(); });
+    mark_contacts(stage, world, pushing);
 }
 
 void mark_artefacts(Stage& stage, const World& world, const Contacts& contacts)

@@ -16,6 +16,10 @@ Stage stage_of(const World& world, const Scene& scene);
 /// positions_t0: vertices red, faces blue, edges green.
 void mark_contacts(Stage& stage, const World& world, const Contacts& contacts);
 
+/// Surfaces with their triangles, and the pairs marked as above.
+/// Held pairs, which take no impulse, are left out.
+void mark_pairs(Stage& stage, const World& world, const Contacts& contacts);
+
 /// Marks the same features in orange, for contacts that push as they should not.
 void mark_artefacts(Stage& stage, const World& world, const Contacts& contacts);
 

@@ -1,12 +1,15 @@
 #include "common/experiments/report/chapter_program.hpp"
 
 #include "common/experiments/report/pending_file.hpp"
+#include "common/experiments/report/pictures_wanted.hpp"
+#include "common/experiments/report/progress.hpp"
 #include "common/experiments/report/share.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/source_directory.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
@@ -22,16 +25,26 @@ namespace {
 struct CommandLine {
     std::vector<std::string> words;
     std::string out, scene, parts, part;
-    bool list = false, quick = false;
+    bool list = false, quick = false, no_pictures = false;
 };
+
+/// "slope, mesh_slope": the experiments for which --scene FILE means something.
+std::string names_of_scene_readers(const ChapterProgram& program)
+{
+    std::string names;
+    for (const Experiment& experiment : program.experiments)
+        if (experiment.reads_scene)
+            names += (names.empty() ? "" : ", ") + experiment.name;
+    return names;
+}
 
 void describe(CLI::App& app, const ChapterProgram& program, CommandLine& line)
 {
     app.add_option("experiments", line.words, "experiments to run, all when none is named (see --list)");
+    const std::string readers = names_of_scene_readers(program);
     app.add_option("--scene", line.scene,
-                   program.own_scene
-                       ? "a scene of your own; with an experiment named, instead of that experiment's scene"
-                       : "a scene file instead of the experiment's own")
+                   (program.own_scene ? "a scene of your own" : std::string("a scene")) +
+                       (readers.empty() ? "" : ", or instead of the one of " + readers))
         ->type_name("FILE");
     app.add_option("--out", line.out,
                    "folder for tables and pictures (default build/results/" + program.folder +
@@ -45,6 +58,7 @@ void describe(CLI::App& app, const ChapterProgram& program, CommandLine& line)
     app.add_option("--part", line.part, "run this share of a sweep alone, as in 2/8, and write no table")
         ->type_name("K/N")
         ->needs(parts);
+    app.add_flag("--no-pictures", line.no_pictures, "tables alone: no pictures, plots or films");
     if (program.add_options)
         program.add_options(app);
 }
@@ -84,6 +98,23 @@ bool is_own_scene(const ChapterProgram& program, const CommandLine& line)
     return program.own_scene && !line.scene.empty() && line.words.empty();
 }
 
+/// @throws InputError  the command line gives a scene to what reads none
+void refuse_unread_scene(const ChapterProgram& program, const CommandLine& line)
+{
+    if (line.scene.empty() || is_own_scene(program, line))
+        return;
+    const std::string readers = names_of_scene_readers(program);
+    const std::string others = (readers.empty() ? ", and no other does" : "; these do: " + readers) +
+                               (program.own_scene ? ". Without an experiment named, the scene itself is run"
+                                                  : "");
+    if (line.words.empty())
+        throw InputError("--scene: name the experiment that reads it. " +
+                         (readers.empty() ? "None does" : "These do: " + readers));
+    for (const Experiment* experiment : chosen(program, line.words))
+        if (!experiment->reads_scene)
+            throw InputError("--scene: '" + experiment->name + "' reads no scene file" + others);
+}
+
 RunOptions settle(const ChapterProgram& program, const CommandLine& line)
 {
     RunOptions options;
@@ -98,7 +129,18 @@ RunOptions settle(const ChapterProgram& program, const CommandLine& line)
         options.scene = line.scene;
     options.quick = line.quick;
     options.share = read_share(line.parts, line.part);
+    options.pictures = !line.no_pictures;
     return options;
+}
+
+void run_telling(const Experiment& experiment, const RunOptions& options, Report& report)
+{
+    const std::string name =
+        std::filesystem::path(experiment.name).stem().string();  // it may be a scene's file
+    const std::string part = options.share.is_part() ? "." + std::to_string(options.share.which) : "";
+    const Progress whole(name);
+    const ProgressFile file(report.folder() / (name + part + ".progress.txt"));
+    experiment.run(options, report);
 }
 
 void run_experiments(const ChapterProgram& program, const std::vector<const Experiment*>& experiments,
@@ -106,12 +148,17 @@ void run_experiments(const ChapterProgram& program, const std::vector<const Expe
 {
     std::cout << program.title << ": " << options.out.lexically_normal().string() << std::endl;
     for (const Experiment* experiment : experiments) {
-        std::cout << "  " << std::left << std::setw(static_cast<int>(widest_name(program)))
-                  << experiment->name << "  " << std::flush;
+        const auto say_name = [&] {
+            std::cout << "  " << std::left << std::setw(static_cast<int>(widest_name(program)))
+                      << experiment->name << "  " << std::flush;
+        };
+        say_name();
         Report report(options.out);
-        experiment->run(options, report);
+        run_telling(*experiment, options, report);
         if (options.share.is_part() && !report.written().empty())
             throw InputError("--part: " + experiment->name + " has no parts");
+        if (isatty(STDOUT_FILENO))  // the progress stood in the same line
+            std::cout << '\r', say_name();
         for (const std::filesystem::path& file : report.written())
             if (std::filesystem::exists(file))
                 std::cout << file.filename().string() << ' ';
@@ -147,6 +194,7 @@ int run_chapter(int argc, char** argv, const ChapterProgram& program)
     try {
         app.parse(argc, argv);
         experiments = chosen(program, line.words);
+        refuse_unread_scene(program, line);
     } catch (const CLI::CallForHelp&) {
         std::cout << app.help() << "\nExperiments:\n";
         list_experiments(program, std::cout);
@@ -164,6 +212,7 @@ int run_chapter(int argc, char** argv, const ChapterProgram& program)
     PendingFile::cleaned_on_interrupt();
     try {
         const RunOptions options = settle(program, line);
+        want_pictures(options.pictures);
         const Experiment own_scene{line.scene, "", program.own_scene};
         if (is_own_scene(program, line))
             run_experiments(program, {&own_scene}, options);

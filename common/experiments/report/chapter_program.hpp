@@ -22,6 +22,7 @@ struct RunOptions {
     std::optional<std::filesystem::path> scene;  ///< --scene
     bool quick = false;                          ///< --quick: seconds instead of minutes, for a first look
     Share share;                                 ///< --parts, --part: of the runs of a sweep()
+    bool pictures = true;                        ///< false with --no-pictures
 };
 
 /// One experiment of a chapter: a word for the command line, a line for --list, and the work.
@@ -29,7 +30,10 @@ struct Experiment {
     std::string name;
     std::string summary;
     std::function<void(const RunOptions&, Report&)> run;
+    bool reads_scene = false;  ///< whether --scene FILE may stand for its own scene
 };
+/// The last word of an experiment that reads RunOptions::scene.
+inline constexpr bool takes_scene = true;
 
 struct ChapterProgram {
     std::string folder;  ///< "01_particle_plane"
@@ -39,8 +43,8 @@ struct ChapterProgram {
     /// done the work.
     std::function<void(CLI::App&)> add_options = {};
     std::function<bool(const RunOptions&)> instead_of_experiments = {};
-    /// What --scene FILE without a word means: to run that scene, into its own folder. Without this, as with
-    /// a word, the file stands for the scenes of the experiments.
+    /// What --scene FILE without a word means: to run that scene, into its own folder (common/experiments/own_scene).
+    /// With words, the file stands for the scenes of these experiments.
     std::function<void(const RunOptions&, Report&)> own_scene = {};
 };
 

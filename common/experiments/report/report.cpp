@@ -1,6 +1,7 @@
 #include "common/experiments/report/report.hpp"
 
 #include "common/experiments/report/pending_file.hpp"
+#include "common/experiments/report/pictures_wanted.hpp"
 #include "common/experiments/report/subprocess.hpp"
 #include "common/experiments/report/table.hpp"
 #include "common/experiments/report/warn_once.hpp"
@@ -9,7 +10,6 @@
 #include "common/input/source_directory.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 namespace enduring {
@@ -37,14 +37,40 @@ Report::Report(std::filesystem::path folder) : folder_(std::move(folder))
 
 Report::~Report()
 {
-    std::error_code ignored;  // a folder with files in it stays
-    if (made_folder_)
+    std::error_code ignored;
+    for (const auto& [name, growing] : growing_)
+        if (growing.rows == 0)
+            std::filesystem::remove(unfinished(name), ignored);
+    if (made_folder_)  // with files in it, it stays
         std::filesystem::remove(folder_, ignored);
 }
 
 void Report::table(const std::string& name, const Table& table)
 {
     write_file(file(name + ".csv"), csv(table));
+    growing_.erase(name);
+    std::error_code ignored;  // there is none as a rule
+    std::filesystem::remove(unfinished(name), ignored);
+}
+
+void Report::rows_so_far(const std::string& name, const Table& table)
+{
+    auto growing = growing_.find(name);
+    if (growing == growing_.end()) {
+        growing = growing_.try_emplace(name).first;
+        growing->second.file.open(unfinished(name), std::ios::binary);
+        growing->second.file << csv_head(table);
+    }
+    auto& [out, rows] = growing->second;
+    out << csv_rows(table, rows) << std::flush;
+    rows = table.rows().size();
+    if (!out)
+        throw InputError(unfinished(name).string() + ": cannot be written (is the disk full?)");
+}
+
+std::filesystem::path Report::unfinished(const std::string& table) const
+{
+    return folder_ / (table + ".unfinished.csv");
 }
 
 void Report::page_table(const std::string& name, const Table& table, int digits)
@@ -84,6 +110,10 @@ void Report::plot(const std::filesystem::path& script_in_sources, const std::str
     if (!std::filesystem::is_regular_file(script))
         throw InputError(script.string() + ": no such gnuplot script");
     const std::filesystem::path place = file((name.empty() ? script.stem().string() : name) + ".svg");
+    if (!pictures_wanted()) {
+        std::filesystem::remove(place);
+        return;
+    }
     if (!is_installed("gnuplot")) {
         warn_once("plots are left out: gnuplot is not installed. On Debian: apt-get install gnuplot-nox");
         std::filesystem::remove(place);

@@ -3,6 +3,7 @@
 #include "common/experiments/report/table.hpp"
 
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,19 +11,25 @@
 namespace enduring {
 
 /// Where an experiment leaves what it measured. Every file is written beside its place and then renamed, so a
-/// reader never meets half a file, and a run that is interrupted leaves none.
+/// reader never meets half a file. A run that is stopped leaves of its tables what rows_so_far() was given, under
+/// names that say so.
 class Report {
 public:
     /// @param folder  created if missing, e.g. build/results/01_particle_plane
     /// @throws InputError  it cannot be created or written
     explicit Report(std::filesystem::path folder);
-    /// Takes a folder away again that it made and nobody wrote into, as after a scene with a mistake.
+    /// Takes a folder away again that it made and nobody wrote into, as after a scene with a mistake; and growing
+    /// tables without a row.
     ~Report();
     Report(const Report&) = delete;
     Report& operator=(const Report&) = delete;
 
     /// NAME.csv with all digits (shortest form that reads back the same double).
     void table(const std::string& name, const Table& table);
+    /// A table that grows, as NAME.unfinished.csv: rows that are new since the last call reach the file before this
+    /// returns. table() with the same name ends it.
+    /// @param table  the one of the last call, with more rows
+    void rows_so_far(const std::string& name, const Table& table);
     /// NAME.md for the book's page: names of columns in words (dt_s: "Δt
     /// [s]"), numbers with `digits` significant digits.
     void page_table(const std::string& name, const Table& table, int digits = 3);
@@ -48,10 +55,17 @@ public:
     const std::vector<std::filesystem::path>& written() const { return written_; }
 
 private:
+    /// A table of which some rows stand in a file.
+    struct Growing {
+        std::ofstream file;
+        std::size_t rows = 0;
+    };
     void write_facts(const std::string& experiment, std::vector<Cell> fact);
+    std::filesystem::path unfinished(const std::string& table) const;
 
     std::filesystem::path folder_;
     bool made_folder_ = false;
+    std::map<std::string, Growing> growing_;  ///< by name
     /// by experiment, in the order they were told
     std::map<std::string, std::vector<std::vector<Cell>>> facts_;
     std::vector<std::filesystem::path> written_;

@@ -14,6 +14,7 @@ struct Share {
     bool is_part() const { return of > 1; }
     /// @param i  of a run, from 0
     bool holds(std::size_t i) const { return i % of == which - 1; }
+    std::size_t count_of(std::size_t runs) const { return (runs + of - which) / of; }
 };
 
 /// @param part  "K/N" with 1 <= K <= N; empty for all

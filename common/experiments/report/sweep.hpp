@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/experiments/report/chapter_program.hpp"
+#include "common/experiments/report/progress.hpp"
 #include "common/input/input_error.hpp"
 
 #include <fstream>
@@ -11,7 +12,7 @@ namespace enduring {
 
 /// What each of many independent runs found, in their order, whoever made them: the program itself, or several beside each
 /// other, each with another --part of the runs and with one --parts folder. A run of which that folder holds the outcome is
-/// not made again.
+/// not made again. The reader is told how many are done.
 ///
 ///     const auto found = sweep<Outcome>(options, "thin", shots.size(), [&](std::size_t i) { return shoot(shots[i]); });
 ///     if (!found)
@@ -28,6 +29,7 @@ std::optional<std::vector<Outcome>> sweep(const RunOptions& options, const std::
     static_assert(std::is_trivially_copyable_v<Outcome>, "an outcome is kept as its bytes");
     const Share& share = options.share;
     std::vector<Outcome> all;
+    Progress progress("", static_cast<long>(share.count_of(count)), " runs of " + name);
     for (std::size_t i = 0; i < count; ++i) {
         if (!share.holds(i))
             continue;
@@ -44,6 +46,7 @@ std::optional<std::vector<Outcome>> sweep(const RunOptions& options, const std::
             write_file(place, std::string(reinterpret_cast<const char*>(&outcome), sizeof outcome));
         }
         all.push_back(outcome);
+        progress.update(static_cast<long>(all.size()));
     }
     return share.is_part() ? std::nullopt : std::optional(std::move(all));
 }

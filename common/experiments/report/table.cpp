@@ -71,21 +71,26 @@ void Table::append(const Table& other)
     rows_.insert(rows_.end(), other.rows_.begin(), other.rows_.end());
 }
 
-std::string csv(const Table& table)
+std::string csv(const Table& table) { return csv_head(table) + csv_rows(table); }
+
+std::string csv_head(const Table& table)
 {
     std::string text;
-    const auto end_cell = [&](std::size_t column) {
-        text += column + 1 < table.columns().size() ? ',' : '\n';
-    };
-    for (std::size_t c = 0; c < table.columns().size(); ++c) {
-        text += csv_text(table.columns()[c]);
-        end_cell(c);
-    }
-    for (const auto& row : table.rows())
+    for (std::size_t c = 0; c < table.columns().size(); ++c)
+        text += (c > 0 ? "," : "") + csv_text(table.columns()[c]);
+    return text + '\n';
+}
+
+std::string csv_rows(const Table& table, std::size_t from)
+{
+    std::string text;
+    for (std::size_t r = from; r < table.rows().size(); ++r) {
+        const std::vector<Cell>& row = table.rows()[r];
         for (std::size_t c = 0; c < row.size(); ++c) {
             text += csv_cell(row[c]);
-            end_cell(c);
+            text += c + 1 < row.size() ? ',' : '\n';
         }
+    }
     return text;
 }
 

@@ -29,6 +29,9 @@ private:
 /// A header row and one line a row; text with commas, quotes or line breaks
 /// is quoted (RFC 4180), doubles keep all digits.
 std::string csv(const Table& table);
+/// Its header row alone, and its rows from one on: together they are all of it.
+std::string csv_head(const Table& table);
+std::string csv_rows(const Table& table, std::size_t from = 0);
 
 /// A Markdown table under column names in words (column_words.hpp): doubles with `digits` significant digits,
 /// columns of numbers set flush right.

@@ -1,8 +1,8 @@
 #include "common/experiments/run/run.hpp"
 
+#include "common/experiments/report/progress.hpp"
 #include "common/experiments/report/warn_once.hpp"
 #include "common/experiments/run/energy_budget.hpp"
-#include "common/experiments/run/progress.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,5 @@
 #include "common/experiments/render/picture.hpp"
+#include "common/experiments/report/pictures_wanted.hpp"
 #include "common/experiments/report/report.hpp"
 #include "common/input/input_error.hpp"
 
@@ -20,7 +21,9 @@ namespace enduring {
 
 void write_png(const Picture& picture, const std::filesystem::path& path)
 {
-    if (picture.empty())
+    if (!pictures_wanted())
+        std::filesystem::remove(path);
+    if (picture.empty() || !pictures_wanted())
         return;
     std::string bytes;
     const auto append = [](void* text, void* data, int size) {

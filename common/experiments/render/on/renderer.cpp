@@ -5,6 +5,7 @@
 #include "common/experiments/render/on/shaders.hpp"
 #include "common/experiments/render/on/shadow_maps.hpp"
 #include "common/experiments/render/on/view.hpp"
+#include "common/experiments/report/pictures_wanted.hpp"
 #include "common/input/input_error.hpp"
 
 #include <algorithm>
@@ -190,6 +191,8 @@ Renderer::Renderer(int width, int height) : width_(width), height_(height)
     if (std::min(width, height) < 16 || std::max(width, height) > 4096)
         throw InputError("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
                          " pixels: both must lie in [16, 4096]");
+    if (!pictures_wanted())
+        return;
     make_current();
     machine_ = std::make_unique<Machine>(width, height);
 }
@@ -200,6 +203,8 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Picture Renderer::draw(const Stage& stage)
 {
+    if (!pictures_wanted())
+        return {};
     make_current();
     const Ball ball = ball_around(stage);
     const auto lights = studio_lights(stage.camera, up);

@@ -1,13 +1,16 @@
 #include "common/experiments/report/chapter_program.hpp"
+#include "common/experiments/report/growing_table.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 using namespace enduring;
 
@@ -50,7 +53,7 @@ ChapterProgram two_experiments()
     return {"99_trial",
             "A trial",
             {{"drop", "a ball falls", write_name("drop")},
-             {"roll", "a ball rolls", write_name("roll")},
+             {"roll", "a ball rolls", write_name("roll"), takes_scene},
              {"refuse", "meets a bad file", refuse},
              {"fail", "ends in a NaN", fail}}};
 }
@@ -170,4 +173,68 @@ TEST_CASE("chapter program: a part of an experiment that has none, or a part tha
         CHECK(contains(outcome.err, says));
     }
     CHECK(call({"drop", "--part", "1/2"}, two_experiments()).code == 2);
+}
+
+TEST_CASE("chapter program: a scene for what reads none ends with 2, names what does, and nothing runs")
+{
+    const TemporaryFolder folder;
+    const std::string out = folder.path.string();
+    ChapterProgram program = two_experiments();
+    for (const bool own : {false, true}) {
+        CAPTURE(own);
+        if (own)
+            program.own_scene = [](const RunOptions&, Report&) {};
+        for (const std::vector<std::string>& words :
+             {std::vector<std::string>{"drop"}, {"roll", "drop"}, {"fail"}}) {
+            std::vector<std::string> line = words;
+            line.insert(line.end(), {"--scene", "s.json", "--out", out});
+            const Outcome outcome = call(line, program);
+            CHECK(outcome.code == 2);
+            CHECK(contains(outcome.err, "'" + words.back() + "' reads no scene file; these do: roll"));
+            CHECK(contains(outcome.err, "Without an experiment named, the scene itself is run") == own);
+        }
+    }
+    program.own_scene = {};
+    const Outcome unnamed = call({"--scene", "s.json", "--out", out}, program);
+    CHECK(unnamed.code == 2);
+    CHECK(contains(unnamed.err, "name the experiment that reads it. These do: roll"));
+    CHECK(folder.count() == 0);
+}
+
+TEST_CASE("chapter program: an experiment says how far it is in a file, which is gone when it ends")
+{
+    const TemporaryFolder folder;
+    std::string told;
+    ChapterProgram program = two_experiments();
+    program.experiments = {{"sweep", "many runs", [&](const RunOptions&, Report& report) {
+                                GrowingTable table(report, "sweep", {"run"}, 3);
+                                for (const long run : {1, 2}) {
+                                    table.add({run});
+                                    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+                                    told += content(report.folder() / "sweep.progress.txt");
+                                }
+                                report.table("sweep", table);
+                            }}};
+    CHECK(call({"--out", folder.path.string()}, program).code == 0);
+    CAPTURE(told);
+    CHECK(contains(told, "Not finished. sweep, "));
+    for (const std::string row : {"1", "2"})
+        CHECK(contains(told, " s; " + row + " of 3 rows of sweep, about "));
+    CHECK(content(folder.path / "sweep.csv") == "run\n1\n2\n");
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("chapter program: without pictures an experiment leaves no plot, and an old one goes")
+{
+    const TemporaryFolder folder;
+    ChapterProgram program = two_experiments();
+    program.experiments = {{"plot", "draws", [](const RunOptions& options, Report& report) {
+                                CHECK_FALSE(options.pictures);
+                                report.plot("chapters/04_friction/plots/slope.gp");
+                            }}};
+    write_file(folder.path / "slope.svg", "old");
+    CHECK(call({"--no-pictures", "--out", folder.path.string()}, program).code == 0);
+    CHECK(folder.count() == 0);
+    program.experiments[0].run = [](const RunOptions& options, Report&) { CHECK(options.pictures); };
+    CHECK(call({"--out", folder.path.string()}, program).code == 0);
 }

@@ -1,9 +1,9 @@
-#include "chapters/06_redefinition/experiments/contact_census.hpp"
+#include "common/experiments/run/contact_census.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace enduring::chapter06 {
+namespace enduring {
 
 ContactCensus::ContactCensus()
     : TableProbe({"time_s", "plane", "vf_regular", "vf_hooked", "vf_other", "ee_regular", "ee_hooked",
@@ -33,4 +33,4 @@ void ContactCensus::observe(const World& world, const Contacts& contacts, double
                 edge_edge[1], edge_edge[2], held, normal, friction});
 }
 
-}  // namespace enduring::chapter06
+}  // namespace enduring

@@ -1,11 +1,8 @@
-#include "chapters/solvers/own_scene.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
 
-#include "chapters/06_redefinition/experiments/contact_census.hpp"
-#include "chapters/motivating_scenes/motivating_scene.hpp"
-#include "chapters/solvers/chapter_solver.hpp"
-#include "chapters/solvers/experiments.hpp"
 #include "common/experiments/paraview/series.hpp"
-#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/render/run_pictures.hpp"
+#include "common/experiments/run/contact_census.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
@@ -13,24 +10,16 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <iostream>
 #include <memory>
+#include <optional>
 
-namespace enduring::solvers {
+namespace enduring {
 namespace {
 
-constexpr int pictures = 6, columns = 3;
 constexpr const char* failure_note = "failed.txt";  // lies beside tables that end early, and says why
-
-std::vector<double> picture_times(double duration)
-{
-    std::vector<double> times;
-    times.reserve(pictures);
-    for (int i = 0; i < pictures; ++i)
-        times.push_back(duration * i / (pictures - 1));
-    return times;
-}
 
 /// time_s, body, x_m ... vz_m_per_s: what MotionProbe says, of every body that moves.
 class MotionOfAll final : public TableProbe {
@@ -60,36 +49,32 @@ private:
 class Observers {
 public:
     Observers(const Scene& scene, const RunOptions& options, const OwnSceneOptions& choice, Report& report)
-        : motion_(scene.world), penetration_(scene.contact.stiffness),
-          strip_(scene, picture_times(scene.duration), motivating::mark_pairs, 560, 400)
+        : motion_(scene.world), penetration_(scene.contact.stiffness), filmed_(!options.quick),
+          pictures_(scene, {.filmed = filmed_}),
+          tables_([this, &report](const World&, const Contacts&, double) {
+              for (const auto& [name, table] : all_tables())
+                  report.rows_so_far(name, *table);
+          })
     {
-        if (!options.quick)
-            clip_ = std::make_unique<ClipProbe>(scene, report.file("scene.webp"));
+        if (options.pictures)
+            watching_.push_back(&pictures_);
         if (!choice.paraview.empty())
-            series_ = std::make_unique<ParaviewSeries>(choice.paraview, choice.every);
+            watching_.push_back(&series_.emplace(choice.paraview, choice.every));
+        watching_.push_back(&tables_);
     }
+    Observers(const Observers&) = delete;  // the probes know where they are
+    Observers& operator=(const Observers&) = delete;
 
-    std::vector<Probe*> probes()
-    {
-        std::vector<Probe*> all{&energy_, &motion_, &penetration_, &census_, &inversion_, &strip_};
-        if (clip_)
-            all.push_back(clip_.get());
-        if (series_)
-            all.push_back(series_.get());
-        return all;
-    }
+    const std::vector<Probe*>& probes() const { return watching_; }
 
     void save(Report& report)
     {
-        report.table("energy", energy_.table());
-        report.table("motion", motion_.table());
-        report.table("penetration", penetration_.table());
-        report.table("contacts", census_.table());
-        report.table("inverted", inversion_.table());
-        report.plot("chapters/solvers/plots/own_scene.gp", "energy");
-        write_png(strip_.all(columns), report.file("scene.png"));
-        if (clip_)
-            clip_->finish();
+        for (const auto& [name, table] : all_tables())
+            report.table(name, *table);
+        report.plot("common/experiments/own_scene/plots/own_scene.gp", "energy");
+        write_png(pictures_.strip_of_all(3), report.file("scene.png"));
+        if (filmed_)
+            pictures_.write_film(report.file("scene.webp"));
         if (series_)
             series_->finish();
     }
@@ -106,6 +91,14 @@ public:
     }
 
 private:
+    std::array<std::pair<const char*, const Table*>, 5> all_tables() const
+    {
+        return {{{"energy", &energy_.table()},
+                 {"motion", &motion_.table()},
+                 {"penetration", &penetration_.table()},
+                 {"contacts", &census_.table()},
+                 {"inverted", &inversion_.table()}}};
+    }
     static double number(const Cell& cell)
     {
         return std::holds_alternative<long>(cell) ? static_cast<double>(std::get<long>(cell))
@@ -125,44 +118,47 @@ private:
     EnergyProbe energy_;
     MotionOfAll motion_;
     PenetrationProbe penetration_;
-    chapter06::ContactCensus census_;
+    ContactCensus census_;
     InversionProbe inversion_;
-    StripProbe strip_;
-    std::unique_ptr<ClipProbe> clip_;
-    std::unique_ptr<ParaviewSeries> series_;
+    bool filmed_;
+    RunPictures pictures_;
+    std::optional<ParaviewSeries> series_;
+    WatchProbe tables_;  ///< puts the rows of this step on the disk
+    std::vector<Probe*> watching_{&energy_, &motion_, &penetration_, &census_, &inversion_};
 };
 
 }  // namespace
 
-void add_own_scene_options(CLI::App& app, OwnSceneOptions& choice)
+ChapterProgram with_own_scenes(ChapterProgram program, MakeSolver make)
 {
-    CLI::Option* const solver = app.add_option("--solver", choice.solver,
-                                               "the chapter whose solver runs a scene of your own");
-    solver->check(CLI::Range(1, chapters))->capture_default_str();
-    CLI::Option* const paraview = app.add_option("--paraview", choice.paraview,
-                                                 "folder for a time series of it that ParaView opens");
-    paraview->type_name("DIR");
-    CLI::Option* const every = app.add_option("--every", choice.every,
-                                              "steps from one moment of that series to the next");
-    every->check(CLI::PositiveNumber)->capture_default_str()->needs(paraview);
-    for (CLI::Option* const option : {solver, paraview})
-        option->needs(app.get_option("--scene"))->excludes(app.get_option("experiments"));
+    const auto choice = std::make_shared<OwnSceneOptions>();
+    program.own_scene = [choice, make = std::move(make)](const RunOptions& options, Report& report) {
+        own_scene(options, report, make, *choice);
+    };
+    program.add_options = [choice, others = program.add_options](CLI::App& app) {
+        if (others)
+            others(app);
+        CLI::Option* const paraview = app.add_option(
+            "--paraview", choice->paraview, "folder for a time series of your scene that ParaView opens");
+        paraview->type_name("DIR")->needs(app.get_option("--scene"))->excludes(app.get_option("experiments"));
+        app.add_option("--every", choice->every, "steps from one moment of that series to the next")
+            ->check(CLI::PositiveNumber)
+            ->capture_default_str()
+            ->needs(paraview);
+    };
+    return program;
 }
 
-void own_scene_example(const RunOptions& options, Report& report)
+int run_chapter(int argc, char** argv, ChapterProgram program, MakeSolver make)
 {
-    RunOptions own = options;
-    own.scene = options.scene.value_or(scene_file("tumble"));
-    Report below(report.folder() / own.scene->stem());
-    own_scene(own, below, {});
-    std::filesystem::copy_file(below.folder() / "scene.png", report.file("own_scene.png"),
-                               std::filesystem::copy_options::overwrite_existing);
+    return run_chapter(argc, argv, with_own_scenes(std::move(program), std::move(make)));
 }
 
-void own_scene(const RunOptions& options, Report& report, const OwnSceneOptions& choice)
+void own_scene(const RunOptions& options, Report& report, const MakeSolver& make,
+               const OwnSceneOptions& choice)
 {
     Scene scene = load_scene(options.scene.value());
-    const Solver solver = chapter_solver(choice.solver, scene.contact);
+    const Solver solver = make(scene.contact);
     Observers observers(scene, options, choice, report);
     std::exception_ptr failure;
     std::filesystem::remove(report.folder() / failure_note);
@@ -180,4 +176,4 @@ void own_scene(const RunOptions& options, Report& report, const OwnSceneOptions&
         std::rethrow_exception(failure);
 }
 
-}  // namespace enduring::solvers
+}  // namespace enduring
