@@ -1,6 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
-#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/render/moments.hpp"
 #include "common/experiments/report/growing_table.hpp"
 
 #include <algorithm>
@@ -27,6 +27,38 @@ std::vector<Drop> all_drops(bool quick)
             {40, 3, 0.02, 25, 24}};
 }
 
+/// A camera that sees the cubes as they hang, and the ground that they will spread over.
+SceneCamera camera_of(const Scene& scene, int cubes, const Vec3& seen_from, double aspect)
+{
+    std::vector<Vec3> points = points_of(stage_of(scene.world, scene));
+    const double spread = 0.6 * std::sqrt(cubes);  // [m] to each side
+    for (const double x : {-spread, spread})
+        for (const double z : {-spread, spread})
+            points.emplace_back(x, 0, z);
+    const Camera camera = frame(points, seen_from, aspect, 0.04);
+    return {camera.eye, camera.target, camera.field_of_view_deg};
+}
+
+/// Three moments, each as near as may be, and the first seconds as a film.
+PileOutcome watch_and_show(Scene& scene, const Drop& drop, bool quick, Report& report)
+{
+    constexpr int width = 480, height = 400;
+    const Vec3 seen_from(0.6, 0.4, 1);
+    scene.camera = camera_of(scene, drop.cubes, seen_from, static_cast<double>(width) / height);
+    MomentsProbe pictures(scene, {0, 1, drop.duration - drop.dt});
+    ClipProbe film(scene, report.file("heap.webp"), quick ? 4 : 20, width, height, {.until = 6});
+    WatchProbe both([&](const World& world, const Contacts& contacts, double dt) {
+        pictures.observe(world, contacts, dt);
+        film.observe(world, contacts, dt);
+    });
+    const PileOutcome outcome = watch(scene, drop.duration, &both);
+    film.finish();
+    std::vector<Moment> moments = pictures.moments();
+    frame_each(moments, seen_from, static_cast<double>(width) / height);
+    write_png(draw_moments(moments, 3, width, height), report.file("heap.png"));
+    return outcome;
+}
+
 }  // namespace
 
 /// Cubes dropped on a heap, over seeds and steps.
@@ -41,13 +73,8 @@ void heap(const RunOptions& options, Report& report)
     long unconverged = 0, solves = 0;
     for (const Drop& drop : all_drops(options.quick)) {
         Scene scene = scene_of(loose_cubes(drop.cubes, drop.side, drop.seed), drop.dt);
-        scene.camera = {Vec3(4.5, 3, 7) * std::sqrt(drop.cubes / 4.0), Vec3(0, 2.5, 0), 40};
-        StripProbe strip(
-            scene, {0, 1, drop.duration - drop.dt}, [](auto&&...) {}, 480, 360);
-        const bool drawn = table.rows().empty();
-        const PileOutcome outcome = watch(scene, drop.duration, drawn ? &strip : nullptr);
-        if (drawn)
-            write_png(strip.all(3), report.file("heap.png"));
+        const PileOutcome outcome = table.rows().empty() ? watch_and_show(scene, drop, options.quick, report)
+                                                         : watch(scene, drop.duration);
         table.add({static_cast<long>(drop.cubes), drop.dt, static_cast<long>(drop.seed), outcome.deepest_mm,
                    outcome.deepest_ever_mm, outcome.drift_um_per_s, outcome.energy_gain_j,
                    static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,

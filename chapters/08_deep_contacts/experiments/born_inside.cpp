@@ -1,4 +1,5 @@
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_deep_contacts/experiments/draw_crossing.hpp"
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
 #include "chapters/08_deep_contacts/experiments/inside_scenes.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
@@ -99,12 +100,16 @@ double fastest_without_keeping()
     return watch(scene, solver, 2).fastest;
 }
 
-/// The leaning block, 30 cm deep: pictures, and the accounts of its energy over time.
-void show_leaning_block(Report& report)
+/// The leaning block, 30 cm deep: pictures, a film, and the accounts of its energy over time.
+void show_leaning_block(const RunOptions& options, Report& report)
 {
     Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.3, 0.01);
-    StripProbe film(
-        scene, {0, 0.3, 0.6, 2}, [](auto&&...) {}, 400, 284);
+    const MarkContacts mark = [](Stage& stage, const World& world, const Contacts&) {
+        mark_crossing(stage, world);
+    };
+    StripProbe pictures(scene, {0, 0.3, 0.6, 2}, mark, 400, 284);
+    ClipProbe film(scene, report.file("born_inside.webp"), options.quick ? 4 : 20, 480, 344,
+                   {.slow_motion = 2, .until = 2, .mark = mark});
     SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
     const double before = total_energy(scene.world).total();
     Table table({"time_s", "bodies_j", "lifted_j", "damped_j", "rubbed_j", "brought_j"});
@@ -116,8 +121,9 @@ void show_leaning_block(Report& report)
                    sums.brought()});
     });
     Solves solves;
-    watch(scene, chapter08_solver(scene.contact, counting(solves)), 2.2, {&film, &accounts});
-    write_png(film.all(2), report.file("born_inside.png"));
+    watch(scene, chapter08_solver(scene.contact, counting(solves)), 2.2, {&pictures, &film, &accounts});
+    write_png(pictures.all(2), report.file("born_inside.png"));
+    film.finish();
     report.table("let_out_energy", table);
     report.plot("chapters/08_deep_contacts/plots/let_out_energy.gp");
     const SpringAccounts& sums = ledger.accounts();
@@ -182,7 +188,7 @@ void born_inside(const RunOptions& options, Report& report)
             if (body != "ball")
                 at_rest = std::max(at_rest, of_body.moving);
         }
-    show_leaning_block(report);
+    show_leaning_block(options, report);
     show_surroundings(report);
     report.table("born_inside", table);
     report.page_table("born_inside", page);

@@ -1,10 +1,9 @@
 #include "chapters/08_deep_contacts/experiments/draw_crossing.hpp"
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
-#include "chapters/08_deep_contacts/experiments/random_overlaps.hpp"
+#include "chapters/08_deep_contacts/experiments/inside_scenes.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
 #include "chapters/motivating_scenes/buried_vertex.hpp"
-#include "common/experiments/render/film_probes.hpp"
-#include "common/experiments/render/scene_view.hpp"
+#include "common/experiments/render/moments.hpp"
 #include "common/experiments/run/run.hpp"
 
 #include <algorithm>
@@ -12,12 +11,7 @@
 namespace enduring::chapter08 {
 namespace {
 
-StillSurface still(const Body& body, FaceTree& tree)
-{
-    tree = FaceTree(body.surface(), body.positions_t0());
-    tree.refit({body.surface(), body.positions_t0(), body.positions_t0()});
-    return {body.surface(), body.positions_t0(), tree};
-}
+const Vec3 seen_from(1.3, 0.9, 2.45);  ///< direction to the camera
 
 /// Vertices of the bunny that are more than 1 mm deep in the bowl.
 long left_inside(const World& world)
@@ -37,11 +31,19 @@ void let_out(Scene& scene, const RunOptions& options, Report& report)
         out = out || left_inside(world) == 0;
         fastest = std::max(fastest, out ? 0 : world.bodies[1]->mean_velocity().norm());
     });
-    StripProbe film(
-        scene, {0, 0.05, 0.1, 0.2}, [](auto&&...) {}, 400, 270);
-    run(scene, chapter08_solver(scene.contact), {&watch, &film},
-        failure_on_purpose({.steps = options.quick ? 41 : 400}));
-    write_png(film.all(2), report.file("bunny_out.png"));
+    const MarkContacts mark = [](Stage& stage, const World& world, const Contacts&) {
+        mark_crossing(stage, world);
+    };
+    // the two seconds of a full run are ten of the clip
+    ClipProbe clip(scene, report.file("bunny_out.webp"), options.quick ? 4 : 20, 480, 320,
+                   {.slow_motion = 5, .mark = mark});
+    MomentsProbe pictures(scene, {0, 0.1, 0.2, 0.4}, mark);
+    run(scene, chapter08_solver(scene.contact), {&watch, &pictures, &clip},
+        failure_on_purpose({.steps = options.quick ? 81 : 400}));
+    clip.finish();
+    std::vector<Moment> moments = pictures.moments();
+    frame_together(moments, seen_from, 4.0 / 3);
+    write_png(draw_moments(moments, 2, 480, 360), report.file("bunny_out.png"));
     report.fact("bunny_curve", "fastest", fastest, 3);
     report.fact("bunny_curve", "after_s", scene.world.time, 2);
     report.fact("bunny_curve", "left", static_cast<double>(left_inside(scene.world)), 5);
@@ -52,27 +54,17 @@ void let_out(Scene& scene, const RunOptions& options, Report& report)
 /// The scene of chapter 6's film with the bunny pushed into the bowl, before anything moves.
 void bunny_curve(const RunOptions& options, Report& report)
 {
-    Scene scene = load_scene(scene_file("bunny_bowl"), R"({
-        "/bodies/bunny/position": [0.3, 0.12, 0.1],
-        "camera": {"eye": [1.5, 1.15, 2.5], "target": [0.2, 0.5, 0.05], "field_of_view_deg": 30}})");
-    const World& world = scene.world;
-    FaceTree tree_a, tree_b;
-    const StillSurface a = still(*world.bodies[0], tree_a), b = still(*world.bodies[1], tree_b);
-    const Intersection intersection = trace_intersection(a, b);
-    Stage stage = stage_of(world, scene);
-    for (Drawable& body : stage.bodies)
-        body.opacity = 0.45;
-    draw_curves(stage, intersection, a, b);
-    const auto of_bowl = flood_regions(intersection.piercings, a, b, true);
-    const auto of_bunny = flood_regions(intersection.piercings, a, b, false);
-    const long bowl_inside = mark_inside(stage, of_bowl, a, palette::colliding_face);
-    const long bunny_inside = mark_inside(stage, of_bunny, b, palette::artefact);
+    Scene scene = bunny_in_wall();
+    Stage stage = stage_of(scene.world, scene);
+    const Crossing crossing = mark_crossing(stage, scene.world);
+    stage.camera = frame(points_of(stage), seen_from, 3.0 / 2, 0.04);
+    scene.camera = {stage.camera.eye, stage.camera.target, stage.camera.field_of_view_deg};
     write_png(Renderer(720, 480).draw(stage), report.file("bunny_curve.png"));
-    report.fact("bunny_curve", "curves", static_cast<double>(intersection.curves.size()));
-    report.fact("bunny_curve", "piercings", static_cast<double>(intersection.piercings.size()), 5);
-    report.fact("bunny_curve", "bowl_inside", static_cast<double>(bowl_inside), 5);
-    report.fact("bunny_curve", "bunny_inside", static_cast<double>(bunny_inside), 5);
-    report.fact("bunny_curve", "bunny_regions", static_cast<double>(of_bunny.winding.size()), 5);
+    report.fact("bunny_curve", "curves", static_cast<double>(crossing.curves));
+    report.fact("bunny_curve", "piercings", static_cast<double>(crossing.piercings), 5);
+    report.fact("bunny_curve", "bowl_inside", static_cast<double>(crossing.first_inside), 5);
+    report.fact("bunny_curve", "bunny_inside", static_cast<double>(crossing.second_inside), 5);
+    report.fact("bunny_curve", "bunny_regions", static_cast<double>(crossing.regions), 5);
     let_out(scene, options, report);
 }
 

@@ -1,78 +1,13 @@
-#include "chapters/08_deep_contacts/experiments/bent_bars.hpp"
 #include "chapters/08_deep_contacts/experiments/experiments.hpp"
-#include "chapters/08_deep_contacts/experiments/soft_runs.hpp"
-#include "common/experiments/render/film_probes.hpp"
+#include "chapters/08_deep_contacts/experiments/folding_scenes.hpp"
+#include "chapters/08_deep_contacts/experiments/self_crossings.hpp"
+#include "common/experiments/render/moments.hpp"
 #include "common/experiments/report/progress.hpp"
-#include "common/geometry/box_shapes.hpp"
-#include "common/geometry/read_gmsh.hpp"
-#include "common/input/source_directory.hpp"
-#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 
 namespace enduring::chapter08 {
 namespace {
-
-/// 40 cm of a strip of 2 cm fall on their end.
-SoftRun falling_strip(const SoftVariant& variant)
-{
-    SoftRun run = soft_run(variant);
-    run.scene.world.planes.push_back({"ground"});
-    add_soft(run.scene, "strip", upright_strip(0.4, 0.02, 0.03, {8 * variant.cells, 1, 1}, 0.02), variant,
-             {0, 0.05, 0});
-    return run;
-}
-
-/// Two spirals fly into each other, weightless.
-SoftRun spirals(const SoftVariant& variant)
-{
-    SoftRun run = soft_run(variant);
-    run.scene.world.gravity.setZero();
-    const TetrahedralMesh mesh = spiral(0.03, 0.06, 0.5, 0.015, 0.03, {10 * variant.cells, 1, 1});
-    add_soft(run.scene, "left", mesh, variant, {-0.14, 0, 0}, {2, 0, 0});
-    add_soft(run.scene, "right", mesh, variant, {0.14, 0.02, 0}, {-2, 0, 0});
-    return run;
-}
-
-/// A board falls on a ring that stands on the ground.
-SoftRun squashed_ring(const SoftVariant& variant)
-{
-    SoftRun run = soft_run(variant);
-    run.scene.world.planes.push_back({"ground"});
-    add_soft(run.scene, "ring", ring(0.06, 0.012, 0.03, {8 * variant.cells, 1, 1}), variant, {0, 0.067, 0});
-    SurfaceMesh board = box({0.3, 0.02, 0.1}, {6, 1, 2});
-    for (Vec3& x : board.vertices)
-        x.y() += 0.15;
-    run.scene.world.bodies.push_back(std::make_unique<RigidBody>(
-        "board", board, with_mass(mass_properties(board, 1000), 0.5), Vec3(0, -1, 0)));
-    run.scene.camera = {{0.12, 0.08, 0.7}, {0, 0.06, 0}, 24};
-    return run;
-}
-
-/// A bunny's ears are pulled down to its back and let go. It is weightless, and its feet are held.
-SoftRun pressed_ears(const SoftVariant& variant)
-{
-    constexpr double scale = 0.02;  // of the scan, in which it is 9 m high
-    SoftRun run = soft_run(variant);
-    run.scene.world.gravity.setZero();
-    TetrahedralMesh mesh = read_gmsh(source_directory() / "common/meshes" /
-                                     (variant.cells > 2 ? "bunny_785.msh" : "bunny_363.msh"));
-    std::vector<int> feet;
-    for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
-        mesh.nodes[node] *= scale;
-        if (mesh.nodes[node].y() < scale)
-            feet.push_back(static_cast<int>(node));
-    }
-    add_soft(run.scene, "bunny", mesh, variant, Vec3::Zero(), Vec3::Zero(), feet);
-    const Body& bunny = *run.scene.world.bodies.back();
-    Pull ears{.force = {1, -2, 0.2}, .until = 1};
-    for (int vertex = 0; vertex < bunny.surface().vertex_count(); ++vertex)
-        if (bunny.positions_t0()[vertex].y() > 7.6 * scale)
-            ears.vertices.push_back(vertex);
-    run.pulls = {ears};
-    run.scene.camera = {{0.1, 0.2, 0.7}, {0, 0.088, 0}, 18};
-    return run;
-}
 
 struct Case {
     std::string name;
@@ -80,14 +15,17 @@ struct Case {
     double duration;            ///< [s]
     std::string picture;        ///< its file, empty for none
     std::vector<double> shown;  ///< in it [s]
+    Vec3 seen_from;             ///< direction to the camera
+    double young_shown = 3e4;   ///< [Pa]
 };
 
 const std::vector<Case>& cases()
 {
-    static const std::vector<Case> all{{"strip", falling_strip, 2, "folding.png", {0.45, 0.6, 0.65, 0.75}},
-                                       {"spirals", spirals, 0.3, "", {}},
-                                       {"ring", squashed_ring, 1, "folding_ring.png", {0.05, 0.09, 0.2, 0.5}},
-                                       {"ears", pressed_ears, 2, "folding_ears.png", {0.05, 0.2, 1, 1.5}}};
+    static const std::vector<Case> all{
+        {"strip", falling_strip, 2, "folding.png", {0.6, 0.65, 0.75}, {0.3, 0.25, 1}},
+        {"spirals", spirals, 0.3, "", {}, Vec3::UnitZ()},
+        {"ring", squashed_ring, 1, "folding_ring.png", {0.08, 0.15, 0.2}, {0.25, 0.2, 1}, 1e4},
+        {"ears", pressed_ears, 2, "folding_ears.png", {0.05, 1, 1.5}, {0.15, 0.2, 1}}};
     return all;
 }
 
@@ -98,21 +36,42 @@ const std::array variants{SoftVariant{3e4, 2, 0.005, 0.3}, SoftVariant{2e4, 2, 0
                           SoftVariant{3e4, 2, 0.01, 0}, SoftVariant{3e4, 3, 0.005, 0.3},
                           SoftVariant{2e4, 2, 0.01, 0.8}};
 
-/// A case with and without contact of the body with itself.
+/// Rigid bodies pale, and a dot where an edge passes through a face of its own body.
+/// @param twin  of the same bodies, which look for contact with themselves: it knows who are neighbours
+MarkContacts mark_self_crossings(const World& twin)
+{
+    return [&twin](Stage& stage, const World& world, const Contacts&) {
+        for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+            const RestNeighbours* neighbours = rest_neighbours(*twin.bodies[i]);
+            if (neighbours == nullptr) {
+                stage.bodies[i].opacity = 0.3;
+                continue;
+            }
+            for (const Vec3& point : self_crossing_points(*world.bodies[i], *neighbours))
+                stage.dots.push_back({point, palette::colliding_vertex, 4});
+        }
+    };
+}
+
+/// A case without and with contact of the body with itself.
 void show_folds(const Case& shown, Report& report)
 {
-    std::vector<StripPicture> rows;
+    std::vector<Moment> moments;
+    SoftVariant variant = variants[0];
+    variant.young = shown.young_shown;
+    const SoftRun twin = shown.make(variant);
     for (const bool self_contact : {false, true}) {
-        SoftVariant variant = variants[0];
         variant.self_contact = self_contact;
         SoftRun run = shown.make(variant);
-        StripProbe film(
-            run.scene, shown.shown, [](auto&&...) {}, 400, 284);
+        MomentsProbe film(run.scene, shown.shown, mark_self_crossings(twin.scene.world),
+                          self_contact ? "with, " : "without, ");
         fold(run, static_cast<int>(shown.shown.back() / run.scene.dt) + 2, {&film});
-        const std::string caption = self_contact ? "with" : "without";
-        rows.push_back({film.all(4), caption + " self-contact"});
+        moments.insert(moments.end(), film.moments().begin(), film.moments().end());
     }
-    write_png(strip(rows, 1), report.file(shown.picture));
+    constexpr int width = 480, height = 270;
+    frame_together(moments, shown.seen_from, static_cast<double>(width) / height);
+    write_png(draw_moments(moments, static_cast<int>(shown.shown.size()), width, height),
+              report.file(shown.picture));
 }
 
 /// What all runs showed, row by row and the worst of them.

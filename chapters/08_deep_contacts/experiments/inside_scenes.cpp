@@ -83,6 +83,11 @@ Scene scene_inside(const Surroundings& surroundings, const std::string& body, do
     return scene_at(surroundings, body, -lowest_vertex(trial.world) - depth, dt);
 }
 
+Scene bunny_in_wall()
+{
+    return load_scene(scene_file("bunny_bowl"), R"({"/bodies/bunny/position": [0.3, 0.12, 0.1]})");
+}
+
 double height_of(const Surroundings& surroundings, const std::string& body)
 {
     const Scene trial = scene_at(surroundings, body, 0, 0.01);

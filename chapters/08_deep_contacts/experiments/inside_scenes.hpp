@@ -21,6 +21,9 @@ const std::vector<Surroundings>& all_surroundings();
 /// @param body  "block", "leaning block", "fine block", "block on a corner", "plate", "ball" or "soft block"
 Scene scene_inside(const Surroundings& surroundings, const std::string& body, double depth, double dt);
 
+/// The scene of chapter 6's film with the bunny pushed into the wall of the bowl; nothing moves yet.
+Scene bunny_in_wall();
+
 /// How tall the body is as it stands at first [m]: deeper than that it is wholly inside.
 double height_of(const Surroundings& surroundings, const std::string& body);
 

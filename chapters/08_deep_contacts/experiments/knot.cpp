@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <vector>
 
 namespace enduring::chapter08 {
 namespace {
@@ -36,7 +38,8 @@ SoftRun pulled_knot(double mu, double force)
         harder.until = pulled;
         run.pulls.push_back(harder);
     }
-    run.scene.camera = {{0, 0.05, 0.75}, {0, -0.01, 0}, 26};
+    run.scene.camera = {{0, 0.2, 0.75}, {0, -0.01, 0}, 17};
+    run.scene.looks["rope"] = {palette::terracotta, false};
     return run;
 }
 
@@ -73,9 +76,16 @@ void knot(const RunOptions& options, Report& report)
                     tight = now;
             });
             StripProbe film(
-                run.scene, {0, 0.1, pulled, pulled + eased}, [](auto&&...) {}, 400, 284);
+                run.scene, {0, 0.1, pulled, pulled + eased}, [](auto&&...) {}, 480, 210);
+            std::vector<Probe*> probes{&watch, &film};
+            std::optional<ClipProbe> clip;
+            if (force < 0.7 && mu < 0.1)  // three seconds of the slippery one are ten of the clip
+                probes.push_back(&clip.emplace(run.scene, report.file("knot.webp"), options.quick ? 4 : 20,
+                                               640, 280, FilmStyle{.slow_motion = 10.0 / 3}));
             const double duration = options.quick ? 0.1 : pulled + eased;
-            const Folded f = fold(run, static_cast<int>(duration / run.scene.dt + 0.5), {&watch, &film});
+            const Folded f = fold(run, static_cast<int>(duration / run.scene.dt + 0.5), probes);
+            if (clip)
+                clip->finish();
             travel[force > 0.7][mu > 0.1] = 1000 * (tight - first);
             table.add({mu, force, 1000 * (tight - first), 1000 * (tight - now), f.pairs, f.crossings,
                        1e6 * f.depth, f.inverted, f.unconverged});

@@ -52,7 +52,7 @@ Hit hit_of(ThinShot& shot, MakeSolver make, const std::vector<Probe*>& more = {}
     return hit;
 }
 
-void show(Report& report)
+void show_a_shot(Report& report)
 {
     std::vector<StripPicture> rows;
     for (const std::size_t target : {0U, 3U}) {
@@ -119,7 +119,7 @@ void thin(const RunOptions& options, Report& report)
         most = std::max(most, by[2].most_energy);
     }
     const long shots = static_cast<long>(rows) * trials;
-    show(report);
+    show_a_shot(report);
     report.table("thin", table);
     report.page_table("thin", table);
     report.fact("thin", "shots", static_cast<double>(shots), 6);

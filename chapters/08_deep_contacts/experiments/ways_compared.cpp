@@ -2,9 +2,7 @@
 #include "chapters/08_deep_contacts/experiments/inside_scenes.hpp"
 #include "chapters/08_deep_contacts/experiments/other_ways.hpp"
 #include "chapters/08_deep_contacts/solver.hpp"
-#include "common/experiments/render/renderer.hpp"
-#include "common/experiments/render/scene_view.hpp"
-#include "common/experiments/render/strip.hpp"
+#include "common/experiments/render/moments.hpp"
 #include "common/experiments/report/growing_table.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/experiments/run/spring_ledger.hpp"
@@ -115,23 +113,32 @@ Costs costs_of(Scene scene, const WaysOut& ways, double duration)
     return costs;
 }
 
-void show_place(const Place& place, Report& report)
+/// The start over the ledge's corner with each of the ways: both bodies pale, and an arrow for each vertex inside.
+void show_starts(Report& report)
 {
-    std::vector<StripPicture> pictures;
+    // The same corner and the same cells, with less of the ledge behind them: all of it is in the picture.
+    const Surroundings ledge = {
+        "ledge",
+        "",
+        R"({"name": "floor", "type": "static", "position": [0.177777777777778, -0.166666666666667, 0.177777777777778],
+            "shape": {"box": {"size": [0.555555555555556, 0.333333333333333, 0.555555555555556], "cells": [5, 3, 5]}}}, )",
+        {}};
+    constexpr int width = 480, height = 400;
+    std::vector<Moment> starts;
     for (const ComparedWay& compared : all_ways()) {
-        Scene scene = scene_inside(place.surroundings, place.body, place.depth, 0.01);
-        scene.camera = {{-1.1, 0.5, 1.3}, {0.05, 0, 0.05}, 19};
+        const Scene scene = scene_inside(ledge, "fine block", 0.1, 0.01);
         Stage stage = stage_of(scene.world, scene);
         for (Drawable& body : stage.bodies)
             body.opacity = 0.35;
         for (const auto& [from, way, wrong] : directions_at_start(scene, compared.ways).of_vertices) {
             const Vec3& color = wrong ? palette::colliding_vertex : palette::colliding_face;
-            stage.segments.push_back({from, from + 0.06 * way, color, 2.5});
+            stage.segments.push_back({from, from + 0.08 * way, color, 3, true});
             stage.dots.push_back({from, color, 3});
         }
-        pictures.push_back({Renderer(420, 300).draw(stage), compared.name});
+        starts.push_back({std::move(stage), compared.name});
     }
-    write_png(strip(pictures, 3), report.file("ways_compared.png"));
+    frame_together(starts, {-1.1, 0.5, 1.3}, static_cast<double>(width) / height);
+    write_png(draw_moments(starts, 3, width, height), report.file("ways_compared.png"));
 }
 
 }  // namespace
@@ -156,7 +163,7 @@ void ways_compared(const RunOptions& options, Report& report)
             asked[compared.name] += static_cast<long>(directions.of_vertices.size());
             worst[compared.name].fastest = std::max(worst[compared.name].fastest, costs.fastest);
         }
-    show_place(places()[2], report);
+    show_starts(report);
     report.table("ways_compared", table);
     report.page_table("ways_compared", table);
     for (const ComparedWay& compared : all_ways()) {

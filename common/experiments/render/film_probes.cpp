@@ -22,16 +22,19 @@ void StripProbe::observe(const World& world, const Contacts& contacts, double dt
 }
 
 ClipProbe::ClipProbe(const Scene& scene, const std::filesystem::path& file, int frames_per_second, int width,
-                     int height)
-    : scene_(scene), renderer_(width, height), frames_per_second_(frames_per_second),
-      clip_(file, frames_per_second)
+                     int height, FilmStyle style)
+    : scene_(scene), renderer_(width, height), frames_per_second_(frames_per_second * style.slow_motion),
+      style_(std::move(style)), clip_(file, frames_per_second)
 {}
 
-void ClipProbe::observe(const World& world, const Contacts&, double dt)
+void ClipProbe::observe(const World& world, const Contacts& contacts, double dt)
 {
-    if (world.time < static_cast<double>(frames_) / frames_per_second_ - dt / 2)
+    if (world.time < frames_ / frames_per_second_ - dt / 2 || world.time > style_.until + dt / 2)
         return;
-    clip_.add(renderer_.draw(stage_of(world, scene_)));
+    Stage stage = stage_of(world, scene_);
+    if (style_.mark)
+        style_.mark(stage, world, contacts);
+    clip_.add(renderer_.draw(stage));
     ++frames_;
 }
 

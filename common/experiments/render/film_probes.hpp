@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace enduring {
@@ -34,14 +35,21 @@ private:
     std::vector<StripPicture> pictures_;
 };
 
-/// Watches a run and films it; a second of the run takes a second of the clip.
+/// What a film shows of a run, and how fast.
+struct FilmStyle {
+    double slow_motion = 1;                                  ///< seconds of the clip for one of the run
+    double until = std::numeric_limits<double>::infinity();  ///< the clip ends at this moment of the run [s]
+    MarkContacts mark{};                                     ///< none: bodies and planes only
+};
+
+/// Watches a run and films it; a second of the run takes a second of the clip if the style does not say otherwise.
 class ClipProbe final : public Probe {
 public:
     /// @param scene              looks and camera; outlives the probe
     /// @param file               as for Clip
     /// @param frames_per_second  1 to 60
     ClipProbe(const Scene& scene, const std::filesystem::path& file, int frames_per_second = 20,
-              int width = 480, int height = 344);
+              int width = 480, int height = 344, FilmStyle style = {});
     void observe(const World& world, const Contacts& contacts, double dt) override;
     int frames() const { return frames_; }
     /// Without it no clip is written.
@@ -50,7 +58,9 @@ public:
 private:
     const Scene& scene_;
     Renderer renderer_;
-    int frames_per_second_, frames_ = 0;
+    double frames_per_second_;  ///< of the run
+    FilmStyle style_;
+    int frames_ = 0;
     Clip clip_;
 };
 

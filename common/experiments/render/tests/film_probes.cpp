@@ -42,3 +42,16 @@ TEST_CASE("film probes: a second of the run takes a second of the clip" * doctes
     clip.finish();
     CHECK(std::filesystem::file_size(folder.path / "fall.webp") > 100);
 }
+
+TEST_CASE("film probes: in slow motion three seconds of the clip are one of the run, until it ends" *
+          doctest::skip(!pictures_are_on))
+{
+    const TemporaryFolder folder;
+    Scene scene = falling_sphere();
+    int marked = 0;
+    ClipProbe clip(scene, folder.path / "fall.webp", 10, 64, 48,
+                   {.slow_motion = 3, .until = 0.2, .mark = [&](auto&&...) { ++marked; }});
+    run(scene, Solver{}, {&clip});
+    CHECK(clip.frames() == 7);  // thirty in a second, up to 0.2 s
+    CHECK(marked == 7);
+}
