@@ -182,20 +182,22 @@ ProblemSolution solve(ContactProblem problem, NewtonMatrix& matrix, double toler
     };
     const auto lead_on = [&] {
         problem.step.limit = FrictionLimit::lagged;
-        const ProblemSolution led = solve_convex(problem, matrix, solution,
-                                                 std::max(tolerance, 0.1 * solution.residual), least_speed);
+        const ProblemSolution led = solve_convex(
+            problem, matrix, solution, std::max(tolerance, 0.1 * solution.residual), least_speed,
+            std::min(most_convex_steps, most_steps - solution.newton_steps));
         solution.change = led.change;
         solution.impulses = led.impulses;
         solution.newton_steps += led.newton_steps;
         see_residual();
     };
     see_residual();
-    if (solution.residual > near_the_answer)
+    if (solution.residual > near_the_answer && most_steps > 0)
         lead_on();
     LimitSearch limits;
     while (solution.residual > tolerance && solution.newton_steps < most_steps) {
         ProblemSolution tried = solution;
-        while (tried.residual > tolerance && newton_step(problem, matrix, least_speed, tried)) {}
+        while (tried.residual > tolerance && tried.newton_steps < most_steps &&
+               newton_step(problem, matrix, least_speed, tried)) {}
         solution.newton_steps = tried.newton_steps;
         if (tried.residual <= tolerance) {
             solution = tried;

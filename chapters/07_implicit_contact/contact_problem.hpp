@@ -106,6 +106,9 @@ Eigen::VectorXd impulses_acting(const ContactProblem& problem);
 /// No change, by the impulses that act already.
 ProblemSolution unchanged(const ContactProblem& problem);
 
+/// A convex problem that takes more of Newton's steps is stuck by rounding; a hundred random ones take 25.
+constexpr int most_convex_steps = 100;
+
 /// Newton's method with a line search, with limits of friction that are lagged and a guess
 /// of each pair's friction beside the velocities.
 /// @param begin        the change and the impulses with which it begins
@@ -114,12 +117,13 @@ ProblemSolution unchanged(const ContactProblem& problem);
 /// @param least_speed  sqrt(kg) m/s: what counts as a momentum at all
 ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
                              const ProblemSolution& begin, double tolerance, double least_speed,
-                             int most_steps = 100);
+                             int most_steps = most_convex_steps);
 
 /// Newton's method on the real equation, whose limits of friction are those that the same motion makes. Far
 /// from the answer, and where a step does not let the residual fall, the convex problem leads on, with
 /// limits that a search brings nearer.
-/// @param problem  its rows hold the limits to begin with; the other parameters as above
+/// @param problem     its rows hold the limits to begin with; the other parameters as above
+/// @param most_steps  of Newton's method, over all loops
 ProblemSolution solve(ContactProblem problem, NewtonMatrix& matrix, double tolerance, double least_speed,
                       int most_steps = 500);
 

@@ -2,6 +2,7 @@
 
 #include "chapters/04_friction/surface_turn.hpp"
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
+#include "chapters/07_implicit_contact/pressing_mass.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ void tell_unconverged(const SolveRecord& record)
     else if (!record.converged)
         std::cerr << "step " << record.step + 1 << ": the impulses of " << record.pairs
                   << " pairs are solved to a residual of " << record.residual << " only, after "
-                  << record.rounds << " rounds\n";
+                  << record.rounds << " rounds and " << record.newton_steps << " steps of Newton's method\n";
 }
 
 namespace {
@@ -96,9 +97,9 @@ double sharp_enough(double residual, double tolerance) { return std::max(0.1 * t
 void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& settings,
                       NewtonMatrix& matrix, double dt)
 {
-    matrix.begin_step();
-    const std::vector<double> before = turns(world, dt);
     const bool first = first_of_the_step(contacts);
+    matrix.begin_response(first);
+    const std::vector<double> before = turns(world, dt);
     StepProblem step = set_up(world, contacts, settings.stiffness, settings.friction, {settings.centre, dt},
                               first);
     if (first)
@@ -110,10 +111,15 @@ void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& 
         look_again(world, step);
         record.residual = residual_of(step.problem, Eigen::VectorXd::Zero(step.problem.size), least);
         record.converged = record.residual <= settings.tolerance;
-        if (record.converged || record.rounds == settings.most_rounds || is_hopeless(record))
+        if (record.converged && stiffen_where_pressed(world, step, settings.stiffness)) {
+            mixing = {};
+            continue;
+        }
+        const int steps_left = settings.most_newton_steps - matrix.solves();
+        if (record.converged || steps_left <= 0 || is_hopeless(record))
             break;
-        const ProblemSolution solution = solve(step.problem, matrix,
-                                               sharp_enough(record.residual, settings.tolerance), least);
+        const ProblemSolution solution = solve(
+            step.problem, matrix, sharp_enough(record.residual, settings.tolerance), least, steps_left);
         record.newton_steps += solution.newton_steps;
         apply_impulses(world, step, mixing.next(impulses_acting(step.problem), solution.impulses));
     }

@@ -22,15 +22,20 @@ struct SolveRecord {
 /// Says on the standard error stream which step is not solved, and how well it is.
 void tell_unconverged(const SolveRecord& record);
 
+//! [settings]
 /// The same for all scenes but for the coefficients of friction, which are the scene's.
 struct ImplicitSettings {
     StiffnessChoice stiffness;
     FrictionCoefficients friction;
     double centre = 1;        ///< of the weight over the step
     double tolerance = 1e-6;  ///< of the residual
-    int most_rounds = 200;
+    /// Of Newton's method in a step, over all its responses, rounds, limits and problems. What is unsolved then is
+    /// told, and answered safely where more than a hundredth is left. Landing soft bodies take some hundreds: a tenth
+    /// of it would cut these off; with ten times as many a heap that jams takes ten seconds for such a step.
+    int most_newton_steps = 500;
     std::function<void(const SolveRecord&)> record = tell_unconverged;
 };
+//! [settings]
 
 /// Response: finds the impulses of all pairs together, from the motion that they make, and applies them.
 /// @param matrix  keeps its memory and its order from step to step

@@ -205,6 +205,7 @@ VectorXd NewtonMatrix::solve(const ContactProblem& problem, const std::vector<Ma
         stiffenings_ = stiffenings;
         factor(problem);
     }
+    ++solves_;
     const VectorXd x = solve_with_factor(problem, b);
     return x.allFinite() ? x : VectorXd(VectorXd::Zero(b.size()));
 }

@@ -15,8 +15,16 @@ namespace enduring {
 /// factored anew where a stiffening has changed, and ordered anew where other bodies touch.
 class NewtonMatrix {
 public:
-    /// Another step has begun: masses and levers are others.
-    void begin_step() { kind_ = Kind::none; }
+    /// Masses and levers are others from here on.
+    /// @param new_step  another step has begun, not only another response in the same
+    void begin_response(bool new_step)
+    {
+        kind_ = Kind::none;
+        solves_ = new_step ? 0 : solves_;
+    }
+
+    /// How often it was solved since the step began: once in each step of Newton's method, whichever loop asks.
+    int solves() const { return solves_; }
 
     /// x of (A + J^T S J) x = b; zero where the matrix cannot be factored.
     /// @param problem      of the same step as in the calls before: masses and levers are the same
@@ -44,6 +52,7 @@ private:
     using Sparse = Eigen::SparseMatrix<double>;
 
     Kind kind_ = Kind::none;
+    int solves_ = 0;                 ///< in this step
     std::vector<Mat3> stiffenings_;  ///< of each pair, when it was factored
     std::vector<int> stiff_;         ///< coordinates that a stiff pair moves, ascending
     Eigen::PartialPivLU<Eigen::MatrixXd> dense_lu_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace enduring {
 
@@ -9,6 +10,17 @@ double wanted_stiffness(double mass, double load, const StiffnessChoice& choice,
 {
     return std::max(choice.of_its_mass * mass / (dt * dt), load / choice.wanted_depth);
 }
+
+//! [stiffen]
+void stiffen(Contact& contact, double depth_t0, double stiffness)
+{
+    const double before = std::exchange(contact.stiffness, stiffness), compressed = depth_t0 - contact.slack;
+    if (compressed < 0) {
+        contact.slack = depth_t0 - compressed * before / stiffness;
+        contact.stretch *= before / stiffness;
+    }
+}
+//! [stiffen]
 
 //! [adapt_stiffness]
 void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
@@ -20,13 +32,10 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
         contact.slack = std::min(0.0, depth_t0);
         return;
     }
-    const double before = contact.stiffness, compressed = depth_t0 - contact.slack;
+    const double before = contact.stiffness;
     const double least = choice.is_goal ? before * std::exp(-dt / choice.forgets_in) : before;
-    contact.stiffness = std::clamp(wanted, least, 2 * before);
-    if (compressed < 0) {
-        contact.slack = depth_t0 - compressed * before / contact.stiffness;
-        contact.stretch *= before / contact.stiffness;
-    }
+    stiffen(contact, depth_t0,
+            std::clamp(wanted, least, before * std::exp2(dt / StiffnessChoice::doubles_in)));
     // What moves out is not thrown, and a pair that cannot move out is not wound up for ever.
     const double at_most = depth_t0 + most_load / contact.stiffness;
     contact.slack = std::min({choice.keep * contact.slack, contact.slack + choice.leaving_speed * dt,

@@ -15,15 +15,20 @@ struct StiffnessChoice {
     double keep = 0.9;           ///< part of a spring's slack that a step keeps
     /// whether the wanted depth is to be reached, not only not to be passed: a stiffness may fall then
     bool is_goal = false;
-    double forgets_in = 1;            ///< time in which it falls to 1/e at most [s]
-    double leaving_speed = 0.25;      ///< the fastest at which a slack fades [m/s]
-    double rubbing_slack = INFINITY;  ///< a pair whose spring is slack at a greater depth has no friction [m]
+    double forgets_in = 1;                      ///< time in which it falls to 1/e at most [s]
+    static constexpr double doubles_in = 0.01;  ///< time in which it doubles at most, from step to step [s]
+    double leaving_speed = 0.25;                ///< the fastest at which a slack fades [m/s]
+    /// how many wanted depths the spring of a pair that began inside may still be slack when friction sets in
+    double rubbing_slack = INFINITY;
 };
 
 /// The stiffness that a pair should have: enough for the mass that it feels, and
 /// for the load that it carried in the last step [N/m].
 /// @param mass  1 / (n . W n), W the change of its velocity per impulse [kg]
 double wanted_stiffness(double mass, double load, const StiffnessChoice& choice, double dt);
+
+/// Changes a pair's stiffness and no force of its: its spring gets a slack, and friction's another stretch.
+void stiffen(Contact& contact, double depth_t0, double stiffness);
 
 /// Gives an enduring pair its stiffness for the step, without a jump of its force: its spring gets a slack,
 /// which fades, but winds no spring up above the most load. A pair that is born inside begins slack altogether;

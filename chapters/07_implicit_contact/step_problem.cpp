@@ -125,6 +125,19 @@ bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem&
 }
 //! [slides_on]
 
+//! [rubs]
+/// Whether a pair has a surface to rub on. One that began inside has none before it is let out. Slack tells the two
+/// apart: a loaded spring that was made stiffer is slack no deeper than its load pressed it at its first stiffness.
+bool rubs(const Contact& contact, const PairRow& row, const ContactProblem& problem,
+          const StiffnessChoice& choice)
+{
+    if (contact.slack >= -choice.rubbing_slack * choice.wanted_depth)
+        return true;
+    const double first = wanted_stiffness(mass_of(row, problem), 0, choice, problem.step.dt);
+    return -contact.slack * first <= contact.load;
+}
+//! [rubs]
+
 }  // namespace
 
 //! [most_load]
@@ -163,7 +176,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         }
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
-        row.law.mu = contact.slack < -choice.rubbing_slack             ? 0
+        row.law.mu = !rubs(contact, row, step.problem, choice)         ? 0
                      : slides_on(contact, row, step.problem, friction) ? friction.mu_d
                                                                        : friction.mu_s;
         row.law.pressing = contact.waiting() ? contact.load * step_law.dt : contact.impulse.norm();

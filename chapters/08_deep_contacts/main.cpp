@@ -24,6 +24,8 @@ int main(int argc, char** argv)
                  chapter08::crossed_beams},
                 {"born_loaded", "scenes in which pairs are born at a depth: the energy that they bring",
                  chapter08::born_loaded},
+                {"mass_ratios", "light bodies under heavy ones, up to 25,000 times: do they come to rest?",
+                 chapter08::mass_ratios},
                 {"ways_compared", "three choices of the way out: wrong directions, and what they cost",
                  chapter08::ways_compared},
                 {"thin", "shots at thin bodies: how many come out on the wrong side", chapter08::thin},

@@ -31,7 +31,7 @@ Solver asking_neighbours(Solver solver)
 Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings settings, WaysOut ways)
 {
     const double keep = std::exchange(settings.stiffness.keep, 1);  // slack fades here, not there
-    settings.stiffness.rubbing_slack = 1e-3;                        // what is let out does not rub
+    settings.stiffness.rubbing_slack = 100;                         // what is let out does not rub
     Solver solver =
         asking_neighbours(chapter07_solver(parameters, settings, std::make_unique<SelfDetection>()));
     solver.name = "chapter 8";

@@ -145,10 +145,10 @@ TEST_CASE("newton matrix: in a new step other bodies may touch, or the same ones
             RandomProblem ring = ring_of_rigid_bodies(static_cast<unsigned>(bodies), bodies);
             if (symmetric)
                 ring.add_rigid_pair({0, bodies / 2});
-            matrix.begin_step();
+            matrix.begin_response(true);
             check_solution(matrix, ring, symmetric);
         }
     RandomProblem mixed = soft_among_rigid(1, 12);
-    matrix.begin_step();
+    matrix.begin_response(true);
     check_solution(matrix, mixed, true);
 }

@@ -174,7 +174,7 @@ TEST_CASE(
     scenes.push_back(scene_of(card_house(2, 15), 0.01));
     for (Scene& scene : scenes) {
         ImplicitSettings settings;
-        settings.most_rounds = 0;
+        settings.most_newton_steps = 0;
         int unsolved = 0;
         settings.record = [&](const SolveRecord& record) { unsolved += !record.converged; };
         const Solver solver = chapter07_solver(scene.contact, settings);

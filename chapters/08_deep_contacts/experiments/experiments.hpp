@@ -17,6 +17,7 @@ void unpaired(const RunOptions& options, Report& report);
 void folding(const RunOptions& options, Report& report);
 void knot(const RunOptions& options, Report& report);
 void round_turns(const RunOptions& options, Report& report);
+void mass_ratios(const RunOptions& options, Report& report);
 void cost(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08

@@ -91,7 +91,9 @@ std::string EnergyBudget::explanation(const World& world) const
                        "' moves with " + readable(fastest.energy(world.gravity).kinetic, 3) + " J. ";
     if (finds_stiffness_)
         return text +
-               "The solver finds the stiffness of its pairs, so the scene's is not to blame; a shorter dt may help.";
+               "The solver finds the stiffness of its pairs, so neither the scene's nor dt is to blame. "
+               "Look at the steps before for one that is told as not solved, and at '" +
+               fastest.name() + "' for others that it is jammed between, or that it began inside.";
     if (!least_stable_)
         return text + "No pair had pushed.";
     text += "The stiffest springs for their masses were those of " + names_of(world, least_stable_->bodies) +

@@ -44,7 +44,7 @@ SpringLedger::Booked SpringLedger::book(const World& world, const Contact& conta
     const double k = contact.stiffness > 0 ? contact.stiffness : pair_stiffness(world, contact, stiffness_);
     const auto spring_at = [&](double depth) {
         const double compression = std::min(0.0, depth - contact.slack);
-        return Spring{compression, k * compression * compression / 2};
+        return Spring{compression, k * compression * compression / 2, k};
     };
     Spring spring = spring_at(end.depth);
     const double pushed = contact.impulse.dot(way) / dt;
@@ -63,9 +63,12 @@ SpringLedger::Booked SpringLedger::book(const World& world, const Contact& conta
 void SpringLedger::take_over(Booked& booked, std::multimap<Key, Spring>::iterator before, double dt)
 {
     constexpr double rounding = 1e-9;
-    const double way = before->second.compression - booked.at_start.compression;
+    // Made stiffer without a jump of its force, a spring is less compressed and holds less. No body has moved.
+    const double softer = std::min(1.0, before->second.stiffness / booked.spring.stiffness);
+    const double way = softer * before->second.compression - booked.at_start.compression;
     const bool slowly = way <= (1 + rounding) * leaving_speed_ * dt;
-    const double put_in = slowly ? booked.force * way : booked.at_start.energy - before->second.energy;
+    const double put_in = slowly ? booked.force * way
+                                 : booked.at_start.energy - softer * before->second.energy;
     (slowly ? accounts_.lifted : accounts_.jumped) += put_in;
     booked.came = before->second.energy + put_in;
     booked.known = true;

@@ -28,7 +28,8 @@ struct SpringAccounts {
 /// died, was pushed and damped.
 ///
 /// Between two steps the bodies stand still, so a spring's compression can only change with the spring: by its
-/// slack, or by another face. If that is no more than the leaving speed allows, it is a lift, whose work counts
+/// slack, its stiffness, or by another face. A spring that gets stiffer and pushes as before loses energy, and that is
+/// damping. If the rest of the change is no more than the leaving speed allows, it is a lift, whose work counts
 /// with the force at the end of the step, as the step itself does. Depths of a step are measured along the
 /// normal at its end, as an implicit step sees them.
 class SpringLedger {
@@ -50,6 +51,7 @@ private:
     struct Spring {
         double compression;  ///< at the end of the step, negative if it pushes, else 0 [m]
         double energy;       ///< then [J]
+        double stiffness;    ///< [N/m]
     };
     struct Booked {
         Key key;

@@ -72,6 +72,27 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "spring ledger: a spring that gets stiffer and pushes as before puts nothing in, and what it loses is damped")
+{
+    const World world = points_in_ground(0.1);
+    for (const double factor : {1.0, 2.0, 50.0, 1e4}) {
+        CAPTURE(factor);
+        SpringLedger ledger(world, 1000, leaving_speed);
+        ledger.add_step(world, {on_ground(0)}, dt);
+        const double force = 2000 * 0.1, before = 0.5 * force * 0.1;
+        Contact stiffer = on_ground(0, -0.1 + 0.1 / factor);
+        stiffer.stiffness *= factor;
+        stiffer.impulse = {0, force * dt, 0};
+        ledger.add_step(world, {stiffer}, dt);
+        const SpringAccounts& sums = ledger.accounts();
+        CHECK(std::abs(sums.lifted) < 1e-12 * before);
+        CHECK(sums.jumped == 0);
+        CHECK(ledger.held() == doctest::Approx(before / factor));
+        CHECK(sums.damped == doctest::Approx(before - before / factor));
+    }
+}
+
+TEST_CASE(
     "spring ledger: what waits has not begun, and a pair without a stiffness of its own has that of all")
 {
     const World world = points_in_ground(0.1);
