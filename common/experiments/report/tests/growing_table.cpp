@@ -13,7 +13,7 @@ using namespace enduring;
 
 namespace {
 
-/// Runs in another process, which ends by this signal.
+/// Runs in another process, which this signal ends within its work.
 template <class Work>
 void end_by(int signal, const Work& work)
 {
@@ -21,13 +21,21 @@ void end_by(int signal, const Work& work)
     if (child == 0) {
         PendingFile::cleaned_on_interrupt();  // as every program of the course
         work();
-        std::raise(signal);
         ::_exit(0);
     }
     int status = 0;
     ::waitpid(child, &status, 0);
     REQUIRE(WIFSIGNALED(status));
     CHECK(WTERMSIG(status) == signal);
+}
+
+/// Of "runs: 2 of 8, about 3 s left".
+int seconds_left(const std::string& line)
+{
+    const std::string before = "2 of 8, about ";
+    const std::size_t at = line.find(before);
+    REQUIRE(at != std::string::npos);
+    return std::stoi(line.substr(at + before.size()));
 }
 
 }  // namespace
@@ -44,6 +52,7 @@ TEST_CASE(
             GrowingTable table(report, "sweep", {"run", "depth_m"}, 100);
             for (long run = 1; run <= 3; ++run)
                 table.add({run, 0.5 * static_cast<double>(run)});
+            std::raise(signal);
         });
         CHECK(content(folder.path / "sweep.unfinished.csv") == "run,depth_m\n1,0.5\n2,1\n3,1.5\n");
         CHECK(content(folder.path / "sweep.csv") == "of the run before\n");
