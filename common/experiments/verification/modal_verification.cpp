@@ -14,7 +14,7 @@
 namespace enduring::verification {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Mode {
     double omega;  ///< circular frequency [rad/s]

@@ -12,7 +12,7 @@
 namespace enduring::verification {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Long against every period of vibration: inertia is (omega dt)^-2 of the stiffness.
 constexpr double eternity = 1e6;
