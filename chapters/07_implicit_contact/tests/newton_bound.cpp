@@ -76,10 +76,10 @@ Counted count(int most_newton_steps, int steps)
 TEST_CASE(
     "newton bound: one number bounds all loops of a step, and what is unsolved then is told and gains no energy")
 {
-    const Counted bounded = count(20, 80), free = count(100000, 80);
-    CAPTURE(free.most());
-    CHECK(free.most() > 2 * 20);
+    const Counted bounded = count(20, 80), unbounded = count(100000, 80);
+    CAPTURE(unbounded.most());
+    CHECK(unbounded.most() > 2 * 20);
     CHECK(bounded.most() <= 20);
-    CHECK(bounded.unconverged > free.unconverged);
+    CHECK(bounded.unconverged > unbounded.unconverged);
     CHECK(bounded.gained <= 1e-6);
 }
