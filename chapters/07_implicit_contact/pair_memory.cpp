@@ -5,9 +5,19 @@
 
 namespace enduring {
 
+StiffnessChoice StiffnessChoice::of_pair(const NaturalUnits& units) const
+{
+    StiffnessChoice own = *this;
+    own.wanted_depth = depth(units.length);
+    own.rubbing_slack *= units.length;
+    own.forgets_in = scale_parts.forgets_in * units.time();
+    own.leaving_speed = scale_parts.fading_speed * units.speed;
+    return own;
+}
+
 double wanted_stiffness(double mass, double load, const StiffnessChoice& choice, double dt)
 {
-    return std::max(choice.of_its_mass * mass / (dt * dt), load / choice.wanted_depth);
+    return std::max(choice.of_its_mass * mass / (dt * dt), load / choice.depth());
 }
 
 //! [adapt_stiffness]
