@@ -11,14 +11,17 @@
 namespace enduring {
 namespace {
 
-/// What counts as a momentum at all: what gravity, or a thousandth of it,
-/// gives to all bodies in a step [sqrt(kg) m/s].
+/// What counts as a momentum at all: what gravity gives to all bodies in a step, or if that is more, what
+/// the rounding of their coordinates does [sqrt(kg) m/s].
 double least_speed(const World& world, double dt)
 {
-    double mass = 0;
+    double mass = 0, largest = 0;
     for (const auto& body : world.bodies)
-        mass += body->mass();
-    return std::sqrt(mass) * std::max(0.01, world.gravity.norm()) * dt;
+        if (!body->is_static()) {
+            mass += body->mass();
+            largest = std::max(largest, body->size());
+        }
+    return std::sqrt(mass) * std::max(scale_parts.least_answer * largest / dt, world.gravity.norm() * dt);
 }
 
 bool first_of_the_step(const Contacts& contacts)

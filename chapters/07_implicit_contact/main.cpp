@@ -19,6 +19,8 @@ int main(int argc, char** argv)
                  chapter07::ring},
                 {"free_bounce", "a bounce that costs nothing, over 100,000 steps", chapter07::free_bounce},
                 {"stack", "stacks of cubes, equal and 1000 : 1, with nothing to choose", chapter07::stack},
+                {"scales", "a stack of four in sizes from a millimetre to a hundred metres",
+                 chapter07::scales},
                 {"edge_on_edge", "cubes, bricks and beams laid exactly edge on edge: do they stand still?",
                  chapter07::edge_on_edge},
                 {"slope", "a cube on a slope: from which coefficient it holds, and how fast it slides",

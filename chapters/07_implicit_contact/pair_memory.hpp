@@ -2,24 +2,38 @@
 
 #include "chapters/07_implicit_contact/pair_law.hpp"
 #include "common/simulation/contact.hpp"
+#include "common/simulation/natural_units.hpp"
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace enduring {
 
 /// What decides a pair's stiffness, the same for all scenes.
 struct StiffnessChoice {
-    double of_its_mass = 100;    ///< h = k dt^2 / m of a pair with the mass that it feels itself
-    double wanted_depth = 1e-5;  ///< how deep the load that a pair carries may press it [m]
-    double keep = 0.9;           ///< part of a spring's slack that a step keeps
+    double of_its_mass = 100;  ///< h = k dt^2 / m of a pair with the mass that it feels itself
+    /// how deep the load that a pair carries may press it [m]; without it, a part of the pair's size
+    std::optional<double> wanted_depth{};
+    double keep = 0.9;  ///< part of a spring's slack that a step keeps
     /// whether the wanted depth is to be reached, not only not to be passed: a stiffness may fall then
     bool is_goal = false;
-    double forgets_in = 1;                      ///< time in which it falls to 1/e at most [s]
-    static constexpr double doubles_in = 0.01;  ///< time in which it doubles at most, from step to step [s]
-    double leaving_speed = 0.25;                ///< the fastest at which a slack fades [m/s]
     /// how many wanted depths the spring of a pair that began inside may still be slack when friction sets in
     double rubbing_slack = INFINITY;
+    /// time in which it falls to 1/e at most [s]; of a metre, see of_pair()
+    double forgets_in = scale_parts.forgets_in * NaturalUnits{}.time();
+    /// time in which it doubles at most, from step to step [s]; of a metre, see of_pair()
+    double doubles_in = scale_parts.doubles_in * NaturalUnits{}.time();
+    /// the fastest at which a slack fades [m/s]; of a metre, see of_pair()
+    double leaving_speed = scale_parts.fading_speed * NaturalUnits{}.speed;
+
+    /// The wanted depth of a pair of this length [m].
+    double depth(double length = NaturalUnits{}.length) const
+    {
+        return wanted_depth.value_or(scale_parts.wanted_depth * length);
+    }
+    /// The same for a pair with these units: all its lengths in metres, its speed and its time.
+    StiffnessChoice of_pair(const NaturalUnits& units) const;
 };
 
 /// The stiffness that a pair should have: enough for the mass that it feels, and

@@ -41,18 +41,19 @@ std::vector<double> patch_masses(const StepProblem& step)
 }
 //! [patch_masses]
 
-void aim_at_wanted_depth(const World& world, StepProblem& step, StiffnessChoice choice, double most_load,
-                         bool first)
+void aim_at_wanted_depth(const World& world, StepProblem& step, const StiffnessChoice& choice,
+                         double most_load, bool first)
 {
     const double dt = step.problem.step.dt, gravity = world.gravity.norm();
-    if (gravity > 0)
-        choice.of_its_mass = gravity * dt * dt / choice.wanted_depth;
     const std::vector<double> masses = patch_masses(step);
     for (std::size_t i = 0; i < masses.size(); ++i) {
         PairLaw& law = step.problem.rows[i].law;
         Contact& contact = *step.of_row[i];
+        StiffnessChoice own = choice.of_pair(natural_units(world, contact, dt));
+        if (gravity > 0)
+            own.of_its_mass = gravity * dt * dt / own.depth();
         if (first || contact.stiffness == 0)
-            adapt_stiffness(contact, law.depth_t0 + contact.slack, masses[i], choice, dt, most_load);
+            adapt_stiffness(contact, law.depth_t0 + contact.slack, masses[i], own, dt, most_load);
         law.stiffness = contact.stiffness;
         law.stretch = contact.stretch;
     }

@@ -12,7 +12,7 @@ std::vector<double> patch_masses(const StepProblem& step);
 /// Gives the pairs of a step their stiffness where the wanted depth is a goal: on its patch's mass the weight
 /// presses each as deep as wanted, and so does a larger load.
 /// @param first  as set_up() has it: enduring pairs get their stiffness once a step
-void aim_at_wanted_depth(const World& world, StepProblem& step, StiffnessChoice choice, double most_load,
-                         bool first);
+void aim_at_wanted_depth(const World& world, StepProblem& step, const StiffnessChoice& choice,
+                         double most_load, bool first);
 
 }  // namespace enduring

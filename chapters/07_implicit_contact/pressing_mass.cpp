@@ -33,8 +33,8 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         Contact& contact = *step.of_row[i];
         PairLaw& law = step.problem.rows[i].law;
         const double load = law.normal.dot(step.problem.rows[i].acting) / dt;
-        const double wanted = std::min(choice.of_its_mass * masses[i] / (dt * dt),
-                                       load / choice.wanted_depth);
+        const double depth = choice.of_pair(natural_units(world, contact, dt)).depth();
+        const double wanted = std::min(choice.of_its_mass * masses[i] / (dt * dt), load / depth);
         if (choice.is_goal || wanted < enough * contact.stiffness)
             continue;
         stiffen(contact, law.depth_t0 + contact.slack, wanted);

@@ -57,10 +57,17 @@ double beyond_ends(const World& world, const Contact& pair)
     return std::max(beyond(0, pair.weights[1]), beyond(2, -pair.weights[3]));
 }
 
+/// How far beyond its rim or its end a pair goes on [m].
+double hair(const World& world, const Contact& contact, const StiffnessChoice& choice)
+{
+    return choice.depth(natural_length(world, contact));
+}
+
 }  // namespace
 
 //! [keep]
-void RimPairs::keep(const World& world, const Contacts& before, double beyond, Contacts& contacts)
+void RimPairs::keep(const World& world, const Contacts& before, const StiffnessChoice& choice,
+                    Contacts& contacts)
 {
     std::set<Key> going_on, outside;
     for (std::size_t i = 0; i < before.size(); ++i) {
@@ -69,7 +76,7 @@ void RimPairs::keep(const World& world, const Contacts& before, double beyond, C
         if (!pushes_a_vertex(before[i]) || (!contact.resolved && !outside_.contains(key)))
             continue;
         const std::optional<double> from_face = beyond_rim(world, contact);
-        contact.resolved = !from_face || *from_face > beyond;
+        contact.resolved = !from_face || *from_face > hair(world, contact, choice);
         if (!contact.resolved)
             going_on.insert(key);
         if (!contact.resolved && *from_face > 0)
@@ -84,13 +91,15 @@ void RimPairs::keep(const World& world, const Contacts& before, double beyond, C
 }
 //! [keep]
 
-void push_beyond_ends(const World& world, const Contacts& before, double beyond, Contacts& contacts)
+void push_beyond_ends(const World& world, const Contacts& before, const StiffnessChoice& choice,
+                      Contacts& contacts)
 {
     for (std::size_t i = 0; i < before.size(); ++i) {
         Contact& pair = contacts[i];
         const bool is_held_at_an_end = pair.kind == ContactKind::edge_edge && pair.held() && !pair.resolved &&
                                        pair.category == ContactCategory::regular && have_feet(world, pair);
-        if (is_held_at_an_end && before[i].is_spring() && beyond_ends(world, pair) <= beyond)
+        if (is_held_at_an_end && before[i].is_spring() &&
+            beyond_ends(world, pair) <= hair(world, pair, choice))
             pair.hold(false);
     }
 }

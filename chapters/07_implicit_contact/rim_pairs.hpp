@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/07_implicit_contact/pair_memory.hpp"
 #include "common/simulation/step.hpp"
 
 #include <set>
@@ -15,8 +16,8 @@ class RimPairs {
 public:
     /// Goes on with pairs that have just been resolved, since their vertex has left the body beside their face.
     /// @param before  the list as it was before that; now more pairs may stand behind its own
-    /// @param beyond  how far from the face a foot on its plane may lie [m]
-    void keep(const World& world, const Contacts& before, double beyond, Contacts& contacts);
+    /// @param choice  its wanted depth is how far from the face a foot on its plane may lie
+    void keep(const World& world, const Contacts& before, const StiffnessChoice& choice, Contacts& contacts);
 
 private:
     using Key = std::tuple<int, int, int>;  ///< body, vertex, other body
@@ -26,7 +27,8 @@ private:
 
 /// The same for pairs of edges, whose feet may lie beyond an end: those that pushed before are not held there.
 /// @param before  the list as it was before edges were held
-/// @param beyond  how far from an end a foot may lie [m]
-void push_beyond_ends(const World& world, const Contacts& before, double beyond, Contacts& contacts);
+/// @param choice  its wanted depth is how far from an end a foot may lie
+void push_beyond_ends(const World& world, const Contacts& before, const StiffnessChoice& choice,
+                      Contacts& contacts);
 
 }  // namespace enduring

@@ -53,20 +53,20 @@ void keep_plausible_edges(Solver& solver)
 
 //! [rims]
 /// A pair that pushes goes on beyond the rim of its face, or the end of its edge, by as much as it may be deep.
-void push_beyond_rims(Solver& solver, double beyond)
+void push_beyond_rims(Solver& solver, const StiffnessChoice& choice)
 {
     solver.wrap("resolve vertices", "resolve vertices",
-                [beyond, rims = std::make_shared<RimPairs>()](const Pass::Function& resolve, World& world,
+                [choice, rims = std::make_shared<RimPairs>()](const Pass::Function& resolve, World& world,
                                                               Contacts& contacts, double dt) {
                     const Contacts before = contacts;
                     resolve(world, contacts, dt);
-                    rims->keep(world, before, beyond, contacts);
+                    rims->keep(world, before, choice, contacts);
                 });
     solver.wrap("dismiss edges", "dismiss edges",
-                [beyond](const Pass::Function& dismiss, World& world, Contacts& contacts, double dt) {
+                [choice](const Pass::Function& dismiss, World& world, Contacts& contacts, double dt) {
                     const Contacts before = contacts;
                     dismiss(world, contacts, dt);
-                    push_beyond_ends(world, before, beyond, contacts);
+                    push_beyond_ends(world, before, choice, contacts);
                 });
 }
 //! [rims]
@@ -100,6 +100,8 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
                         std::unique_ptr<CrossingDetection> detection)
 {
     settings.friction = coefficients_of(parameters.friction);
+    if (parameters.wanted_depth)
+        settings.stiffness.wanted_depth = parameters.wanted_depth;
     ContactParameters frictionless = parameters;
     frictionless.friction = NoFriction{};
     Solver solver = chapter06_solver_with(frictionless, std::move(detection));
@@ -110,9 +112,10 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
         [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {
             answer_all_pairs(world, contacts, settings, *matrix, dt);
         });
+    solver.finds_stiffness = true;
     find_and_label(solver);
     keep_plausible_edges(solver);
-    push_beyond_rims(solver, settings.stiffness.wanted_depth);
+    push_beyond_rims(solver, settings.stiffness);
     push_from_all_walls(solver);
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });

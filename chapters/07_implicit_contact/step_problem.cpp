@@ -131,7 +131,7 @@ bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem&
 bool rubs(const Contact& contact, const PairRow& row, const ContactProblem& problem,
           const StiffnessChoice& choice)
 {
-    if (contact.slack >= -choice.rubbing_slack * choice.wanted_depth)
+    if (contact.slack >= -choice.rubbing_slack * choice.depth())
         return true;
     const double first = wanted_stiffness(mass_of(row, problem), 0, choice, problem.step.dt);
     return -contact.slack * first <= contact.load;
@@ -170,16 +170,16 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         row.turns = contact.kind != ContactKind::edge_edge || !are_nearly_parallel(pair_step(world, contact));
         if (row.part_count == 0 || row.law.normal.isZero(0))
             continue;
+        const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
         if (!choice.is_goal && (first || contact.stiffness == 0)) {
             const double mass = contact.stiffness == 0 ? mass_of(row, step.problem) : 0;
-            adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, choice, step_law.dt, most);
+            adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, own, step_law.dt, most);
         }
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
-        row.law.mu = !rubs(contact, row, step.problem, choice)         ? 0
+        row.law.mu = !rubs(contact, row, step.problem, own)            ? 0
                      : slides_on(contact, row, step.problem, friction) ? friction.mu_d
                                                                        : friction.mu_s;
-        row.law.pressing = contact.waiting() ? contact.load * step_law.dt : contact.impulse.norm();
         step.problem.rows.push_back(std::move(row));
         step.of_row.push_back(&contact);
     }

@@ -188,7 +188,7 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
 Exit find_exit(const StillSurface& surface, const Vec3& point, const Vec3& way)
 {
     const SweptBox box = surface.tree.box();
-    const Vec3 outside = point + ((box.high - box.low).norm() + 1) * way;
+    const Vec3 outside = point + 2 * (box.high - box.low).norm() * way;
     const double length = (outside - point).norm();
     Exit exit;
     surface.tree.faces_near({point.cwiseMin(outside), point.cwiseMax(outside)}, [&](int face) {

@@ -52,7 +52,9 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
             const double most = most_load(world, dt);
             fade_slack(contacts, keep, [&](const Contact& contact) {
                 // what carries more than others can bring upon it does not move out, and is not wound up
-                return contact.load > most ? 0 : speed * dt * inside->part_along_the_way(world, contact);
+                return contact.load > most ? 0
+                                           : leaving_speed(world, contact, speed, dt) * dt *
+                                                 inside->part_along_the_way(world, contact);
             });
         });
     return solver;

@@ -2,6 +2,7 @@
 
 #include "common/geometry/triangle_distance.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/natural_units.hpp"
 
 #include <algorithm>
 
@@ -19,9 +20,6 @@ double distance_to_face(const World& world, const Contact& contact)
     const auto x = [&](int i) { return contact_vertex(world, contact, i, 0); };
     return distance_to_triangle(x(0), x(1), x(2), x(3));
 }
-
-/// What a body that rests is pressed in deeper than a face that it has left [m].
-constexpr double tolerance = 1e-3;
 
 bool has_spring(const Contact& contact)
 {
@@ -53,6 +51,8 @@ void SpringCompressions::keep(const World& world, Contacts& contacts) const
         const auto spring = std::lower_bound(
             springs_.begin(), springs_.end(), key,
             [](const Spring& one, const Key& sought) { return one.key < sought; });
+        // by how much a body that rests is pressed in deeper than a face that it has left
+        const double tolerance = scale_parts.other_face * natural_length(world, contact);
         if (spring == springs_.end() || spring->key != key)
             continue;
         if (spring->face != contact.feature_b && -depth_of(world, contact) > spring->distance + tolerance)

@@ -106,6 +106,7 @@ BulletRigidBody::BulletRigidBody(const RigidBody& body, btCollisionShape& shape)
     body_->setAngularVelocity(to_bullet(motion.angular_velocity()));
     positions_t0_.assign(body.positions_t0().begin(), body.positions_t0().end());
     positions_t1_ = positions_t0_;
+    measure();
 }
 
 void BulletRigidBody::read_back()
@@ -153,6 +154,7 @@ BulletSoftBody::BulletSoftBody(const DeformableBody& body, btSoftBodyWorldInfo& 
     positions_t0_.resize(static_cast<std::size_t>(embedding_.vertex_count()));
     read_back();
     positions_t0_ = positions_t1_;
+    measure();
 }
 
 void BulletSoftBody::read_back()

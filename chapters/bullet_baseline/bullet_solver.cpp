@@ -11,6 +11,7 @@ Solver bullet_solver(Scene& scene)
     const auto bullet = std::make_shared<bullet::BulletWorld>(scene);
     Solver solver;
     solver.name = "Bullet " + bullet_version();
+    solver.finds_stiffness = true;
     solver.append(StepStage::refresh, "Bullet's step", [bullet](World& world, Contacts& contacts, double dt) {
         bullet->step(world, contacts, dt);
     });

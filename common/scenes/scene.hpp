@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,11 @@ struct Scene {
     bool camera_given = false;              ///< by the file; else one may be chosen that sees more
     std::map<std::string, BodyLook> looks;  ///< by body name
     World world;                            ///< bodies placed, velocities set, time 0
+    bool gives_stiffness = false;           ///< in its file; else that of `contact` is the default
     /// what will probably go wrong, a sentence each (see scene_warnings()); run() tells them
     std::vector<std::string> warnings;
+    /// the same under a solver that takes the scene's stiffness
+    std::optional<std::string> stiffness_warning;
 };
 
 /// Changes to a scene before it is built, as a JSON merge patch: {"contact": {"stiffness": 2000}}.

@@ -21,7 +21,7 @@ const NumberRange stiffness_range{0, 1e12, false, true, "N/m"};
 
 ContactParameters read_contact(const JsonValue& value)
 {
-    value.require_keys({"method", "stiffness", "friction", "leaving_speed"});
+    value.require_keys({"method", "stiffness", "friction", "leaving_speed", "wanted_depth"});
     ContactParameters contact;
     Mistakes mistakes;
     mistakes.gather([&] {
@@ -30,10 +30,14 @@ ContactParameters read_contact(const JsonValue& value)
     });
     mistakes.gather(
         [&] { contact.stiffness = value.number_or("stiffness", stiffness_range, contact.stiffness); });
-    mistakes.gather([&] {
-        contact.leaving_speed = value.number_or("leaving_speed", {0, 10, false, true, "m/s"},
-                                                contact.leaving_speed);
-    });
+    const auto read_if_given = [&](const char* key, const NumberRange& range, std::optional<double>& number) {
+        mistakes.gather([&] {
+            if (const std::optional<JsonValue> given = value.find(key))
+                number = given->number(range);
+        });
+    };
+    read_if_given("leaving_speed", {0, 10, false, true, "m/s"}, contact.leaving_speed);
+    read_if_given("wanted_depth", {0, 1, false, true, "m"}, contact.wanted_depth);
     mistakes.gather([&] {
         if (const std::optional<JsonValue> friction = value.find("friction"))
             contact.friction = read_friction(*friction, contact.stiffness);
@@ -132,8 +136,12 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
         scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"},
                                              scene.world.gravity);
     });
-    mistakes.gather(
-        [&] { scene.contact = root.find("contact") ? read_contact(root.at("contact")) : scene.contact; });
+    mistakes.gather([&] {
+        if (const std::optional<JsonValue> contact = root.find("contact")) {
+            scene.contact = read_contact(*contact);
+            scene.gives_stiffness = contact->find("stiffness").has_value();
+        }
+    });
     mistakes.gather([&] {
         scene.camera_given = root.find("camera").has_value();
         scene.camera = scene.camera_given ? read_camera(root.at("camera")) : scene.camera;
@@ -154,6 +162,7 @@ Scene read_scene(const std::string& text, const std::string& patch, const std::s
         apply_patch(document, parse_json(patch, file + " (change)"), file);
     Scene scene = read_root(JsonValue(document, file), surroundings);
     scene.warnings = scene_warnings(scene, file);
+    scene.stiffness_warning = stiffness_warning(scene, file);
     return scene;
 }
 

@@ -3,6 +3,9 @@
 #include "common/input/number_text.hpp"
 #include "common/scenes/start_overlap.hpp"
 #include "common/scenes/stiffness_check.hpp"
+#include "common/simulation/natural_units.hpp"
+
+#include <algorithm>
 
 namespace enduring {
 namespace {
@@ -23,6 +26,20 @@ std::string sentence(const StartOverlap& overlap, double leaving_speed)
     return place + let_out + "one that waits for surfaces to cross lets it fall through";
 }
 
+/// At which the inner body is let out [m/s].
+double speed_of(const StartOverlap& overlap, const Scene& scene)
+{
+    const auto body = [&](const std::string& name) {
+        const auto found = std::find_if(scene.world.bodies.begin(), scene.world.bodies.end(),
+                                        [&](const auto& one) { return one->name() == name; });
+        return static_cast<int>(found - scene.world.bodies.begin());
+    };
+    Contact pair{overlap.in_plane ? ContactKind::vertex_plane : ContactKind::vertex_face,
+                 body(overlap.inner)};
+    pair.body_b = overlap.in_plane ? 0 : body(overlap.outer);
+    return leaving_speed(scene.world, pair, scene.contact.leaving_speed, scene.dt);
+}
+
 std::string sentence(const StartSelfOverlap& overlap)
 {
     return "'" + overlap.body + "' begins crossed with itself, " + std::to_string(overlap.faces) +
@@ -30,13 +47,25 @@ std::string sentence(const StartSelfOverlap& overlap)
            "comes free by its own elasticity; give it a shape that does not cross";
 }
 
-std::string sentence(const StiffestContact& contact, double dt)
+/// The place of a stiffness, or what stands there if the file does not have it.
+std::string place_of(const StiffestContact& contact, const Scene& scene)
 {
-    return "/contact/stiffness: too stiff for the step where '" + contact.a + "' meets '" + contact.b +
+    if (contact.of_plane)
+        return "/planes/" + contact.b + "/stiffness: ";
+    if (scene.gives_stiffness)
+        return "/contact/stiffness: ";
+    return "/contact gives no \"stiffness\", and the default of " + readable(scene.contact.stiffness, 3) +
+           " N/m is ";
+}
+
+std::string sentence(const StiffestContact& contact, const Scene& scene)
+{
+    const double dt = scene.dt;
+    return place_of(contact, scene) + "too stiff for the step where '" + contact.a + "' meets '" + contact.b +
            "': even on " + std::to_string(contact.pairs) + " pairs (n k = " + readable(contact.stiffness, 3) +
            " N/m, on " + readable(contact.mass, 3) + " kg) steps are stable up to " +
            readable(contact.stable_step, 3) + " s, and dt is " + readable(dt, 3) +
-           " s; make dt shorter, the stiffness smaller, or the bodies heavier (a solver that finds its own stiffness needs none of this)";
+           " s; make dt shorter, the stiffness smaller, or the bodies heavier";
 }
 
 }  // namespace
@@ -45,13 +74,18 @@ std::vector<std::string> scene_warnings(const Scene& scene, const std::string& f
 {
     std::vector<std::string> warnings;
     for (const StartOverlap& overlap : start_overlaps(scene.world, scene.contact))
-        warnings.push_back(file + ": " + sentence(overlap, scene.contact.leaving_speed));
+        warnings.push_back(file + ": " + sentence(overlap, speed_of(overlap, scene)));
     for (const StartSelfOverlap& overlap : start_self_overlaps(scene.world))
         warnings.push_back(file + ": " + sentence(overlap));
-    const std::optional<StiffestContact> contact = stiffest_contact(scene.world, scene.contact);
-    if (contact && contact->stable_step < scene.dt)
-        warnings.push_back(file + ": " + sentence(*contact, scene.dt));
     return warnings;
+}
+
+std::optional<std::string> stiffness_warning(const Scene& scene, const std::string& file)
+{
+    const std::optional<StiffestContact> contact = stiffest_contact(scene.world, scene.contact);
+    if (!contact || contact->stable_step >= scene.dt)
+        return std::nullopt;
+    return file + ": " + sentence(*contact, scene);
 }
 
 }  // namespace enduring

@@ -15,6 +15,7 @@ struct Softness {
     double inverse_mass = 0;                      ///< of the body as one [1/kg]
     double inverse_pair = 0;  ///< of the heaviest vertex, for a body whose nodes answer alone [1/kg]
     double stiffness;         ///< k of a pair with it [N/m]
+    bool of_its_own = false;  ///< the scene gives it to this plane
 };
 
 Softness softness_of(const Body& body, double stiffness)
@@ -38,10 +39,10 @@ Softness softness_of(const Body& body, double stiffness)
 StiffestContact contact_of(const Softness& a, const Softness& b, PenaltyMethod method)
 {
     const int pairs = std::min(a.pairs, b.pairs);
-    const double stiffness = std::max(a.stiffness, b.stiffness), nk = pairs * stiffness;
+    const double nk = pairs * b.stiffness;
     // A spring of n k moves the bodies as one; where nodes answer alone, each of its n strands moves its own.
     const double inverse = a.inverse_mass + b.inverse_mass + (a.inverse_pair + b.inverse_pair) / pairs;
-    return {*a.name, *b.name, pairs, nk, 1 / inverse, stable_step(inverse, nk, method)};
+    return {*a.name, *b.name, pairs, nk, 1 / inverse, stable_step(inverse, nk, method), b.of_its_own};
 }
 
 Vec3 normal_of(const Face& face, std::span<const Vec3> positions)
@@ -91,7 +92,7 @@ std::optional<StiffestContact> stiffest_contact(const World& world, const Contac
         (body->is_static() ? still : moving).push_back(softness_of(*body, contact.stiffness));
     for (const Plane& plane : world.planes)
         still.push_back({&plane.name, std::numeric_limits<int>::max(), 0, 0,
-                         plane.stiffness.value_or(contact.stiffness)});
+                         plane.stiffness.value_or(contact.stiffness), plane.stiffness.has_value()});
 
     std::optional<StiffestContact> stiffest;
     const auto look = [&](const Softness& a, const Softness& b) {

@@ -14,6 +14,7 @@ struct StiffestContact {
     double stiffness;    ///< n k [N/m]
     double mass;         ///< what the n pairs move, reduced [kg]
     double stable_step;  ///< [s]
+    bool of_plane;       ///< the stiffness is the plane's own
 };
 
 /// Looks for it before a run. How many pairs two bodies will have nobody knows, so each contact is taken at

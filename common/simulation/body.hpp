@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/geometry/surface_size.hpp"
 #include "common/geometry/surface_topology.hpp"
 #include "common/geometry/vector.hpp"
 #include "common/simulation/contact_mass.hpp"
@@ -63,6 +64,8 @@ public:
     }
     /// The mean of the surface vertices at the start of the step [m]; not the centre of mass.
     Vec3 centre() const;
+    /// As it was made, however it bends since (see surface_size()) [m].
+    double size() const { return size_; }
 
     /// New velocities from gravity [m/s^2], inner forces and damping over dt [s]; then positions_t1.
     virtual void predict(const Vec3& gravity, double dt) = 0;
@@ -114,11 +117,15 @@ public:
     virtual int inverted_elements() const { return 0; }
 
 protected:
+    /// To be called by who makes a body, when its first positions are known.
+    void measure() { size_ = surface_size(surface_, positions_t0_); }
+
     std::vector<Vec3> positions_t0_, positions_t1_;
 
 private:
     std::string name_;
     SurfaceTopology surface_;
+    double size_ = 0;
 };
 
 }  // namespace enduring

@@ -3,6 +3,7 @@
 #include "common/simulation/normal_law.hpp"
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -76,8 +77,11 @@ struct ContactParameters {
     double stiffness = 1000;  ///< k of one pair [N/m], positive
     FrictionParameters friction{};
     NormalLaw law{};  ///< a normal law of one's own, in place of the method's
-    /// of what begins inside another body or a plane, under a solver that lets it out [m/s]
-    double leaving_speed = 0.35;
+    /// of what begins inside another body or a plane, under a solver that lets it out [m/s]; without it, a part
+    /// of what is natural for bodies of their size (see ScaleParts)
+    std::optional<double> leaving_speed{};
+    /// how deep the load of a pair may press it, under a solver that finds its stiffness [m]; the same without it
+    std::optional<double> wanted_depth{};
 };
 
 }  // namespace enduring

@@ -142,6 +142,7 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
     positions_t0_.resize(static_cast<std::size_t>(embedding_.vertex_count()));
     embedding_.evaluate(elastic_.positions(), positions_t0_);
     positions_t1_ = positions_t0_;
+    measure();
     if (settings.self_contact)
         rest_neighbours_ =
             std::make_unique<RestNeighbours>(neighbours_in(this->surface(), elastic_.mesh(), embedding_));

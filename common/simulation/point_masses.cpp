@@ -31,6 +31,7 @@ PointMasses::PointMasses(std::string name, std::vector<Vec3> positions, std::vec
 {
     positions_t1_ = positions;
     positions_t0_ = std::move(positions);
+    measure();
 }
 
 std::unique_ptr<Trial> PointMasses::begin_trial() const

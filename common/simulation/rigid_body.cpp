@@ -44,6 +44,7 @@ RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProper
         body_points_.push_back(pose.to_body(vertex));
     positions_t0_ = mesh.vertices;
     positions_t1_ = mesh.vertices;
+    measure();
 }
 
 void RigidBody::predict(const Vec3& gravity, double dt)

@@ -13,6 +13,7 @@ StaticBody::StaticBody(std::string name, SurfaceTopology surface, std::vector<Ve
                                     "': one position for each vertex is needed");
     positions_t1_ = vertices;
     positions_t0_ = std::move(vertices);
+    measure();
 }
 
 }  // namespace enduring

@@ -59,6 +59,7 @@ public:
     std::string name;
     /// The furthest that a body may turn at once [rad]: a step that turns one further is taken in parts.
     double most_turn = std::numeric_limits<double>::infinity();
+    bool finds_stiffness = false;  ///< of each pair: a scene's has no effect
 
     Solver() = default;
     Solver(std::string of_solver, const std::vector<Pass>& refresh, const std::vector<Pass>& detect,

@@ -18,6 +18,7 @@ TurningBody::TurningBody(std::string name, const SurfaceMesh& mesh, const Vec3& 
       centre_(centre), angular_velocity_(angular_velocity), at_first_(mesh.vertices)
 {
     positions_t0_ = positions_t1_ = mesh.vertices;
+    measure();
 }
 
 void TurningBody::predict(const Vec3&, double dt)

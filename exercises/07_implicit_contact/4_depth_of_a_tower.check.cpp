@@ -161,8 +161,8 @@ TEST_CASE("law: where a load decides, no joint is deeper than the law says")
         for (const double ton : {30.0, 1000.0}) {
             const Tower tower{{1, 1, 1}, {0.8, 1, ton}};
             given(told(tower), " wanted depth 0.01 mm, dt ", dt, " s, 4 s");
-            const std::vector<double> law = law_of_depths(tower, {}, dt),
-                                      measured = measured_depths(tower, {}, dt, 4);
+            const std::vector<double> law = law_of_depths(tower, wanting(1e-5), dt),
+                                      measured = measured_depths(tower, wanting(1e-5), dt, 4);
             expect("number of depths", measured.size(), law.size(), 0);
             for (std::size_t joint = 0; joint < std::min(law.size(), measured.size()); ++joint)
                 expect_that("joint " + readable(joint) + ", " + readable(1e6 * measured[joint]) +
@@ -172,7 +172,7 @@ TEST_CASE("law: where a load decides, no joint is deeper than the law says")
             if (dt == 0.01 && ton == 1000 && !measured.empty())
                 pressed = measured[0];
         }
-    const std::vector<double> without = measured_depths({{1, 1, 1}}, {}, 0.01, 4);
+    const std::vector<double> without = measured_depths({{1, 1, 1}}, wanting(1e-5), 0.01, 4);
     if (!without.empty())
         alone = without[0];
     say("1 kg alone: ", 1e6 * alone, " um; under a ton: ", 1e6 * pressed, " um");

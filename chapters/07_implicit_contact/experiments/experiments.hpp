@@ -8,6 +8,7 @@ void implicit_map(const RunOptions& options, Report& report);
 void ring(const RunOptions& options, Report& report);
 void free_bounce(const RunOptions& options, Report& report);
 void stack(const RunOptions& options, Report& report);
+void scales(const RunOptions& options, Report& report);
 void edge_on_edge(const RunOptions& options, Report& report);
 void slope(const RunOptions& options, Report& report);
 void rolling(const RunOptions& options, Report& report);

@@ -15,6 +15,7 @@ using namespace enduring::chapter07;
 namespace {
 
 constexpr double beyond = 1e-5;
+const StiffnessChoice choice{.wanted_depth = beyond};
 
 /// A cube of 1 m, whose corner lies beside or below the rim of the upper face of a block that stands still.
 struct Rim {
@@ -75,7 +76,7 @@ bool goes_on(double aside, double depth)
 {
     const Rim rim(aside, depth);
     Contacts contacts{resolved(rim.pair)};
-    RimPairs().keep(rim.world, {rim.pair}, beyond, contacts);
+    RimPairs().keep(rim.world, {rim.pair}, choice, contacts);
     return !contacts[0].resolved;
 }
 
@@ -102,7 +103,7 @@ TEST_CASE("rim pairs: a pair that was held, is hooked or has entered in this ste
     entered.start = 0.5;
     for (const Contact& before : {held, hooked, entered}) {
         Contacts contacts{resolved(before)};
-        RimPairs().keep(rim.world, {before}, beyond, contacts);
+        RimPairs().keep(rim.world, {before}, choice, contacts);
         CHECK(contacts[0].resolved);
     }
 }
@@ -113,17 +114,17 @@ TEST_CASE(
     const Rim near(1e-9, -1e-5), far(1e-3, -1e-5);
     RimPairs rims;
     Contacts contacts{resolved(near.pair)};
-    rims.keep(near.world, {near.pair}, beyond, contacts);
+    rims.keep(near.world, {near.pair}, choice, contacts);
     REQUIRE_FALSE(contacts[0].resolved);
     for (int step = 0; step < 3; ++step) {
         const Contacts before = contacts;
-        rims.keep(near.world, before, beyond, contacts);
+        rims.keep(near.world, before, choice, contacts);
         CHECK_FALSE(contacts[0].resolved);
     }
     Contacts never_left = contacts;
-    rims.keep(far.world, Contacts(contacts), beyond, contacts);
+    rims.keep(far.world, Contacts(contacts), choice, contacts);
     CHECK(contacts[0].resolved);
-    RimPairs().keep(far.world, Contacts(never_left), beyond, never_left);
+    RimPairs().keep(far.world, Contacts(never_left), choice, never_left);
     CHECK_FALSE(never_left[0].resolved);
 }
 
@@ -134,7 +135,7 @@ TEST_CASE("rim pairs: a vertex that left and came back within a step has one pai
     new_one.start = 0.4;
     other.feature_a = rim.pair.feature_a == 0 ? 1 : 0;
     Contacts contacts{resolved(rim.pair), new_one, other};
-    RimPairs().keep(rim.world, {rim.pair}, beyond, contacts);
+    RimPairs().keep(rim.world, {rim.pair}, choice, contacts);
     REQUIRE(contacts.size() == 2);
     CHECK_FALSE(contacts[0].resolved);
     CHECK(contacts[0].start == 0);
@@ -172,7 +173,7 @@ bool pushes_past_end(const Vec3& along_b, double past_end, bool pushed)
     const double s = past_end > 0 ? 1 + past_end : past_end;  // of an edge of 1 m
     now.weights = {1 - s, s, -0.5, -0.5};
     Contacts contacts{now};
-    push_beyond_ends(rim.world, {before}, beyond, contacts);
+    push_beyond_ends(rim.world, {before}, choice, contacts);
     return !contacts[0].held();
 }
 

@@ -116,6 +116,33 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("pair memory: a spring that is not compressed stays slack at its depth when it becomes stiffer")
+{
+    Contact contact;
+    adapt_stiffness(contact, 1e-3, 2, {}, 0.01);
+    const double before = contact.stiffness;
+    contact.load = 1e9;
+    contact.stretch = Vec3(1e-5, 0, 0);
+    adapt_stiffness(contact, 1e-3, 0, {}, 0.01);
+    CHECK(contact.stiffness > 1.9 * before);
+    CHECK(contact.slack == 0);
+    CHECK(contact.stretch == Vec3(1e-5, 0, 0));
+}
+
+TEST_CASE(
+    "pair memory: without a load, a stiffness whose depth is a goal falls by the same in a time, whatever the step")
+{
+    const StiffnessChoice goal{.of_its_mass = 1, .wanted_depth = 1e-3, .is_goal = true};
+    const double time = goal.forgets_in;
+    for (const int steps : {50, 100, 500}) {
+        Contact contact;
+        contact.stiffness = 1e9;
+        for (int i = 0; i < steps; ++i)
+            adapt_stiffness(contact, 1e-3, 1e-9, goal, time / steps);
+        CHECK(contact.stiffness == doctest::Approx(1e9 / std::exp(1)).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("pair memory: where the stiffness rises, friction holds what it held before")
 {
     Contact contact;
@@ -154,6 +181,7 @@ TEST_CASE("pair memory: a pair that is held lets its spring go, and begins anew 
     pair.slack = -1e-3;
     pair.impulse = Vec3(0, 0.2, 0);
     pair.friction = Vec3(0.1, 0, 0);
+    pair.stretch = Vec3(1e-4, 0, 0);
     Contacts contacts{pair, pair};
     contacts[0].hold(true);
     remember_pairs(scene.world, contacts, 0.01);
@@ -262,6 +290,42 @@ TEST_CASE(
         CHECK(stiffnesses_are(ContactKind::vertex_face, 1, 4 / above + 2.5 / below) > 0);
         CHECK(stiffnesses_are(ContactKind::vertex_face, 0, 4 / below + 2.5 / above) > 0);
     }
+}
+
+TEST_CASE(
+    "slope: at rest the last step's impulses are the answer, friction with them, so no step needs two rounds")
+{
+    Scene scene = scene_of({{10, Vec3(0, 0.5, 0), 0}}, 0.01, 20);
+    long rounds = 0;
+    ImplicitSettings settings;
+    settings.record = [&](const SolveRecord& record) { rounds += record.rounds; };
+    const Solver solver = chapter07_solver(scene.contact, settings);
+    Contacts contacts;
+    for (int i = 0; i < 99; ++i)
+        advance(scene.world, contacts, solver, scene.dt);
+    CHECK(rounds <= 99);
+}
+
+TEST_CASE("implicit contact: a second answer in a step leaves the pairs' stiffness and slack as they are")
+{
+    Scene scene = scene_of({{10, Vec3(0, 0.49, 0), 0}}, 0.01);
+    scene.world.bodies[0]->predict(scene.world.gravity, scene.dt);
+    Contacts contacts{{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}};
+    contacts[0].stiffness = 1e5;
+    contacts[0].slack = -5e-3;
+    contacts[0].load = 1e9;
+    NewtonMatrix matrix;
+    ImplicitSettings settings;
+    settings.record = [](const SolveRecord&) {};
+    answer_all_pairs(scene.world, contacts, settings, matrix, scene.dt);
+    const double stiffness = contacts[0].stiffness, slack = contacts[0].slack;
+    CHECK(stiffness > 1e5);
+    CHECK(slack != -5e-3);
+    contacts.push_back({ContactKind::vertex_plane, 0, 0, 1, -1, {1, -1, -1, -1}, {1, 0, 0, 0}});
+    answer_all_pairs(scene.world, contacts, settings, matrix, scene.dt);
+    CHECK(contacts[0].stiffness == stiffness);
+    CHECK(contacts[0].slack == slack);
+    CHECK(contacts[1].stiffness > 0);
 }
 
 TEST_CASE(

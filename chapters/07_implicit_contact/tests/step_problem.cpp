@@ -103,3 +103,29 @@ TEST_CASE("step problem: edges that a step turns until they are nearly parallel 
     look_again(edges.world, step);
     CHECK(step.problem.rows[0].law.normal == before);
 }
+
+TEST_CASE("step problem: a pair that is held, or has been resolved, has no row")
+{
+    CrossingEdges edges(0.7);
+    CHECK(set_up(edges.world, edges.contacts, {}, {}, {1, dt}, true).problem.rows.size() == 1);
+    edges.contacts[0].resolved = true;
+    CHECK(set_up(edges.world, edges.contacts, {}, {}, {1, dt}, true).problem.rows.empty());
+    edges.contacts[0].resolved = false;
+    edges.contacts[0].hold(true);
+    CHECK(set_up(edges.world, edges.contacts, {}, {}, {1, dt}, true).problem.rows.empty());
+}
+
+TEST_CASE("step problem: how fast a pair slips is its speed along the surface")
+{
+    CrossingEdges edges(0.7);
+    edges.contacts[0].stiffness = 1000;
+    StepProblem step = set_up(edges.world, edges.contacts, {}, {0.1, 0.1}, {1, dt}, true);
+    REQUIRE(step.problem.rows.size() == 1);
+    PairRow& row = step.problem.rows[0];
+    row.law.normal = Vec3::UnitY();
+    row.law.mu = 0.1;
+    row.law.depth_t0 = 0;
+    row.velocity = Vec3(1, -5, 0);
+    find_slip(step);
+    CHECK(edges.contacts[0].slip == doctest::Approx(1).epsilon(1e-12));
+}

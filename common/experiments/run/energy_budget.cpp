@@ -2,6 +2,7 @@
 
 #include "common/input/number_text.hpp"
 #include "common/simulation/energy.hpp"
+#include "common/simulation/natural_units.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -14,14 +15,16 @@ constexpr double tolerated_gain = 0.1;
 
 /// A scene at rest has put in next to nothing, and its bodies still tremble. A stable contact lets no body
 /// rest less than about g dt^2 deep, so m (g dt)^2 is what gravity itself puts in there; and no one counts a
-/// micrometre per second, not without weight either.
+/// body that trembles by a hundred millionth of its size in a step, not without weight either.
 double slack_of(const Scene& scene)
 {
-    const double fall = scene.dt * scene.world.gravity.norm(), rounding = 1e-6;
-    double mass = 0;
-    for (const auto& body : scene.world.bodies)
-        mass += body->mass();
-    return mass * (fall * fall + rounding * rounding);
+    const double fall = scene.dt * scene.world.gravity.norm();
+    double sum = 0;
+    for (const auto& body : scene.world.bodies) {
+        const double trembling = scale_parts.trembling * body->size() / scene.dt;
+        sum += body->mass() * (fall * fall + trembling * trembling);
+    }
+    return sum;
 }
 
 const Body& fastest_body(const World& world)

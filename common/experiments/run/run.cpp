@@ -25,9 +25,12 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
             probe->observe(scene.world, result.contacts, scene.dt);
     };
 
-    if (!limits.may_gain_energy)
+    if (!limits.may_gain_energy) {
         for (const std::string& warning : scene.warnings)
             warn_once(warning);
+        if (scene.stiffness_warning && !solver.finds_stiffness)
+            warn_once(*scene.stiffness_warning);
+    }
     EnergyBudget budget(scene);
     const int steps = limits.steps.value_or(step_count(scene));
     Progress progress(scene.name + ", " + solver.name, steps);

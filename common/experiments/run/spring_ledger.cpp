@@ -1,6 +1,7 @@
 #include "common/experiments/run/spring_ledger.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/natural_units.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +19,7 @@ std::vector<std::vector<Vec3>> positions_of(const World& world)
 
 }  // namespace
 
-SpringLedger::SpringLedger(const World& world, double stiffness, double leaving_speed)
+SpringLedger::SpringLedger(const World& world, double stiffness, std::optional<double> leaving_speed)
     : stiffness_(stiffness), leaving_speed_(leaving_speed), positions_(positions_of(world))
 {}
 
@@ -56,7 +57,8 @@ SpringLedger::Booked SpringLedger::book(const World& world, const Contact& conta
     return {{contact.kind, contact.body_a, contact.feature_a, contact.body_b, contact.feature_b},
             spring,
             spring_at(end.depth - end.normal.dot(way)),
-            contact.impulse.norm() / dt};
+            contact.impulse.norm() / dt,
+            leaving_speed(world, contact, leaving_speed_, dt)};
 }
 
 //! [take_over]
@@ -66,7 +68,7 @@ void SpringLedger::take_over(Booked& booked, std::multimap<Key, Spring>::iterato
     // Made stiffer without a jump of its force, a spring is less compressed and holds less. No body has moved.
     const double softer = std::min(1.0, before->second.stiffness / booked.spring.stiffness);
     const double way = softer * before->second.compression - booked.at_start.compression;
-    const bool slowly = way <= (1 + rounding) * leaving_speed_ * dt;
+    const bool slowly = way <= (1 + rounding) * booked.leaving_speed * dt;
     const double put_in = slowly ? booked.force * way
                                  : booked.at_start.energy - softer * before->second.energy;
     (slowly ? accounts_.lifted : accounts_.jumped) += put_in;

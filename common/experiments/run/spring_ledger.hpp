@@ -3,6 +3,7 @@
 #include "common/simulation/step.hpp"
 
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -36,8 +37,9 @@ class SpringLedger {
 public:
     /// @param world          before its first step
     /// @param stiffness      k of a pair without one of its own, on planes without one of their own [N/m]
-    /// @param leaving_speed  slack that fades faster lets nothing out: it throws [m/s]
-    SpringLedger(const World& world, double stiffness, double leaving_speed);
+    /// @param leaving_speed  slack that fades faster lets nothing out: it throws [m/s]; without it, that of the
+    ///                       pair's size
+    SpringLedger(const World& world, double stiffness, std::optional<double> leaving_speed);
 
     /// To be told after each step.
     /// @param contacts  those alive after it
@@ -56,17 +58,19 @@ private:
     struct Booked {
         Key key;
         Spring spring;
-        Spring at_start;     ///< the same spring where the bodies lay at the start of the step
-        double force;        ///< mean over the step [N]
-        double came = 0;     ///< into the spring: what it held before, and what was put in [J]
-        bool known = false;  ///< it was there in the last step
+        Spring at_start;       ///< the same spring where the bodies lay at the start of the step
+        double force;          ///< mean over the step [N]
+        double leaving_speed;  ///< at which its slack may fade [m/s]
+        double came = 0;       ///< into the spring: what it held before, and what was put in [J]
+        bool known = false;    ///< it was there in the last step
     };
 
     Booked book(const World& world, const Contact& contact, double dt);
     void take_over(Booked& booked, std::multimap<Key, Spring>::iterator before, double dt);
     std::multimap<Key, Spring>::iterator find_at_any_face(Key key);
 
-    double stiffness_, leaving_speed_;
+    double stiffness_;
+    std::optional<double> leaving_speed_;
     std::vector<std::vector<Vec3>> positions_;  ///< of each body before the step
     std::multimap<Key, Spring> springs_;
     SpringAccounts accounts_;

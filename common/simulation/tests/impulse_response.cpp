@@ -251,6 +251,53 @@ TEST_CASE("contact mass: where the body has bent it is as if it had never been f
     CHECK((asked->contact_mass(touched).mass - expected).norm() <= 1e-9 * expected.norm());
 }
 
+TEST_CASE("contact mass: where only one end has bent it is found anew as well")
+{
+    const auto asked = soft_bar(ImpulseResponse::implicit, true),
+               other = soft_bar(ImpulseResponse::implicit, true);
+    std::vector<int> touched;  // all over the bar
+    double end = 0;
+    for (int vertex = 0; vertex < asked->surface().vertex_count(); vertex += 3) {
+        touched.push_back(vertex);
+        end = std::max(end, asked->positions_t0()[static_cast<std::size_t>(vertex)].x());
+    }
+    const double dt = 0.01;
+    for (int step = 0; step < 12; ++step)
+        for (DeformableBody* body : {asked.get(), other.get()}) {
+            body->predict(Vec3::Zero(), dt);
+            if (step == 0 && body == asked.get())
+                body->contact_mass(touched);
+            for (const int vertex : touched)
+                if (body->positions_t0()[static_cast<std::size_t>(vertex)].x() > end - 0.2)
+                    body->apply_impulse(vertex, {0, 1.5, 0});
+            body->update_prediction(dt);
+            body->commit(dt);
+        }
+    asked->predict(Vec3::Zero(), dt);
+    other->predict(Vec3::Zero(), dt);
+    const Eigen::MatrixXd expected = other->contact_mass(touched).mass;
+    CHECK((asked->contact_mass(touched).mass - expected).norm() <= 1e-9 * expected.norm());
+}
+
+TEST_CASE("contact mass: after a turn it tells what impulses do, also where more vertices touch than before")
+{
+    DeformableSettings settings;
+    settings.material.density = 100;
+    settings.material.young = 5e4;
+    settings.impulse_response = ImpulseResponse::implicit;
+    settings.angular_velocity = Vec3(0, 0, 8);
+    DeformableBody body("bar", bar({1, 0.2, 0.2}, {4, 1, 1}), settings);
+    const double dt = 0.01;
+    body.predict(Vec3::Zero(), dt);
+    body.contact_mass(std::vector<int>{0, 1});
+    for (int step = 0; step < 20; ++step) {  // a quarter turn
+        body.commit(dt);
+        body.predict(Vec3::Zero(), dt);
+    }
+    body.commit(dt);
+    CHECK(departure_from_mass(body, {0, 1, 3, 5, 7}, dt) < 0.02);
+}
+
 TEST_CASE(
     "contact mass: a vertex that is held does not move, and the others have the mass that they had without it")
 {

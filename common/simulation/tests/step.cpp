@@ -238,6 +238,20 @@ TEST_CASE("step: one in which a body turns too far is taken in parts, and is sti
     }
 }
 
+TEST_CASE("step: the fastest of all bodies tells in how many parts, wherever it stands among them")
+{
+    for (const bool first : {true, false}) {
+        std::string log;
+        World world = spinning_cube(first ? 490 : 1), other = spinning_cube(first ? 1 : 490);
+        world.bodies.push_back(std::move(other.bodies[0]));
+        Solver solver{"", {}, {logged("d", log)}, {}};
+        solver.most_turn = 0.5;
+        Contacts contacts;
+        advance(world, contacts, solver, 0.01);
+        CHECK(log.size() == 20);  // ten parts
+    }
+}
+
 TEST_CASE("step: what a step begins turns no further in what is left of it")
 {
     std::string log;

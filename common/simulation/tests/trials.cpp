@@ -69,6 +69,24 @@ TEST_CASE("trials: what is tried is what would happen, and nothing happens")
     }
 }
 
+TEST_CASE("trials: what is pushed after a velocity was asked counts when it is asked again")
+{
+    for (const std::string kind : {"rigid", "lumped quadratic", "implicit linear", "implicit quadratic"}) {
+        CAPTURE(kind);
+        const auto body = body_in_motion(kind, 0.01);
+        const Vec3 one(0.5, -1, 2), other(1, 0.3, 0);
+        const std::unique_ptr<Trial> in_turn = body->begin_trial(), at_once = body->begin_trial();
+        in_turn->push(3, one);
+        const Vec3 first = in_turn->velocity(3);
+        in_turn->push(3, other);
+        at_once->push(3, one);
+        at_once->push(3, other);
+        const Vec3 both = at_once->velocity(3);
+        CHECK((both - first).norm() > 0.1);
+        CHECK((in_turn->velocity(3) - both).norm() < 1e-12 * both.norm());
+    }
+}
+
 TEST_CASE("trials: the inverse mass at a vertex is what a unit impulse tried there changes")
 {
     for (const std::string kind : {"rigid", "lumped quadratic", "implicit quadratic"}) {

@@ -203,10 +203,11 @@ TEST_CASE(
 TEST_CASE("energy budget: the work of slack that fades is put in, and a body that is lifted out keeps to it")
 {
     Scene scene = points_above_ground(-0.5, 3000, 0.01);
+    scene.contact.leaving_speed = 0.35;
     Solver solver = ground_solver(scene.contact);
     solver.append(StepStage::refresh, "let out", [&](World&, Contacts& contacts, double dt) {
         for (Contact& pair : contacts)
-            pair.slack = std::min(0.0, pair.slack + scene.contact.leaving_speed * dt);
+            pair.slack = std::min(0.0, pair.slack + *scene.contact.leaving_speed * dt);
     });
     solver.append(StepStage::detect, "begin slack", [](World& world, Contacts& contacts, double) {
         for (Contact& pair : contacts)

@@ -6,6 +6,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <iostream>
+#include <sstream>
 
 using namespace enduring;
 
@@ -79,6 +81,24 @@ TEST_CASE("run: a limit or a stop ends it early")
     Scene again = two_sheets();
     CHECK(run(again, {}, {}, {{}, [](const World& world, const Contacts&) { return world.time > 0.4; }})
               .steps == 1);
+}
+
+TEST_CASE(
+    "run: a stiffness that the step cannot bear is told under a solver that takes it, and under no other")
+{
+    const auto told_under = [](bool finds_stiffness, const std::string& warning) {
+        Scene scene = two_sheets();
+        scene.stiffness_warning = warning;  // each sentence is told once only
+        Solver solver;
+        solver.finds_stiffness = finds_stiffness;
+        std::ostringstream told;
+        std::streambuf* const before = std::cerr.rdbuf(told.rdbuf());
+        run(scene, solver, {}, {1, {}});
+        std::cerr.rdbuf(before);
+        return told.str();
+    };
+    CHECK(told_under(false, "too stiff for one").find("too stiff for one") != std::string::npos);
+    CHECK(told_under(true, "too stiff for the other").empty());
 }
 
 TEST_CASE("probes: energy and momentum of point masses are the textbook's")

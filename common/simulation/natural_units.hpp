@@ -1,0 +1,74 @@
+#pragma once
+
+#include "common/simulation/step.hpp"
+
+namespace enduring {
+
+//! [scale_parts]
+/// Every length, speed and time that a solver needs and a scene need not give, as a part of a natural one
+/// (below): so a scene in millimetres runs as the same scene in metres does. Each says why it is so large,
+/// and what a tenth of it does, and ten times as much.
+struct ScaleParts {
+    /// Of the length: how deep the load that a pair carries may press it. Nobody sees it. A tenth: springs
+    /// are ten times as stiff where loads decide. Ten times: a stack is low by ten thousandths, and a
+    /// corner that leans over a rim goes on ten times as far.
+    double wanted_depth = 1e-5;
+    /// Of the speed: the fastest at which a slack fades under a solver that lets nothing out. A tenth: what
+    /// is deep comes up ten times as slowly. Ten times: it arrives so fast that it jumps by a third of its
+    /// size.
+    double fading_speed = 0.08;
+    /// Of the speed: at which a body is let out of another one. When it is free it rises by half the
+    /// square, 0.6 % of the length. A tenth: it takes ten times as long. Ten times: it jumps by half of its
+    /// size.
+    double leaving_speed = 0.11;
+    /// Of the time: in which a stiffness whose depth is a goal falls to 1/e. A tenth: it falls within a
+    /// swing, and takes less from it. Ten times: what was loaded once stays stiff as long.
+    double forgets_in = 3;
+    /// Of the time: in which a stiffness that follows a load from step to step doubles at most. A tenth: every
+    /// impact makes its pairs stiff for good. Ten times: a load that grows has pressed its pair ten times as deep
+    /// before it is followed.
+    double doubles_in = 1.0 / 32;
+    /// Of the length: how much deeper a vertex may be below another face than it was far from its own. More
+    /// than loads press a body in, less than it is thick. A tenth: a pair ends where a landing presses a
+    /// body in. Ten times: springs go on at the far side of thin bodies.
+    double other_face = 1e-3;
+    /// Of the largest length, in a step: the change of velocity that counts as an answer at all. A
+    /// coordinate is rounded by 1e-16 of the size. A spring of 100 m / dt^2 answers this with 1e-14 in a
+    /// step, and ten times that is the tolerance of a millionth. A tenth: rounding is solved for, in vain.
+    /// Ten times: slow bodies are answered less sharply. Where bodies have weight, what it does in a step
+    /// is more, but for tiny steps.
+    double least_answer = 1e-7;
+    /// Of the length, in a step: a trembling that the watch on energy does not count, not without weight
+    /// either. Rounding makes less, and nobody sees ten times of it.
+    double trembling = 1e-8;
+    /// Steps that are the natural time where there is no gravity: only the step tells then how fast a scene
+    /// is. A metre and 10 ms make it the time on Earth. A tenth: a body is let out ten times as fast. Ten
+    /// times: as slowly.
+    double weightless_steps = 32;
+};
+inline constexpr ScaleParts scale_parts;
+//! [scale_parts]
+
+/// What lengths, speeds and times are parts of. By default those of a body of one metre on Earth.
+struct NaturalUnits {
+    double length = 1;    ///< [m]
+    double speed = 3.13;  ///< [m/s]: sqrt(g length), or the length in scale_parts.weightless_steps steps
+
+    double time() const { return length / speed; }  ///< [s]
+};
+
+/// @param length   [m], positive
+/// @param gravity  its magnitude [m/s^2]
+/// @param dt       length of a step, which counts only without gravity [s]
+NaturalUnits natural_units(double length, double gravity, double dt);
+
+/// The size of the smaller one of a pair's two bodies; a plane has none [m].
+double natural_length(const World& world, const Contact& contact);
+/// Those of a pair, by that length.
+NaturalUnits natural_units(const World& world, const Contact& contact, double dt);
+
+/// At which a pair's bodies are let out of each other [m/s].
+/// @param of_scene  if it gives one, for all pairs
+double leaving_speed(const World& world, const Contact& contact, std::optional<double> of_scene, double dt);
+
+}  // namespace enduring
