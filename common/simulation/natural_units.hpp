@@ -27,7 +27,7 @@ struct ScaleParts {
     /// Of the time: in which a stiffness that follows a load from step to step doubles at most. A tenth: every
     /// impact makes its pairs stiff for good. Ten times: a load that grows has pressed its pair ten times as deep
     /// before it is followed.
-    double doubles_in = 1.0 / 32;
+    double doubles_in = 0.0313;
     /// Of the length: how much deeper a vertex may be below another face than it was far from its own. More
     /// than loads press a body in, less than it is thick. A tenth: a pair ends where a landing presses a
     /// body in. Ten times: springs go on at the far side of thin bodies.
