@@ -33,7 +33,8 @@ class Studies(unittest.TestCase):
 
     def test_a_mistake_ends_with_2_and_names_its_place(self):
         for change, said in (({"scenes": ["no.json"]}, "/scenes: there is no file no.json"), ({"solver": [8]}, "not solver"), ({"solvers": [9]}, "/solvers: "),
-                             ({"vary": {"dt": [1]}}, "/vary: "), ({"vary": {"/dt": 1}}, "/vary: "), ({"vary": {"/bodies/none/mass": [1]}}, "no place /bodies/none/mass"),
+                             ({"vary": {"dt": [1]}}, "/vary: "), ({"vary": {"/dt": 1}}, "/vary: "),
+                             ({"vary": {"/bodies/none/mass": [1]}}, "no place /bodies/none/mass"),
                              ({"keep": {"e": "mean energy.total_j"}}, "/keep/e: "), ({"keep": {}}, "are needed")):
             with self.subTest(said):
                 done = self.write(GOOD | change, "/bin/true")
