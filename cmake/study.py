@@ -57,7 +57,8 @@ def read_study(file):
     except (OSError, ValueError) as error:
         wrong(f"{file}: {error}")
     if not isinstance(study, dict) or set(study) - KEYS:
-        wrong(f"{file}: an object with the keys {', '.join(sorted(KEYS))}" + (f", not {', '.join(sorted(set(study) - KEYS))}" if isinstance(study, dict) else ""))
+        others = f", not {', '.join(sorted(set(study) - KEYS))}" if isinstance(study, dict) else ""
+        wrong(f"{file}: an object with the keys {', '.join(sorted(KEYS))}{others}")
     study = {"solvers": [8], "vary": {}} | study
     if not study.get("scenes") or not study.get("keep"):
         wrong(f"{file}: scenes and keep are needed")
@@ -123,13 +124,15 @@ def write(file, folder, program):
             if (scene.parent / mesh).is_file() and not (place / mesh).is_file():
                 shutil.copy(scene.parent / mesh, place / mesh)
         write_if_new(place / scene.name, json.dumps(document, indent=1))
-        write_if_new(place / "run.json", json.dumps({"scene": scene.name, "solver": solver, "vary": values, "keep": study["keep"], "text": document,
-                                                     "command": [str(program), "--scene", scene.name, "--solver", str(solver), "--out", "results", *options]}))
+        command = [str(program), "--scene", scene.name, "--solver", str(solver), "--out", "results", *options]
+        write_if_new(place / "run.json", json.dumps({"scene": scene.name, "solver": solver, "vary": values, "keep": study["keep"],
+                                                     "text": document, "command": command}))
         names.append(name)
     for old in (folder / "runs").iterdir():
         if old.name not in names:
             shutil.rmtree(old)
-    write_if_new(folder / "Snakefile", SNAKEFILE.format(file=file.name, runs=json.dumps(names), python=quoted(sys.executable), script=quoted(Path(__file__).resolve())))
+    write_if_new(folder / "Snakefile", SNAKEFILE.format(file=file.name, runs=json.dumps(names), python=quoted(sys.executable),
+                                                        script=quoted(Path(__file__).resolve())))
     print(f"{len(names)} runs in {folder}")
 
 

@@ -28,11 +28,13 @@ class Studies(unittest.TestCase):
     def write(self, study, program=SOLVERS):
         file = self.folder / "trial.json"
         file.write_text(study if isinstance(study, str) else json.dumps(study), encoding="utf-8")
-        return subprocess.run([sys.executable, STUDY, "write", file, self.folder / "out", "--program", program], capture_output=True, text=True, check=False)
+        return subprocess.run([sys.executable, STUDY, "write", file, self.folder / "out", "--program", program], capture_output=True,
+                              text=True, check=False)
 
     def test_a_mistake_ends_with_2_and_names_its_place(self):
         for change, said in (({"scenes": ["no.json"]}, "/scenes: there is no file no.json"), ({"solver": [8]}, "not solver"), ({"solvers": [9]}, "/solvers: "),
-                             ({"vary": {"dt": [1]}}, "/vary: "), ({"vary": {"/dt": 1}}, "/vary: "), ({"vary": {"/bodies/none/mass": [1]}}, "no place /bodies/none/mass"),
+                             ({"vary": {"dt": [1]}}, "/vary: "), ({"vary": {"/dt": 1}}, "/vary: "),
+                             ({"vary": {"/bodies/none/mass": [1]}}, "no place /bodies/none/mass"),
                              ({"keep": {"e": "mean energy.total_j"}}, "/keep/e: "), ({"keep": {}}, "are needed")):
             with self.subTest(said):
                 done = self.write(GOOD | change, "/bin/true")
