@@ -65,7 +65,7 @@ TEST_CASE(
         const Missing upright = missing_in("block", surroundings);
         CHECK(upright.gained == doctest::Approx(20 * 9.81 * 0.13).epsilon(1e-3));
         CHECK(upright.lifted > upright.gained);
-        CHECK(upright.most < 1e-9 * upright.gained);
+        CHECK(upright.most < 1e-7 * upright.gained);  // a tenth of what the solver may leave
         const Missing leaning = missing_in("leaning block", surroundings);
         CHECK(leaning.most < 0.01 * leaning.lifted);
     }
