@@ -14,6 +14,16 @@ namespace enduring {
 
 namespace {
 
+/// On which face each vertex-face pair of the list stands.
+std::vector<int> faces_of_vertices(const Contacts& contacts)
+{
+    std::vector<int> faces;
+    for (const Contact& contact : contacts)
+        if (contact.kind == ContactKind::vertex_face)
+            faces.push_back(contact.feature_b);
+    return faces;
+}
+
 //! [births]
 /// What lies on a surface at first is found, and what is hooked falsely pushes.
 void find_and_label(Solver& solver)
@@ -51,6 +61,26 @@ void keep_plausible_edges(Solver& solver)
     keep_plausible("edge pairs of exits", 1);
 }
 
+//! [far]
+/// A vertex may pass several faces in a step. Chapter 6 hands its pair on to a neighbour of its face, so it is asked
+/// again until no pair moves; the edges that were passed on the way get their pairs in between.
+void follow_over_many_faces(Solver& solver)
+{
+    solver.wrap("redefine vertices", "redefine vertices",
+                [edge_pairs = solver.pass("edge pairs of redefinitions").run](
+                    const Pass::Function& redefine, World& world, Contacts& contacts, double dt) {
+                    std::vector<int> before = faces_of_vertices(contacts);
+                    redefine(world, contacts, dt);
+                    for (std::vector<int> now = faces_of_vertices(contacts); now != before;
+                         now = faces_of_vertices(contacts)) {
+                        before = std::move(now);
+                        edge_pairs(world, contacts, dt);
+                        redefine(world, contacts, dt);
+                    }
+                });
+}
+//! [far]
+
 //! [rims]
 /// A pair that pushes goes on beyond the rim of its face, or the end of its edge, by as much as it may be deep.
 void push_beyond_rims(Solver& solver, const StiffnessChoice& choice)
@@ -81,7 +111,7 @@ void push_from_all_walls(Solver& solver)
     solver.append(StepStage::refresh, "follow other walls",
                   [valleys](World& world, Contacts& contacts, double) { valleys->follow(world, contacts); });
     solver.append(StepStage::detect, "find other walls", [](World& world, Contacts& contacts, double) {
-        drop_edges_in_valleys(world, contacts);
+        drop_what_cannot_touch(world, contacts);
         append_pairs_with_other_walls(world, contacts);
     });
     solver.wrap("resolve vertices", "resolve vertices",
@@ -115,6 +145,7 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     solver.finds_stiffness = true;
     find_and_label(solver);
     keep_plausible_edges(solver);
+    follow_over_many_faces(solver);
     push_beyond_rims(solver, settings.stiffness);
     push_from_all_walls(solver);
     solver.append(StepStage::finish, "remember pairs",

@@ -15,6 +15,10 @@ namespace {
 /// Sine of an angle that is none but for rounding.
 constexpr double in_plane = 1e-9;
 
+/// Sine of a fold from which on a vertex lies in a hollow. A soft body's flat side is folded by less, and its vertices
+/// have to carry it.
+constexpr double least_hollow = 0.01;
+
 bool in_front_of(const SurfaceMoment& b, int face, int other)
 {
     const Vec3 normal = b.face_normal(other).normalized(), corner = b.position(b.step.face(other)[0]);
@@ -25,11 +29,17 @@ bool in_front_of(const SurfaceMoment& b, int face, int other)
     });
 }
 
+/// Whether two faces look at each other, or the same way.
+bool look_at_each_other(const SurfaceMoment& b, int face, int other)
+{
+    return in_front_of(b, face, other) && in_front_of(b, other, face);
+}
+
 /// Whether two faces look at each other, and not nearly the same way.
 bool are_walls_of_a_valley(const SurfaceMoment& b, int face, int other)
 {
-    return !is_within_45_degrees(b.face_normal(face), b.face_normal(other)) && in_front_of(b, face, other) &&
-           in_front_of(b, other, face);
+    return !is_within_45_degrees(b.face_normal(face), b.face_normal(other)) &&
+           look_at_each_other(b, face, other);
 }
 
 /// Whether a face is another wall, and a vertex can be pushed by it.
@@ -189,25 +199,61 @@ void ValleyPairs::follow(const World& world, Contacts& contacts)
 
 namespace {
 
-bool is_bottom_of_a_valley(const Body& body, int edge)
+//! [concave]
+bool is_concave_or_flat(const Body& body, int edge)
 {
-    const SurfaceMoment surface = surface_at(body, 0);
     const auto [face, other] = body.surface().faces_at_edge(edge);
-    return face >= 0 && other >= 0 && are_walls_of_a_valley(surface, face, other);
+    return face >= 0 && other >= 0 && look_at_each_other(surface_at(body, 0), face, other);
+}
+
+/// Sine of the angle by which the two faces of an edge look towards each other; 0 at a border, or for a face
+/// without area.
+double sine_of_hollow(const Body& body, int edge)
+{
+    const auto [face, other] = body.surface().faces_at_edge(edge);
+    if (face < 0 || other < 0)
+        return 0;
+    const SurfaceMoment surface = surface_at(body, 0);
+    const double sine = surface.face_normal(face)
+                            .stableNormalized()
+                            .cross(surface.face_normal(other).stableNormalized())
+                            .norm();
+    return look_at_each_other(surface, face, other) ? sine : -sine;
+}
+
+bool is_in_a_hollow(const Body& body, int vertex)
+{
+    bool hollow = false;
+    for (const int edge : body.surface().edges_around_vertex(vertex)) {
+        const double sine = sine_of_hollow(body, edge);
+        if (sine < 0)
+            return false;
+        hollow = hollow || sine > least_hollow;
+    }
+    return hollow;
+}
+//! [concave]
+
+bool cannot_touch(const World& world, const Contact& pair)
+{
+    const Body& a = *world.bodies[pair.body_a];
+    switch (pair.kind) {
+        case ContactKind::edge_edge:
+            return is_concave_or_flat(a, pair.feature_a) ||
+                   is_concave_or_flat(*world.bodies[pair.body_b], pair.feature_b);
+        case ContactKind::vertex_face: return is_in_a_hollow(a, pair.feature_a);
+        case ContactKind::vertex_plane: break;
+    }
+    return false;
 }
 
 }  // namespace
 
-void drop_edges_in_valleys(const World& world, Contacts& contacts)
+void drop_what_cannot_touch(const World& world, Contacts& contacts)
 {
-    contacts.erase(
-        std::remove_if(contacts.begin(), contacts.end(),
-                       [&](const Contact& pair) {
-                           return pair.kind == ContactKind::edge_edge &&
-                                  (is_bottom_of_a_valley(*world.bodies[pair.body_a], pair.feature_a) ||
-                                   is_bottom_of_a_valley(*world.bodies[pair.body_b], pair.feature_b));
-                       }),
-        contacts.end());
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(),
+                                  [&](const Contact& pair) { return cannot_touch(world, pair); }),
+                   contacts.end());
 }
 
 }  // namespace enduring

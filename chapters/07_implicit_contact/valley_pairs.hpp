@@ -34,8 +34,9 @@ private:
 /// Adds pairs with walls that a vertex can reach in this step. Each pushes from its wall's plane on.
 void append_pairs_with_other_walls(const World& world, Contacts& contacts);
 
-/// Drops the pairs of edges at the bottom of a valley. An edge that touched it between its own ends would
-/// cut into both walls; its ends are vertices, which have pairs with the walls.
-void drop_edges_in_valleys(const World& world, Contacts& contacts);
+/// Drops the pairs of features that lie in a hollow of their own body. A concave or flat edge that touched something
+/// between its own ends would cut into it with both its faces; its ends are vertices, which have pairs of their own. A
+/// vertex none of whose edges is convex would do so with all its faces, unless it is flat.
+void drop_what_cannot_touch(const World& world, Contacts& contacts);
 
 }  // namespace enduring

@@ -19,6 +19,8 @@ void wedged(const RunOptions& options, Report& report);
 void creep(const RunOptions& options, Report& report);
 void wanted_depth(const RunOptions& options, Report& report);
 void flat_triangles(const RunOptions& options, Report& report);
+void frictionless(const RunOptions& options, Report& report);
+void screw(const RunOptions& options, Report& report);
 void turntable(const RunOptions& options, Report& report);
 void free_collision(const RunOptions& options, Report& report);
 void spinning(const RunOptions& options, Report& report);

@@ -2,11 +2,13 @@
 #include "chapters/06_redefinition/pair_projection.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -208,20 +210,82 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("valley pairs: edges at the bottom of a valley have no pairs, those of rims, ridges and bends have")
+namespace {
+
+int far_corner(const Face& face, const Edge& edge)
 {
-    for (const auto& [outline, bottoms] : {std::pair(valley, 1), std::pair(ridge, 0), std::pair(flat, 0)}) {
+    return *std::find_if(face.begin(), face.end(),
+                         [&](int vertex) { return vertex != edge[0] && vertex != edge[1]; });
+}
+
+/// Six times the volume of the tetrahedron that an edge of a solid spans with the far corners of its two faces: positive
+/// where the edge is convex.
+double spanned_volume(const Body& body, int edge)
+{
+    const SurfaceTopology& surface = body.surface();
+    const Edge ends = surface.edges()[static_cast<std::size_t>(edge)];
+    const auto faces = surface.faces_at_edge(edge);
+    const Face &one = surface.faces()[static_cast<std::size_t>(faces[0])],
+               &other = surface.faces()[static_cast<std::size_t>(faces[1])];
+    const Vec3 x = body.position(ends[0], 0), along = body.position(ends[1], 0) - x;
+    const Vec3 to_one = body.position(far_corner(one, ends), 0) - x,
+               to_other = body.position(far_corner(other, ends), 0) - x;
+    const auto at = static_cast<std::size_t>(std::find(one.begin(), one.end(), ends[0]) - one.begin());
+    return (one[(at + 1) % 3] == ends[1] ? 1 : -1) * along.dot(to_other.cross(to_one));
+}
+
+int first_convex_edge(const Body& body)
+{
+    int edge = 0;
+    while (spanned_volume(body, edge) < 1e-9)
+        ++edge;
+    return edge;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "valley pairs: edges that are concave or flat have no pairs, however shallow, and all convex ones have")
+{
+    for (const auto& outline : {valley, ridge, flat}) {
         const TipOver at(outline, {0, 1, 0});
-        const SurfaceTopology& ground = at.world.bodies[0]->surface();
+        const Body& ground = *at.world.bodies[0];
+        const int of_wedge = first_convex_edge(*at.world.bodies[1]);
         Contacts contacts;
-        for (int edge = 0; edge < static_cast<int>(ground.edges().size()); ++edge) {
-            contacts.push_back({ContactKind::edge_edge, 0, 1, edge, 0});
-            contacts.push_back({ContactKind::edge_edge, 1, 0, 0, edge});
+        long convex = 0;
+        for (int edge = 0; edge < static_cast<int>(ground.surface().edges().size()); ++edge) {
+            contacts.push_back({ContactKind::edge_edge, 0, 1, edge, of_wedge});
+            contacts.push_back({ContactKind::edge_edge, 1, 0, of_wedge, edge});
+            convex += spanned_volume(ground, edge) > 1e-9;
         }
-        const std::size_t all = contacts.size();
-        drop_edges_in_valleys(at.world, contacts);
-        CHECK(contacts.size() == all - static_cast<std::size_t>(2 * bottoms));
+        drop_what_cannot_touch(at.world, contacts);
+        CHECK(static_cast<long>(contacts.size()) == 2 * convex);
+        for (const Contact& pair : contacts)
+            CHECK(spanned_volume(ground, pair.body_a == 0 ? pair.feature_a : pair.feature_b) > 1e-9);
     }
+}
+
+TEST_CASE(
+    "valley pairs: a vertex in the hollow of a bowl has none, those outside and those of flat sides have")
+{
+    const BowlShape shape;
+    const auto pairs_kept = [](const SurfaceMesh& mesh, const auto& asked) {
+        World world;
+        world.bodies.push_back(std::make_unique<StaticBody>(
+            "mesh", SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices));
+        Contacts contacts;
+        for (int vertex = 0; vertex < static_cast<int>(mesh.vertices.size()); ++vertex)
+            if (asked(mesh.vertices[static_cast<std::size_t>(vertex)]))
+                contacts.push_back({ContactKind::vertex_face, 0, 0, vertex, 0});
+        const auto all = static_cast<double>(contacts.size());
+        drop_what_cannot_touch(world, contacts);
+        return static_cast<double>(contacts.size()) / all;
+    };
+    const double hollow = shape.inner_radius + 1e-6, below_rim = -0.3;
+    CHECK(pairs_kept(bowl(shape), [&](const Vec3& x) { return x.norm() < hollow && x.y() < below_rim; }) ==
+          0);
+    CHECK(pairs_kept(bowl(shape), [&](const Vec3& x) { return x.norm() > hollow; }) == 1);
+    CHECK(pairs_kept(box(Vec3::Ones(), {3, 3, 3}), [](const Vec3&) { return true; }) == 1);
 }
 
 TEST_CASE("valley pairs: tips of any angle come to rest in wider cracks, and pass neither wall")

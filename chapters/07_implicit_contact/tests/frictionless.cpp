@@ -1,0 +1,38 @@
+#include "chapters/07_implicit_contact/experiments/bolt.hpp"
+#include "chapters/07_implicit_contact/experiments/swings.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace enduring;
+using namespace enduring::chapter07;
+
+TEST_CASE(
+    "frictionless: a block in a half pipe keeps what an inelastic body keeps, to 2 percent, over coarse and fine facets")
+{
+    for (const int facets : {60, 480})
+        for (const double dt : {0.01, 0.005}) {
+            CAPTURE(facets);
+            CAPTURE(dt);
+            Swing swing = block_in_pipe(facets, dt);
+            const SwingOutcome outcome = watch_swing(swing);
+            CHECK(outcome.kept == doctest::Approx(inelastic_bound(swing)).epsilon(0.02));
+            CHECK(outcome.period_s == doctest::Approx(pendulum_period(swing, 0.6)).epsilon(0.01));
+            CHECK(outcome.deepest_mm < 100 * dt);
+        }
+}
+
+TEST_CASE("frictionless: a ball in a bowl of triangles keeps what an inelastic body keeps, to 2 percent")
+{
+    Swing swing = ball_in_bowl(24, 8, 0.0025);
+    const SwingOutcome outcome = watch_swing(swing);
+    CHECK(outcome.kept == doctest::Approx(inelastic_bound(swing)).epsilon(0.02));
+    CHECK(outcome.period_s == doctest::Approx(pendulum_period(swing, 0.6)).epsilon(0.01));
+}
+
+TEST_CASE("frictionless: a bolt falls through its nut as its energy says, to 3 percent")
+{
+    const BoltFall fall = drop_bolt({.dt = 0.01});
+    CHECK(fall.fallen_mm == doctest::Approx(fall.by_energy_mm).epsilon(0.03));
+    CHECK(fall.aside_mm < 0.05);
+    CHECK(fall.solves.unconverged == 0);
+}
