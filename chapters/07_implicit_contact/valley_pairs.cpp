@@ -7,6 +7,7 @@
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace enduring {
@@ -200,12 +201,6 @@ void ValleyPairs::follow(const World& world, Contacts& contacts)
 namespace {
 
 //! [concave]
-bool is_concave_or_flat(const Body& body, int edge)
-{
-    const auto [face, other] = body.surface().faces_at_edge(edge);
-    return face >= 0 && other >= 0 && look_at_each_other(surface_at(body, 0), face, other);
-}
-
 /// Sine of the angle by which the two faces of an edge look towards each other; 0 at a border, or for a face
 /// without area.
 double sine_of_hollow(const Body& body, int edge)
@@ -219,6 +214,18 @@ double sine_of_hollow(const Body& body, int edge)
                             .cross(surface.face_normal(other).stableNormalized())
                             .norm();
     return look_at_each_other(surface, face, other) ? sine : -sine;
+}
+
+/// Whether an edge cannot touch anything with this normal: it is concave, or flat and the normal is not that of its side.
+bool cannot_push_along(const Body& body, int edge, const Vec3& normal)
+{
+    const double sine = sine_of_hollow(body, edge);
+    if (std::abs(sine) > in_plane)
+        return sine > 0;
+    const int face = body.surface().faces_at_edge(edge)[0];
+    const bool is_border = face < 0 || body.surface().faces_at_edge(edge)[1] < 0;
+    return !is_border &&
+           surface_at(body, 0).face_normal(face).stableNormalized().cross(normal).norm() > least_hollow;
 }
 
 bool is_in_a_hollow(const Body& body, int vertex)
@@ -238,9 +245,11 @@ bool cannot_touch(const World& world, const Contact& pair)
 {
     const Body& a = *world.bodies[pair.body_a];
     switch (pair.kind) {
-        case ContactKind::edge_edge:
-            return is_concave_or_flat(a, pair.feature_a) ||
-                   is_concave_or_flat(*world.bodies[pair.body_b], pair.feature_b);
+        case ContactKind::edge_edge: {
+            const Vec3 normal = contact_geometry(world, pair, pair.start).normal;
+            return cannot_push_along(a, pair.feature_a, normal) ||
+                   cannot_push_along(*world.bodies[pair.body_b], pair.feature_b, normal);
+        }
         case ContactKind::vertex_face: return is_in_a_hollow(a, pair.feature_a);
         case ContactKind::vertex_plane: break;
     }

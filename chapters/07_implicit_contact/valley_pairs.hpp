@@ -34,9 +34,10 @@ private:
 /// Adds pairs with walls that a vertex can reach in this step. Each pushes from its wall's plane on.
 void append_pairs_with_other_walls(const World& world, Contacts& contacts);
 
-/// Drops the pairs of features that lie in a hollow of their own body. A concave or flat edge that touched something
+/// Drops the pairs of features that cannot touch what they are paired with. A concave edge that touched something
 /// between its own ends would cut into it with both its faces; its ends are vertices, which have pairs of their own. A
-/// vertex none of whose edges is convex would do so with all its faces, unless it is flat.
+/// flat one can be pushed along the normal of its side only. A vertex none of whose edges is convex would cut in with
+/// all its faces, unless it is flat.
 void drop_what_cannot_touch(const World& world, Contacts& contacts);
 
 }  // namespace enduring

@@ -244,24 +244,22 @@ int first_convex_edge(const Body& body)
 
 }  // namespace
 
-TEST_CASE(
-    "valley pairs: edges that are concave or flat have no pairs, however shallow, and all convex ones have")
+TEST_CASE("valley pairs: concave edges have no pairs, however shallow, and all convex ones have")
 {
     for (const auto& outline : {valley, ridge, flat}) {
         const TipOver at(outline, {0, 1, 0});
-        const Body& ground = *at.world.bodies[0];
-        const int of_wedge = first_convex_edge(*at.world.bodies[1]);
-        Contacts contacts;
-        long convex = 0;
+        const Body &ground = *at.world.bodies[0], &wedge = *at.world.bodies[1];
+        const int of_wedge = first_convex_edge(wedge);
+        const Edge w = wedge.surface().edges()[static_cast<std::size_t>(of_wedge)];
         for (int edge = 0; edge < static_cast<int>(ground.surface().edges().size()); ++edge) {
-            contacts.push_back({ContactKind::edge_edge, 0, 1, edge, of_wedge});
-            contacts.push_back({ContactKind::edge_edge, 1, 0, of_wedge, edge});
-            convex += spanned_volume(ground, edge) > 1e-9;
+            const Edge e = ground.surface().edges()[static_cast<std::size_t>(edge)];
+            Contacts contacts{{ContactKind::edge_edge, 0, 1, edge, of_wedge, {e[0], e[1], w[0], w[1]}},
+                              {ContactKind::edge_edge, 1, 0, of_wedge, edge, {w[0], w[1], e[0], e[1]}}};
+            drop_what_cannot_touch(at.world, contacts);
+            const double volume = spanned_volume(ground, edge);
+            if (std::abs(volume) > 1e-9)
+                CHECK(contacts.size() == (volume > 0 ? 2U : 0U));
         }
-        drop_what_cannot_touch(at.world, contacts);
-        CHECK(static_cast<long>(contacts.size()) == 2 * convex);
-        for (const Contact& pair : contacts)
-            CHECK(spanned_volume(ground, pair.body_a == 0 ? pair.feature_a : pair.feature_b) > 1e-9);
     }
 }
 
