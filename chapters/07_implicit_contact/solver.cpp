@@ -69,10 +69,13 @@ void follow_over_many_faces(Solver& solver)
     solver.wrap("redefine vertices", "redefine vertices",
                 [edge_pairs = solver.pass("edge pairs of redefinitions").run](
                     const Pass::Function& redefine, World& world, Contacts& contacts, double dt) {
+                    constexpr int most_faces = 100;  // two faces may hand a pair to and fro
                     std::vector<int> before = faces_of_vertices(contacts);
                     redefine(world, contacts, dt);
-                    for (std::vector<int> now = faces_of_vertices(contacts); now != before;
-                         now = faces_of_vertices(contacts)) {
+                    for (int passed = 1; passed < most_faces; ++passed) {
+                        std::vector<int> now = faces_of_vertices(contacts);
+                        if (now == before)
+                            break;
                         before = std::move(now);
                         edge_pairs(world, contacts, dt);
                         redefine(world, contacts, dt);

@@ -1,10 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
 #include "common/experiments/report/sweep.hpp"
-#include "common/geometry/box_shapes.hpp"
-#include "common/geometry/tetrahedral_shapes.hpp"
-#include "common/simulation/deformable_body.hpp"
-#include "common/simulation/static_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,56 +10,18 @@
 namespace enduring::chapter07 {
 namespace {
 
-struct SoftCube {
-    int cells;  ///< along each edge of 1 m
-    double young, dt, mass;
-};
-
 /// By how much its own weight strains it, roughly.
 double own_strain(const SoftCube& cube) { return cube.mass * 9.81 / cube.young; }  // rho g L / E, L = 1 m
 
 bool is_firm(const SoftCube& cube) { return own_strain(cube) < 0.05; }
-
-constexpr double damping = 0.01;  // Rayleigh's, of the stiffness [s]
 
 /// Long enough for its swinging to die away, where its own weight strains it by less than a twentieth [s]. A mode
 /// of angular frequency w decays with damping w^2 / 2. Along the cube w^2 is about g over the strain, aside the
 /// cube swings half as fast; seven of these times are a factor of a thousand.
 double duration_for(const SoftCube& cube)
 {
-    const double decay = 0.5 * damping * 0.25 * 9.81 / own_strain(cube);
+    const double decay = 0.5 * soft_damping * 0.25 * 9.81 / own_strain(cube);
     return is_firm(cube) ? std::max(4.0, 7 / decay) : 4;
-}
-
-/// It lies on triangles that fall by 10 degrees, with mu 0.3.
-Scene on_triangles(const SoftCube& cube)
-{
-    Scene scene = scene_of(std::vector<Box>{}, cube.dt, 10, 0.3, 0.3);
-    scene.world.planes.clear();
-    SurfaceMesh ground = plane_grid(6, 6, {12, 12});
-    for (Vec3& x : ground.vertices)
-        x += Vec3(0.13, 0, 0.11);  // no vertex upon an edge
-    scene.world.bodies.push_back(std::make_unique<StaticBody>(
-        "ground", SurfaceTopology(static_cast<int>(ground.vertices.size()), ground.faces), ground.vertices));
-    DeformableSettings settings;
-    settings.material.density = cube.mass;  // its volume is 1 m^3
-    settings.material.young = cube.young;
-    settings.material.poisson = 0.3;
-    settings.material.stiffness_damping = damping;
-    settings.position = Vec3(0, 0.5 + 1e-4, 0);
-    settings.impulse_response = ImpulseResponse::implicit;
-    scene.world.bodies.push_back(std::make_unique<DeformableBody>(
-        "cube", bar(Vec3::Ones(), {cube.cells, cube.cells, cube.cells}), settings));
-    return scene;
-}
-
-/// What a run of each takes, in any unit: its steps, times its elements.
-std::vector<double> costs_of(const std::vector<SoftCube>& cubes)
-{
-    std::vector<double> costs;
-    for (const SoftCube& cube : cubes)
-        costs.push_back(duration_for(cube) / cube.dt * std::pow(cube.cells, 3));
-    return costs;
 }
 
 std::vector<SoftCube> all_cubes(bool quick)
@@ -90,7 +49,7 @@ void creep(const RunOptions& options, Report& report)
 {
     const std::vector<SoftCube> cubes = all_cubes(options.quick);
     const auto outcomes = sweep<PileOutcome>(options, "creep", cubes.size(), [&](std::size_t i) {
-        Scene scene = on_triangles(cubes[i]);
+        Scene scene = soft_cube_on_triangles(cubes[i], 0.3);
         return watch(scene, duration_for(cubes[i]));
     });
     if (!outcomes)

@@ -1,4 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
+#include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
+#include "chapters/07_implicit_contact/experiments/soft_slide.hpp"
 #include "chapters/07_implicit_contact/experiments/swings.hpp"
 
 #include <algorithm>
@@ -76,9 +78,32 @@ void swing_all(bool quick, Report& report)
     report.fact("frictionless", "unconverged", static_cast<double>(solves.unconverged));
 }
 
+void slide_soft_cubes(bool quick, Report& report)
+{
+    const std::vector<int> cells = quick ? std::vector{2, 3} : std::vector{2, 3, 5};
+    const std::vector<double> steps = quick ? std::vector{0.01} : std::vector{0.01, 0.005, 0.0025, 0.001};
+    Table table({"cells", "young_pa", "dt_s", "speed_m_per_s", "by_formula_m_per_s", "kept_percent"});
+    double lost = 0;
+    for (const int along : cells)
+        for (const double young : {1e5, 1e7})
+            for (const double dt : steps) {
+                const SoftSlide slide = slide_without_friction({along, young, dt, 100}, 1.5);
+                const double kept = slide.speed / slide.by_formula;
+                table.add({static_cast<long>(along), young, dt, slide.speed, slide.by_formula, 100 * kept});
+                lost = std::max(lost, std::abs(kept - 1));
+            }
+    report.table("frictionless_soft", table);
+    report.page_table("frictionless_soft", table, 5);
+    report.fact("frictionless", "soft_apart_percent", 100 * lost, 2);
+}
+
 }  // namespace
 
 /// Bodies that slide without friction over concave edges: they lose what an inelastic body has to lose.
-void frictionless(const RunOptions& options, Report& report) { swing_all(options.quick, report); }
+void frictionless(const RunOptions& options, Report& report)
+{
+    swing_all(options.quick, report);
+    slide_soft_cubes(options.quick, report);
+}
 
 }  // namespace enduring::chapter07

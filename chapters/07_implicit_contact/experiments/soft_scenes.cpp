@@ -1,8 +1,10 @@
 #include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
 
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/static_body.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +25,27 @@ Scene ton_on_block(const LoadedBlock& block, double dt)
     settings.impulse_response = ImpulseResponse::implicit;
     scene.world.bodies.push_back(std::make_unique<DeformableBody>(
         "block", bar(Vec3::Ones(), {block.cells, block.cells, block.cells}), settings));
+    return scene;
+}
+
+Scene soft_cube_on_triangles(const SoftCube& cube, double mu)
+{
+    Scene scene = scene_of(std::vector<Box>{}, cube.dt, 10, mu, mu);
+    scene.world.planes.clear();
+    SurfaceMesh ground = plane_grid(6, 6, {12, 12});
+    for (Vec3& x : ground.vertices)
+        x += Vec3(0.13, 0, 0.11);  // no vertex upon an edge
+    scene.world.bodies.push_back(std::make_unique<StaticBody>(
+        "ground", SurfaceTopology(static_cast<int>(ground.vertices.size()), ground.faces), ground.vertices));
+    DeformableSettings settings;
+    settings.material.density = cube.mass;  // its volume is 1 m^3
+    settings.material.young = cube.young;
+    settings.material.poisson = 0.3;
+    settings.material.stiffness_damping = soft_damping;
+    settings.position = Vec3(0, 0.5 + 1e-4, 0);
+    settings.impulse_response = ImpulseResponse::implicit;
+    scene.world.bodies.push_back(std::make_unique<DeformableBody>(
+        "cube", bar(Vec3::Ones(), {cube.cells, cube.cells, cube.cells}), settings));
     return scene;
 }
 

@@ -14,6 +14,18 @@ struct LoadedBlock {
 };
 Scene ton_on_block(const LoadedBlock& block, double dt);
 
+/// Rayleigh's damping of a soft cube, of its stiffness [s].
+inline constexpr double soft_damping = 0.01;
+
+/// A soft cube of 1 m.
+struct SoftCube {
+    int cells;  ///< along each edge
+    double young, dt, mass;
+};
+/// It lies on triangles that fall by 10 degrees towards -x.
+/// @param mu  of its friction; the stiffness is nobody's choice
+Scene soft_cube_on_triangles(const SoftCube& cube, double mu);
+
 /// Soft bunnies fall into the bowl of common/scenes/bunny_at_rest.json, one after the other.
 struct Bunnies {
     int count = 1;

@@ -1,4 +1,5 @@
 #include "chapters/07_implicit_contact/experiments/bolt.hpp"
+#include "chapters/07_implicit_contact/experiments/soft_slide.hpp"
 #include "chapters/07_implicit_contact/experiments/swings.hpp"
 
 #include <doctest/doctest.h>
@@ -27,6 +28,15 @@ TEST_CASE("frictionless: a ball in a bowl of triangles keeps what an inelastic b
     const SwingOutcome outcome = watch_swing(swing);
     CHECK(outcome.kept == doctest::Approx(inelastic_bound(swing)).epsilon(0.02));
     CHECK(outcome.period_s == doctest::Approx(pendulum_period(swing, 0.6)).epsilon(0.01));
+}
+
+TEST_CASE("frictionless: a soft cube slides over triangles as on a plane, to a thousandth")
+{
+    for (const int cells : {2, 3}) {
+        CAPTURE(cells);
+        const SoftSlide slide = slide_without_friction({cells, 1e5, 0.01, 100}, 1.5);
+        CHECK(slide.speed == doctest::Approx(slide.by_formula).epsilon(1e-3));
+    }
 }
 
 TEST_CASE("frictionless: a bolt falls through its nut as its energy says, to 3 percent")
