@@ -7,7 +7,7 @@
 namespace enduring::chapter08 {
 namespace {
 
-struct Case {
+struct LoadCase {
     std::string name;
     double ratio;
     int cells;
@@ -15,16 +15,16 @@ struct Case {
     std::function<Load(double dt)> at;  ///< a step
 };
 
-Case pile_of(const std::string& name, std::vector<double> masses, int cells, double gap)
+LoadCase pile_of(const std::string& name, std::vector<double> masses, int cells, double gap)
 {
     const double ratio = *std::max_element(masses.begin(), masses.end()) / masses[0];
     return {name, ratio, cells, gap,
             [pile = Pile{std::move(masses), 1, cells, gap}](double dt) { return load_of(pile, dt); }};
 }
 
-std::vector<Case> all_cases(bool quick)
+std::vector<LoadCase> all_loads(bool quick)
 {
-    std::vector<Case> cases;
+    std::vector<LoadCase> cases;
     for (const double r : quick ? std::vector<double>{20000} : std::vector<double>{1000, 5000, 20000}) {
         for (const int cells : quick ? std::vector{1, 2} : std::vector{1, 2, 3})
             for (const double gap : quick ? std::vector{1e-3} : std::vector{0.0, 1e-3, 1e-2})
@@ -72,7 +72,7 @@ void mass_ratios(const RunOptions& options, Report& report)
     Table page({"scene", "ratio", "chapter", "runs", "at_rest", "height_error_mm", "sunk_mm", "sideways_mm",
                 "speed_m_per_s", "told_gains", "most_newton_steps", "unconverged"});
     Worst all;
-    const std::vector<Case> cases = all_cases(options.quick);
+    const std::vector<LoadCase> cases = all_loads(options.quick);
     for (std::size_t first = 0, last = 0; first < cases.size(); first = last) {
         while (last < cases.size() && cases[last].name == cases[first].name &&
                cases[last].ratio == cases[first].ratio)

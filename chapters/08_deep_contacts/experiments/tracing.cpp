@@ -13,7 +13,6 @@ struct CheckSums {
 
     void add(const OverlapCheck& check)
     {
-        ++trials;
         overlaps += check.piercings > 0;
         piercings += check.piercings;
         curves += check.curves;

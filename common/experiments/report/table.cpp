@@ -76,9 +76,11 @@ std::string csv(const Table& table) { return csv_head(table) + csv_rows(table); 
 std::string csv_head(const Table& table)
 {
     std::string text;
-    for (std::size_t c = 0; c < table.columns().size(); ++c)
-        text += (c > 0 ? "," : "") + csv_text(table.columns()[c]);
-    return text + '\n';
+    for (std::size_t c = 0; c < table.columns().size(); ++c) {
+        text += csv_text(table.columns()[c]);
+        text += c + 1 < table.columns().size() ? ',' : '\n';
+    }
+    return text;
 }
 
 std::string csv_rows(const Table& table, std::size_t from)
