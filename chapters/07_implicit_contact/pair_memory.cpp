@@ -18,7 +18,8 @@ StiffnessChoice StiffnessChoice::of_pair(const NaturalUnits& units) const
 
 double wanted_stiffness(double mass, double load, const StiffnessChoice& choice, double dt)
 {
-    return std::max(choice.of_its_mass * mass / (dt * dt), load / choice.depth());
+    const double own = mass / (dt * dt);
+    return std::min(std::max(choice.of_its_mass * own, load / choice.depth()), choice.most_of_its_mass * own);
 }
 
 //! [stiffen]

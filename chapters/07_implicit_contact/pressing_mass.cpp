@@ -37,7 +37,10 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         const double wanted = std::min(choice.of_its_mass * masses[i] / (dt * dt), load / depth);
         if (choice.is_goal || wanted < enough * contact.stiffness)
             continue;
-        stiffen(contact, law.depth_t0 + contact.slack, wanted);
+        const double most = choice.most_of_its_mass * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
+        if (most < enough * contact.stiffness)
+            continue;
+        stiffen(contact, law.depth_t0 + contact.slack, std::min(wanted, most));
         law.stiffness = contact.stiffness;
         law.stretch = contact.stretch;
         any = true;

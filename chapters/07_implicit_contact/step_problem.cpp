@@ -109,12 +109,6 @@ void look_at(const World& world, const Contact& contact, const StepLaw& step, Pa
 }
 //! [pair_motion]
 
-double mass_of(const PairRow& row, const ContactProblem& problem)
-{
-    const double response = row.law.normal.dot(row.response(problem.blocks) * row.law.normal);
-    return response > 0 ? 1 / response : 0;
-}
-
 //! [slides_on]
 /// Whether a pair slips too fast for friction to stop it in this step; else it may hold again.
 bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem& problem,
@@ -139,6 +133,12 @@ bool rubs(const Contact& contact, const PairRow& row, const ContactProblem& prob
 //! [rubs]
 
 }  // namespace
+
+double mass_of(const PairRow& row, const ContactProblem& problem)
+{
+    const double response = row.law.normal.dot(row.response(problem.blocks) * row.law.normal);
+    return response > 0 ? 1 / response : 0;
+}
 
 //! [most_load]
 double most_load(const World& world, double dt)
@@ -172,7 +172,8 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
         if (!choice.is_goal && (first || contact.stiffness == 0)) {
-            const double mass = contact.stiffness == 0 ? mass_of(row, step.problem) : 0;
+            const bool asks = contact.load > own.depth() * contact.stiffness;
+            const double mass = contact.stiffness == 0 || asks ? mass_of(row, step.problem) : 0;
             adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, own, step_law.dt, most);
         }
         row.law.stiffness = contact.stiffness;

@@ -21,6 +21,10 @@ struct StepProblem {
 StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step, bool first);
 
+/// The mass that a pair feels along its normal: 1 / (n . W n), with W the change of its velocity per impulse; 0 for one
+/// that nothing moves [kg].
+double mass_of(const PairRow& row, const ContactProblem& problem);
+
 /// What weight and motion of all bodies can bring upon a pair, with a lever as a wedge has it [N]. What
 /// presses harder than this comes from the pairs themselves.
 double most_load(const World& world, double dt);

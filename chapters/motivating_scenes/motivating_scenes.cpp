@@ -168,7 +168,7 @@ std::vector<MotivatingScene> all_scenes()
          "fffffffp",
          'f',
          highest_over_floor("block"),
-         {0.3, 0.8, 2}},
+         {0.3, 1.2, 3}},
         {"thin",
          "thin",
          "",

@@ -1,4 +1,6 @@
 #include "chapters/07_implicit_contact/pressing_mass.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/simulation/static_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -30,6 +32,8 @@ struct StoppedPoints {
     void add_pair(std::size_t below, double mass, double speed)
     {
         PairRow row;
+        contacts[below].kind = ContactKind::vertex_plane;
+        contacts[below].body_a = 0;
         row.law.stiffness = contacts[below].stiffness = 1;
         row.acting = mass * speed * Vec3::UnitY();
         row.parts[0] = {3 * static_cast<int>(below), Mat3::Identity()};
@@ -42,11 +46,21 @@ struct StoppedPoints {
     }
 };
 
+/// Which tells how large the points' bodies are: a metre.
+World world_of_a_metre()
+{
+    World world;
+    const SurfaceMesh cube = box(Vec3::Ones());
+    world.bodies.push_back(std::make_unique<StaticBody>(
+        "cube", SurfaceTopology(static_cast<int>(cube.vertices.size()), cube.faces), cube.vertices));
+    return world;
+}
+
 }  // namespace
 
 TEST_CASE("pressing mass: a pair is pressed by all that lies above, at rest and in an impact")
 {
-    World world;
+    const World world = world_of_a_metre();
     for (const double speed : {0.0, 5.0}) {
         const StoppedPoints points({1, 1000, 3}, world.gravity, speed);
         const std::vector<double> masses = pressing_masses(world, points.step);
@@ -59,7 +73,7 @@ TEST_CASE("pressing mass: a pair is pressed by all that lies above, at rest and 
 TEST_CASE(
     "pressing mass: a pair gets the stiffness of what presses it in the same step, once, and not more than its load asks for")
 {
-    World world;
+    const World world = world_of_a_metre();
     for (const double wanted_depth : {1e-5, 1e-3}) {
         StiffnessChoice choice;
         choice.wanted_depth = wanted_depth;
@@ -75,7 +89,7 @@ TEST_CASE(
 
 TEST_CASE("pressing mass: a pair that is pressed by less than twice its own mass stays as it is")
 {
-    World world;
+    const World world = world_of_a_metre();
     StoppedPoints points({1, 0.9}, world.gravity, 2);
     for (Contact& contact : points.contacts)
         contact.stiffness = 100 / (dt * dt);
