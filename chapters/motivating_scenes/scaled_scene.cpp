@@ -1,5 +1,7 @@
 #include "chapters/motivating_scenes/scaled_scene.hpp"
 
+#include "common/scenes/scene_reader.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -204,6 +206,25 @@ double difference(const World& world, const World& scaled, const SceneScale& sca
         for (std::size_t vertex = 0; vertex < mine.size(); ++vertex)
             largest = std::max(largest, (its[vertex] / scale.length - mine[vertex]).norm());
     }
+    return largest;
+}
+
+double difference_over_scales(const ScaleTrial& trial,
+                              const std::function<Solver(const ContactParameters&)>& make_solver)
+{
+    const auto run_at = [&](const SceneScale& scale) {
+        Scene scene = read_scene(scaled(trial.scene, scale), "", "scaled.json", {});
+        const Solver solver = make_solver(scene.contact);
+        Contacts contacts;
+        for (int i = 0; i < trial.steps; ++i)
+            advance(scene.world, contacts, solver, scene.dt);
+        return scene;
+    };
+    const Scene metres = run_at({});
+    double largest = 0;
+    for (const SceneScale& scale :
+         {SceneScale{1.0 / 1024}, SceneScale{64, 1.0 / 8}, SceneScale{1e-3, 3}, SceneScale{100, 0.7}})
+        largest = std::max(largest, difference(metres.world, run_at(scale).world, scale));
     return largest;
 }
 

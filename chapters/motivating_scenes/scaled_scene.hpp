@@ -2,6 +2,7 @@
 
 #include "common/scenes/scene.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,5 +35,11 @@ const std::vector<ScaleTrial>& inside_scale_trials();
 /// How far two runs of one scene differ: the largest distance of a vertex from the same in the other run, which
 /// has another scale, in units of the first [m].
 double difference(const World& world, const World& scaled, const SceneScale& scale);
+
+/// The largest difference() of a trial from the same in four other scales, a thousandth to a hundred times as large
+/// and of other densities [m].
+/// @param make_solver  of a scene's contact parameters
+double difference_over_scales(const ScaleTrial& trial,
+                              const std::function<Solver(const ContactParameters&)>& make_solver);
 
 }  // namespace enduring::motivating
