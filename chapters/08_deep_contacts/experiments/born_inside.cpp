@@ -81,7 +81,7 @@ Way way_out(const Surroundings& surroundings, const std::string& body, double de
     Scene twin = scene_inside(surroundings, body, -above, dt),
           scene = scene_inside(surroundings, body, depth, dt);
     const Way landed = watch(twin, chapter08_solver(twin.contact, counting(solves)), 2);
-    Way way = watch(scene, chapter08_solver(scene.contact, counting(solves)), 3);
+    Way way = watch(scene, chapter08_solver(scene.contact, counting(solves)), 4);
     way.height -= landed.height;
     way.highest -= landed.height;
     way.energy -= landed.energy;
