@@ -16,6 +16,7 @@ std::vector<double> pressing_masses(const World& world, const StepProblem& step)
     for (const PairRow& row : rows)
         approach = std::max(approach, row.law.normal.dot(row.rate_of(change) - row.velocity));
     std::vector<double> masses;
+    masses.reserve(rows.size());
     for (const PairRow& row : rows)
         masses.push_back(approach > 0 ? row.law.normal.dot(row.acting) / approach : 0);
     return masses;
