@@ -25,7 +25,7 @@ std::string told(const Tower& tower)
 StiffnessChoice wanting(double depth)
 {
     StiffnessChoice choice;
-    choice.depth() = depth;
+    choice.wanted_depth = depth;
     return choice;
 }
 
