@@ -58,12 +58,12 @@ double mean(const std::vector<double>& values)
            static_cast<double>(std::max<std::size_t>(values.size(), 1));
 }
 
-}  // namespace
-
 std::vector<double> nine_turns(bool quick)
 {
     return quick ? std::vector<double>{43, 45, 47} : std::vector<double>{41, 42, 43, 44, 45, 46, 47, 48, 49};
 }
+
+}  // namespace
 
 Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop)
 {
@@ -122,6 +122,26 @@ double depth_in_contact(const BarRecord& record)
         if (depth > 0)
             depths.push_back(depth);
     return mean(depths);
+}
+
+NineDrops drop_nine_times(const std::filesystem::path& file, BarDrop drop, bool quick)
+{
+    std::vector<double> jitters, depths, pairs;
+    for (const double turn : nine_turns(quick)) {
+        drop.turn_deg = turn;
+        const BarRecord record = drop_bar(file, drop);
+        jitters.push_back(jitter_at_rest(record));
+        depths.push_back(depth_at_rest(record));
+        pairs.push_back(pairs_at_rest(record));
+    }
+    const auto [least, most] = std::minmax_element(jitters.begin(), jitters.end());
+    return {.jitter = median(jitters),
+            .least_jitter = *least,
+            .most_jitter = *most,
+            .depth = median(depths),
+            .pairs = median(pairs),
+            .smooth = std::count_if(jitters.begin(), jitters.end(), [](double j) { return j < 0.01; }),
+            .drops = static_cast<long>(jitters.size())};
 }
 
 }  // namespace enduring::chapter03

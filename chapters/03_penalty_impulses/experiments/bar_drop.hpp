@@ -33,10 +33,6 @@ struct BarRecord {
 /// From here on the bar lies on the cube, and what still changes fast is jitter [s].
 constexpr double at_rest_from = 2.5;
 
-/// The nine turns over which every number of the bar is taken: which pairs meet first depends on the last
-/// digit of everything, so one drop alone measures luck.
-std::vector<double> nine_turns(bool quick);
-
 Scene load_bar_scene(const std::filesystem::path& file, const BarDrop& drop);
 BarRecord drop_bar(const std::filesystem::path& file, const BarDrop& drop,
                    const std::vector<Probe*>& more_probes = {});
@@ -60,5 +56,16 @@ double depth_at_rest(const BarRecord& record);
 double pairs_at_rest(const BarRecord& record);
 /// Mean over all steps with contact (as the thesis' figure 7.6 averages) [m].
 double depth_in_contact(const BarRecord& record);
+
+/// What the drops of nine turns came to at rest: medians, but for the least and the most.
+struct NineDrops {
+    double jitter, least_jitter, most_jitter;  ///< as a share of the weight
+    double depth, pairs;                       ///< summed depth [m]
+    long smooth, drops;                        ///< how many had a jitter below 1 %, of how many
+};
+/// Which pairs meet first depends on the last digit of everything, so one drop alone measures luck.
+/// @param drop   its own turn does not count
+/// @param quick  three turns only
+NineDrops drop_nine_times(const std::filesystem::path& file, BarDrop drop, bool quick);
 
 }  // namespace enduring::chapter03

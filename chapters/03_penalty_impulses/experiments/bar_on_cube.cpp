@@ -1,7 +1,6 @@
 #include "chapters/01_particle_plane/particle.hpp"
 #include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
-#include "chapters/03_penalty_impulses/experiments/jitter.hpp"
 #include "chapters/03_penalty_impulses/experiments/pair_film.hpp"
 #include "common/experiments/report/sweep.hpp"
 #include "common/experiments/run/elements_of.hpp"
@@ -21,16 +20,6 @@ void add_force_curve(Table& table, const std::string& figure, const BarDrop& dro
             {figure, short_name(drop.method), drop.dt, drop.stiffness, record.time[i], record.force[i]});
 }
 
-double median_jitter(const RunOptions& options, const std::filesystem::path& file, BarDrop drop)
-{
-    std::vector<double> jitters;
-    for (const double turn : nine_turns(options.quick)) {
-        drop.turn_deg = turn;
-        jitters.push_back(jitter_at_rest(drop_bar(file, drop)));
-    }
-    return median(jitters);
-}
-
 /// Force over time around the largest smooth steps (figure 7.4), and along
 /// k dt^2 = const just above them (figure 7.5).
 void force_curves(const RunOptions& options, const std::filesystem::path& file, Report& report)
@@ -48,7 +37,7 @@ void force_curves(const RunOptions& options, const std::filesystem::path& file, 
         for (std::size_t i = 0; i < both_methods.size(); ++i) {
             const BarDrop drop{both_methods[i], dt, stiffness};
             add_force_curve(table, "7.5", drop, drop_bar(file, drop));
-            jitters[i] = 100 * median_jitter(options, file, drop);
+            jitters[i] = 100 * drop_nine_times(file, drop, options.quick).jitter;
         }
         pairs.add({dt, stiffness, jitters[0], jitters[1]});
     }
@@ -64,33 +53,6 @@ struct SweepPoint {
     PenaltyMethod method;
     double dt, jitter;  ///< [s], median over the drops as a share of the weight
 };
-
-/// What nine drops at one step came to; jitter as a share of the weight, the summed depth in [m].
-struct NineDrops {
-    double jitter, least_jitter, most_jitter, pairs, depth;  ///< medians but for the least and the most
-    long smooth, drops;
-};
-
-NineDrops at_step(const RunOptions& options, const std::filesystem::path& file, BarDrop drop)
-{
-    std::vector<double> jitters, pairs, depths;
-    for (const double turn : nine_turns(options.quick)) {
-        drop.turn_deg = turn;
-        const BarRecord record = drop_bar(file, drop);
-        jitters.push_back(jitter_at_rest(record));
-        pairs.push_back(pairs_at_rest(record));
-        depths.push_back(depth_at_rest(record));
-    }
-    const auto [low, high] = std::minmax_element(jitters.begin(), jitters.end());
-    const long smooth = std::count_if(jitters.begin(), jitters.end(), [](double j) { return j < 0.01; });
-    return {median(jitters),
-            *low,
-            *high,
-            median(pairs),
-            median(depths),
-            smooth,
-            static_cast<long>(jitters.size())};
-}
 
 /// Both kinds of elements, both methods, and steps from 5 ms on.
 std::vector<BarDrop> drops_over_step(bool quick)
@@ -108,8 +70,9 @@ std::vector<SweepPoint> jitter_over_step(const RunOptions& options, const std::f
                                          Report& report)
 {
     const std::vector<BarDrop> drops = drops_over_step(options.quick);
-    const auto outcomes = sweep<NineDrops>(options, "jitter", drops.size(),
-                                           [&](std::size_t i) { return at_step(options, file, drops[i]); });
+    const auto outcomes = sweep<NineDrops>(options, "jitter", drops.size(), [&](std::size_t i) {
+        return drop_nine_times(file, drops[i], options.quick);
+    });
     if (!outcomes)
         return {};
     std::vector<SweepPoint> points;

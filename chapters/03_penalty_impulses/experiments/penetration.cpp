@@ -1,7 +1,6 @@
 #include "chapters/01_particle_plane/particle.hpp"
 #include "chapters/03_penalty_impulses/experiments/bar_drop.hpp"
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
-#include "chapters/03_penalty_impulses/experiments/jitter.hpp"
 #include "common/experiments/report/sweep.hpp"
 
 #include <array>
@@ -40,11 +39,6 @@ struct Best {
     double stiffness = 0, depth = 0;
 };
 
-/// Medians over nine drops; the summed depth in [m].
-struct NineDrops {
-    double depth, jitter, pairs;
-};
-
 /// One stiffness after the other, from soft to hard, at the step of figure 7.7.
 std::vector<double> all_stiffnesses(bool quick)
 {
@@ -52,19 +46,6 @@ std::vector<double> all_stiffnesses(bool quick)
     for (int i = 0; i <= 14; i += quick ? 4 : 1)
         all.push_back(std::round(2000 * std::pow(2, i / 6.0)));
     return all;
-}
-
-NineDrops at_stiffness(const RunOptions& options, const std::filesystem::path& file, BarDrop drop)
-{
-    std::vector<double> depths, jitters, pairs;
-    for (const double turn : nine_turns(options.quick)) {
-        drop.turn_deg = turn;
-        const BarRecord record = drop_bar(file, drop);
-        depths.push_back(depth_at_rest(record));
-        jitters.push_back(jitter_at_rest(record));
-        pairs.push_back(pairs_at_rest(record));
-    }
-    return {median(depths), median(jitters), median(pairs)};
 }
 
 /// One method over the stiffness.
@@ -95,7 +76,7 @@ void depth_over_stiffness(const RunOptions& options, const std::filesystem::path
     const auto outcomes = sweep<NineDrops>(options, "depth_over_stiffness", count, [&](std::size_t i) {
         const PenaltyMethod method = dpf_and_cpf[i % of_basis / stiffnesses.size()];
         BarDrop drop{method, 0.01, stiffnesses[i % stiffnesses.size()], 45, both_bases[i / of_basis]};
-        return at_stiffness(options, file, drop);
+        return drop_nine_times(file, drop, options.quick);
     });
     if (!outcomes)
         return;
