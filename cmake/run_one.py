@@ -1,7 +1,8 @@
 """One edge of the graph that run_beside.py gives to ninja:  run_one.py PLAN NAME.
 
 Runs what the plan says, keeps what it printed, leaves a stamp when it ends well, and says on stderr how long the rest takes.
-Edges are of three kinds: `build` compiles a program, `cause` writes down what decides about a folder's results, `run` makes some of these.
+Edges are of four kinds: `build` compiles a program, `cause` writes down what decides about a folder's results, `run` makes some of these,
+and `picture` makes one that is only to look at until its `run` is there.
 """
 import hashlib
 import json
@@ -17,12 +18,20 @@ ROOT = Path(__file__).resolve().parents[1]
 
 def main(plan_file, name):
     plan = json.loads(Path(plan_file).read_text(encoding="utf-8"))
-    return {"build": build, "cause": cause, "run": run}[plan["edges"][name]["kind"]](plan, name)
+    return {"build": build, "picture": picture, "cause": cause, "run": run}[plan["edges"][name]["kind"]](plan, name)
 
 
 # ------------------------------------------------------------------------------------------------------------- the kinds
 def build(plan, name):
     return timed(plan, name, name.replace("build ", "the program "))
+
+
+def picture(plan, name):
+    edge = plan["edges"][name]
+    code = timed(plan, name, edge["says"])
+    if code == 0:
+        tell_first_picture(plan, edge, files_told(log_of(plan, name).read_text(encoding="utf-8", errors="replace"), Path(edge["out"])))
+    return code
 
 
 def cause(plan, name):
@@ -103,7 +112,7 @@ def tell(text):
 
 def tell_first_picture(plan, edge, files):
     pictures = [name for name in files if name.endswith((".png", ".svg"))]
-    if pictures and not edge["part"]:
+    if pictures and not edge.get("part"):
         try:
             os.close(os.open(Path(plan["runs"], "first_picture"), os.O_CREAT | os.O_EXCL))
         except FileExistsError:

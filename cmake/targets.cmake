@@ -190,6 +190,16 @@ function(enduring_chapter number name)
   enduring_benchmarks(bench_chapter${number} SOURCES ${benchmarks} USES chapter${number}_layer enduring_run)
 endfunction()
 
+# An experiment of chapter 1 with the few files that it needs, so that `./course run` soon has a picture.
+function(enduring_first_picture)
+  set(folder ${PROJECT_SOURCE_DIR}/chapters/01_particle_plane)
+  add_executable(first_picture ${folder}/first_picture/main.cpp ${folder}/experiments/drop.cpp
+                 ${folder}/particle.cpp ${folder}/plane_impulse.cpp ${folder}/settling.cpp)
+  enduring_packages(first_picture)
+  target_link_libraries(first_picture PRIVATE enduring_report)
+  enduring_reuse_precompiled(first_picture enduring_headers)
+endfunction()
+
 # Above the chapters: all of their solvers together, and the scenes that called for each, which know no solver.
 function(enduring_motivating_scenes)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/chapters/motivating_scenes/*.cpp)
