@@ -146,7 +146,7 @@ def compile_hidden_check(exercise):
 def link_tests(exercise, answer, program):
     """The chapter's tests with the answer in the place of the chapter's own code, and with the main program of a check."""
     target = f"test_chapter{exercise.chapter[:2]}"
-    link(target, {"of the layer": answer, f"CMakeFiles/{target}.dir/cmake/doctest_main.cpp.o": BUILD / honest.JUDGED_MAIN}, program)
+    link(target, {"of the layer": answer, "CMakeFiles/doctest_main.dir/cmake/doctest_main.cpp.o": BUILD / honest.JUDGED_MAIN}, program)
 
 
 def link_instead(target, answer, program):
