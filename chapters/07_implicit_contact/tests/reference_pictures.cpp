@@ -1,7 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "common/experiments/render/reference.hpp"
-#include "common/experiments/render/renderer.hpp"
 #include "common/experiments/render/scene_view.hpp"
 
 #include <doctest/doctest.h>
@@ -14,12 +13,9 @@ namespace {
 /// Some time of a scene, seen from near, against renders/07_implicit_contact/NAME.png.
 void check_after(Scene scene, double time, const Vec3& seen_from, const std::string& name)
 {
-    constexpr int width = 480, height = 320;
     watch(scene, time);
-    Stage stage = stage_of(scene.world, scene);
-    stage.camera = frame(points_of(stage), seen_from, static_cast<double>(width) / height);
-    const ReferenceCheck check = check_reference_picture(Renderer(width, height).draw(stage),
-                                                         "07_implicit_contact/" + name + ".png");
+    const ReferenceCheck check = check_reference_view(stage_of(scene.world, scene), seen_from,
+                                                      "07_implicit_contact/" + name + ".png");
     CHECK_MESSAGE(check.passed, check.message);
 }
 

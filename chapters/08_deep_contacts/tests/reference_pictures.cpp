@@ -2,7 +2,6 @@
 #include "chapters/08_deep_contacts/experiments/folding_scenes.hpp"
 #include "chapters/08_deep_contacts/experiments/inside_scenes.hpp"
 #include "common/experiments/render/reference.hpp"
-#include "common/experiments/render/renderer.hpp"
 #include "common/experiments/render/scene_view.hpp"
 
 #include <doctest/doctest.h>
@@ -15,10 +14,8 @@ namespace {
 /// A stage, seen from near, against renders/08_deep_contacts/NAME.png.
 void check_picture(Stage stage, const Vec3& seen_from, const std::string& name)
 {
-    constexpr int width = 480, height = 320;
-    stage.camera = frame(points_of(stage), seen_from, static_cast<double>(width) / height, 0.04);
-    const ReferenceCheck check = check_reference_picture(Renderer(width, height).draw(stage),
-                                                         "08_deep_contacts/" + name + ".png");
+    const ReferenceCheck check = check_reference_view(std::move(stage), seen_from,
+                                                      "08_deep_contacts/" + name + ".png", 0.04);
     CHECK_MESSAGE(check.passed, check.message);
 }
 

@@ -1,6 +1,7 @@
 #include "common/experiments/render/reference.hpp"
 
 #include "common/experiments/render/difference.hpp"
+#include "common/experiments/render/renderer.hpp"
 
 #include <cstdlib>
 #include <filesystem>
@@ -41,6 +42,14 @@ ReferenceCheck check_reference_picture(const Picture& picture, const std::string
     write_png(picture, got);
     write_png(difference_picture(picture, expected), marked);
     return {false, name + ": " + difference.message + "; see " + marked.string()};
+}
+
+ReferenceCheck check_reference_view(Stage stage, const Vec3& seen_from, const std::string& name,
+                                    double margin)
+{
+    constexpr int width = 480, height = 320;
+    stage.camera = frame(points_of(stage), seen_from, static_cast<double>(width) / height, margin);
+    return check_reference_picture(Renderer(width, height).draw(stage), name);
 }
 
 }  // namespace enduring

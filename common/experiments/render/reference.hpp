@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/experiments/render/picture.hpp"
+#include "common/experiments/render/stage.hpp"
 #include "common/input/source_directory.hpp"
 
 #include <filesystem>
@@ -31,5 +32,11 @@ struct ReferenceCheck {
 /// @throws InputError  a file cannot be written
 ReferenceCheck check_reference_picture(const Picture& picture, const std::string& name,
                                        const ReferencePlaces& places = {});
+
+/// The same for a stage whose bodies fill the picture, 480 x 320 pixels.
+/// @param seen_from  from the bodies to the eye, any length
+/// @param margin     free share of the picture on each side, 0 to 0.4
+ReferenceCheck check_reference_view(Stage stage, const Vec3& seen_from, const std::string& name,
+                                    double margin = 0.08);
 
 }  // namespace enduring
