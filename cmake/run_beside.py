@@ -65,6 +65,8 @@ def plan_of(options, wanted):
                               "out": str(options.results.resolve() / folder),
                               "command": [str(program_folder / PICTURE), "--out", str(options.results.resolve() / folder)]}
         edges[f"build {program.name}"] = edge_of_build(options, program, builds)
+        if folder == FIRST and PICTURE in edges:
+            edges[f"build {program.name}"]["needs"] = [f"build {PICTURE}"]  # a ninja of 1.12 or later begins what has most behind it
         edges[f"cause/{folder}"] = {"kind": "cause", "alone": False, "seconds": 0, "folder": folder, "program": str(program),
                                     "needs": [f"build {program.name}"]}
         for name in names:

@@ -76,6 +76,7 @@ class Graph(unittest.TestCase):
         plan = run_beside.plan_of(options(False), run_beside.chosen(experiments.folders()))
         beside, _ = run_beside.edges_in_order(plan, False)
         self.assertEqual(beside[:2], ["build first_picture", "build chapter01"])
+        self.assertEqual(plan["edges"]["build chapter01"]["needs"], ["build first_picture"])
         self.assertEqual(next(name for name in beside if name.startswith("done/")), "done/01_particle_plane/two_looks")
 
     def test_two_experiments_that_write_one_file_are_told(self):
