@@ -15,7 +15,9 @@ constexpr std::array<PenaltyMethod, 2> dpf_and_cpf{PenaltyMethod::discrete, Pena
 /// methods are equally close to their limit.
 void depth_over_step(const RunOptions& options, const std::filesystem::path& file, Report& report)
 {
-    constexpr std::array steps{0.003, 0.004, 0.005, 0.006, 0.007, 0.008, 0.010};
+    const std::vector<double> steps = options.quick
+                                          ? std::vector{0.003, 0.005, 0.007, 0.010}
+                                          : std::vector{0.003, 0.004, 0.005, 0.006, 0.007, 0.008, 0.010};
     const auto depths = sweep<DepthRatio>(
         options, "depth_over_step", both_bases.size() * steps.size(), [&](std::size_t i) {
             return depths_between_limits(file, steps[i % steps.size()], both_bases[i / steps.size()]);
