@@ -1,6 +1,6 @@
 """What README.md shows: a small picture for each chapter, cut out of a reference picture, and a film.
 usage: front_page.py          renders/NN_name/thumbnail.png for each chapter
-       front_page.py --film   renders/08_deep_contacts/film.webp: runs the experiment that films it, which takes minutes"""
+       front_page.py --film   renders/09_deep_contacts/film.webp: runs the experiment that films it, which takes minutes"""
 import os
 import subprocess
 import sys
@@ -20,7 +20,7 @@ PICTURES = {  # each chapter's reference picture, and what is cut out of it firs
     "05_categorisation": ("hooked", ""),
     "06_redefinition": ("shifted", ""),
     "07_implicit_contact": ("card_house", ""),
-    "08_deep_contacts": ("bunny_curve", ""),
+    "09_deep_contacts": ("bunny_curve", ""),
 }
 
 
@@ -55,9 +55,9 @@ def write_thumbnails():
 
 def write_film():
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([PROGRAMS / "chapter08", "bunny_curve", "--out", folder], check=True)
+        subprocess.run([PROGRAMS / "chapter09", "bunny_curve", "--out", folder], check=True)
         film = next(Path(folder).rglob("bunny_out.webp"))
-        (RENDERS / "08_deep_contacts/film.webp").write_bytes(film.read_bytes())
+        (RENDERS / "09_deep_contacts/film.webp").write_bytes(film.read_bytes())
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
-#include "chapters/08_deep_contacts/overlap_shape.hpp"
-#include "chapters/08_deep_contacts/overlaps.hpp"
-#include "chapters/08_deep_contacts/surface_regions.hpp"
+#include "chapters/09_deep_contacts/overlap_shape.hpp"
+#include "chapters/09_deep_contacts/overlaps.hpp"
+#include "chapters/09_deep_contacts/surface_regions.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "live/figures.hpp"
 

@@ -1,4 +1,4 @@
-// Chapter 8: the curves in which two bodies cross, the vertices of each that are inside the other, and the ways out.
+// Chapter 9: the curves in which two bodies cross, the vertices of each that are inside the other, and the ways out.
 Live.add("crossing", (figure, chapters) => {
   figure.aspect = 0.56;
   figure.onPhone = 0.95;

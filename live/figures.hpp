@@ -56,7 +56,7 @@ Numbers slide_on(int steps);
 ///          eigenvalues, then for each step height [m] and energy above that at rest, over the first ...}
 Numbers implicit(double h, double centre, bool by_mean, int steps);
 
-/// Chapter 8: where a cube crosses a block of 2 m by 0.8 m by 2 m, or a bar a wall. The block and the wall lie around the
+/// Chapter 9: where a cube crosses a block of 2 m by 0.8 m by 2 m, or a bar a wall. The block and the wall lie around the
 /// origin.
 /// @param x, y, z    place of the cube's or the bar's middle [m]
 /// @param turn_deg   about y, after a tilt by `tilt_deg` about z

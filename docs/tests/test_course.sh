@@ -41,7 +41,7 @@ expect 1 'of [0-9]* hold. Next: ' check --no-install
 expect 1 'of 2 hold. Next: 1.2' check 1.2 1.3 --no-install
 expect 2 'there is no exercise 9.9. There are: 1.1' check 9.9 --no-install
 expect 2 'name one exercise, as in 3.1' solution 3
-expect 2 'there is no layer 9. There are: 0, 1' prove --layers 9 --no-install
+expect 2 'there is no layer 98. There are: 0, 1' prove --layers 98 --no-install
 expect 2 'part 5/4 should be K/N' prove --layers 1 --part 5/4 --no-install
 expect 0 'std::optional<PlaneInterval> find_plane_interval' solution 1.1
 expect 0 'A right answer prints' exercise 2.2

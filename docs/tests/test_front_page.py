@@ -46,7 +46,7 @@ class FrontPage(unittest.TestCase):
             self.assertLess(off, 2, f"{chapter}: `python3 docs/front_page.py` makes it anew")
 
     def test_the_film_takes_ten_seconds_and_less_than_two_megabytes(self):
-        film = ROOT / "renders/08_deep_contacts/film.webp"
+        film = ROOT / "renders/09_deep_contacts/film.webp"
         times = frames_of(film)
         self.assertGreater(len(times), 100)
         self.assertAlmostEqual(sum(times) / 1000, 10, delta=1)

@@ -1,0 +1,206 @@
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/09_deep_contacts/experiments/draw_crossing.hpp"
+#include "chapters/09_deep_contacts/experiments/experiments.hpp"
+#include "chapters/09_deep_contacts/experiments/inside_scenes.hpp"
+#include "chapters/09_deep_contacts/solver.hpp"
+#include "common/experiments/render/film_probes.hpp"
+#include "common/experiments/report/growing_table.hpp"
+#include "common/experiments/run/run.hpp"
+#include "common/experiments/run/spring_ledger.hpp"
+#include "common/simulation/energy.hpp"
+
+#include <algorithm>
+
+namespace enduring::chapter09 {
+namespace {
+
+/// How a body comes out; of several ways the worst of each.
+struct Way {
+    double height = -1e9;   ///< of the lowest vertex at the end [m]
+    double highest = -1e9;  ///< that after any step
+    double fastest = 0;     ///< its centre of mass, while a vertex is more than 1 mm deep [m/s]
+    double rising = 0;      ///< fastest upwards, while a vertex is more than 1 mm deep [m/s]
+    double moving = 0;      ///< last time that it was faster than 1 cm/s [s]
+    double energy = -1e9;   ///< of all bodies, at most [J]
+    long left = 0;          ///< 1 if a vertex is more than 1 mm deep at the end
+
+    void worsen(const Way& other)
+    {
+        highest = std::max(highest, other.highest);
+        fastest = std::max(fastest, other.fastest);
+        rising = std::max(rising, other.rising);
+        moving = std::max(moving, other.moving);
+        energy = std::max(energy, other.energy);
+        left += other.left;
+    }
+};
+
+/// How many of a run's problems were solved, and how many were not solved to a millionth.
+struct Solves {
+    long all = 0, unconverged = 0;
+};
+
+ImplicitSettings counting(Solves& solves)
+{
+    ImplicitSettings settings;
+    settings.record = [&solves](const SolveRecord& record) {
+        ++solves.all;
+        solves.unconverged += !record.converged;
+    };
+    return settings;
+}
+
+Way watch(Scene& scene, const Solver& solver, double duration, const std::vector<Probe*>& more = {})
+{
+    Way way;
+    bool inside = true;
+    WatchProbe watch([&](const World& world, const Contacts&, double) {
+        const double speed = world.bodies.back()->mean_velocity().norm();
+        way.height = lowest_vertex(world);
+        way.highest = std::max(way.highest, way.height);
+        way.energy = std::max(way.energy, total_energy(world).total());
+        way.moving = speed > 0.01 ? world.time : way.moving;
+        inside = inside && deepest_inside(world) > 1e-3;
+        way.fastest = std::max(way.fastest, inside ? speed : 0);
+        way.rising = std::max(way.rising, inside ? world.bodies.back()->mean_velocity().y() : 0);
+    });
+    std::vector<Probe*> probes{&watch};
+    probes.insert(probes.end(), more.begin(), more.end());
+    run(scene, solver, probes, failure_on_purpose({.steps = static_cast<int>(duration / scene.dt + 0.5)}));
+    way.left = deepest_inside(scene.world) > 1e-3;
+    return way;
+}
+
+//! [against_a_twin]
+/// The way out of a body, measured against a twin that begins just above and falls to its place of rest:
+/// heights over that place, energy over the most that the twin has.
+Way way_out(const Surroundings& surroundings, const std::string& body, double depth, double dt,
+            Solves& solves)
+{
+    constexpr double above = 1e-4;
+    Scene twin = scene_inside(surroundings, body, -above, dt),
+          scene = scene_inside(surroundings, body, depth, dt);
+    const Way landed = watch(twin, chapter09_solver(twin.contact, counting(solves)), 2);
+    Way way = watch(scene, chapter09_solver(scene.contact, counting(solves)), 4);
+    way.height -= landed.height;
+    way.highest -= landed.height;
+    way.energy -= landed.energy;
+    return way;
+}
+//! [against_a_twin]
+
+/// How fast the leaning block leaves the floor, in which it is wholly inside, if handed-on springs do not keep
+/// their compression [m/s].
+double fastest_without_keeping()
+{
+    Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.4, 0.01);
+    Solves solves;
+    Solver solver = chapter09_solver(scene.contact, counting(solves));
+    solver.remove("keep compressions");
+    return watch(scene, solver, 2).fastest;
+}
+
+/// The leaning block, 30 cm deep: pictures, a film, and the accounts of its energy over time.
+void show_leaning_block(const RunOptions& options, Report& report)
+{
+    Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.3, 0.01);
+    const MarkContacts mark = [](Stage& stage, const World& world, const Contacts&) {
+        mark_crossing(stage, world);
+    };
+    StripProbe pictures(scene, {0, 0.3, 0.6, 2}, mark, 400, 284);
+    ClipProbe film(scene, report.file("born_inside.webp"), options.quick ? 4 : 20, 480, 344,
+                   {.slow_motion = 2, .until = 2, .mark = mark});
+    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
+    const double before = total_energy(scene.world).total();
+    Table table({"time_s", "bodies_j", "lifted_j", "damped_j", "rubbed_j", "brought_j"});
+    WatchProbe accounts([&](const World& world, const Contacts& contacts, double dt) {
+        if (world.step > 0)
+            ledger.add_step(world, contacts, dt);
+        const SpringAccounts& sums = ledger.accounts();
+        table.add({world.time, total_energy(world).total() - before, sums.lifted, -sums.damped, sums.rubbed,
+                   sums.brought()});
+    });
+    Solves solves;
+    watch(scene, chapter09_solver(scene.contact, counting(solves)), 2.2, {&pictures, &film, &accounts});
+    write_png(pictures.all(2), report.file("born_inside.png"));
+    film.finish();
+    report.table("let_out_energy", table);
+    report.plot("chapters/09_deep_contacts/plots/let_out_energy.gp");
+    const SpringAccounts& sums = ledger.accounts();
+    report.fact("born_inside", "lifted", sums.lifted);
+    report.fact("born_inside", "gained", total_energy(scene.world).total() - before);
+    report.fact("born_inside", "brought", sums.brought());
+}
+
+/// One run in each of the surroundings in which the body begins 30 cm deep.
+void show_surroundings(Report& report)
+{
+    std::vector<StripPicture> rows;
+    for (const Surroundings& surroundings : all_surroundings()) {
+        Scene scene = scene_inside(surroundings, surroundings.inner.back(), 0.3, 0.01);
+        if (surroundings.name == "bowl")
+            scene.camera = {{1.2, 2.6, 1.8}, {0, 0.25, 0}, 30};
+        StripProbe film(
+            scene, {0, 0.4, 2}, [](auto&&...) {}, 320, 220);
+        Solves solves;
+        watch(scene, chapter09_solver(scene.contact, counting(solves)), 2, {&film});
+        rows.push_back({film.all(3), surroundings.name});
+    }
+    write_png(strip(rows, 1), report.file("surroundings.png"));
+}
+
+std::vector<double> depths_for(double height, bool quick)
+{
+    if (quick)
+        return {0.001, 0.4};
+    return {0.001, 0.01, 0.05, 0.1, 0.4, height + 0.05};
+}
+
+}  // namespace
+
+/// Bodies that begin inside something else, from a millimetre to wholly: what becomes of them.
+void born_inside(const RunOptions& options, Report& report)
+{
+    GrowingTable table(report, "born_inside",
+                       {"inside", "body", "dt_s", "depth_mm", "height_mm", "highest_mm", "fastest_m_per_s",
+                        "last_moving_s", "excess_energy_j", "left_inside"});
+    Table page({"inside", "body", "runs", "highest_mm", "fastest_m_per_s", "last_moving_s", "excess_energy_j",
+                "left_inside"});
+    Solves solves;
+    Way worst;
+    double at_rest = 0;  // of those that do not roll
+    for (const Surroundings& surroundings : all_surroundings())
+        for (const std::string& body : surroundings.inner) {
+            Way of_body;
+            long runs = 0;
+            for (const double dt :
+                 options.quick ? std::vector<double>{0.01} : std::vector<double>{0.01, 1.0 / 60})
+                for (const double depth : depths_for(height_of(surroundings, body), options.quick)) {
+                    const Way way = way_out(surroundings, body, depth, dt, solves);
+                    table.add({surroundings.name, body, dt, 1000 * depth, 1000 * way.height,
+                               1000 * way.highest, way.fastest, way.moving, way.energy, way.left});
+                    of_body.worsen(way);
+                    ++runs;
+                }
+            page.add({surroundings.name, body, runs, 1000 * of_body.highest, of_body.fastest, of_body.moving,
+                      of_body.energy, of_body.left});
+            worst.worsen(of_body);
+            if (body != "ball")
+                at_rest = std::max(at_rest, of_body.moving);
+        }
+    show_leaning_block(options, report);
+    show_surroundings(report);
+    report.table("born_inside", table);
+    report.page_table("born_inside", page);
+    report.fact("born_inside", "thrown", fastest_without_keeping());
+    report.fact("born_inside", "highest_mm", 1000 * worst.highest);
+    report.fact("born_inside", "fastest", worst.fastest);
+    report.fact("born_inside", "rising", worst.rising);
+    report.fact("born_inside", "at_rest", at_rest);
+    report.fact("born_inside", "energy_over", worst.energy);
+    report.fact("born_inside", "solves", static_cast<double>(solves.all), 6);
+    report.fact("born_inside", "unconverged", static_cast<double>(solves.unconverged), 6);
+    report.fact("born_inside", "left", static_cast<double>(worst.left));
+}
+
+}  // namespace enduring::chapter09

@@ -1,0 +1,105 @@
+#include "chapters/06_redefinition/contact_index.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/09_deep_contacts/experiments/experiments.hpp"
+#include "chapters/09_deep_contacts/overlaps.hpp"
+#include "chapters/09_deep_contacts/solver.hpp"
+#include "chapters/motivating_scenes/buried_vertex.hpp"
+#include "common/experiments/report/growing_table.hpp"
+#include "common/experiments/run/run.hpp"
+
+#include <algorithm>
+
+namespace enduring::chapter09 {
+namespace {
+
+/// A vertex that is less deep is on the surface, but for rounding [m].
+constexpr double least_depth = 1e-6;
+
+/// Vertices inside a body with which they have no pair, over the steps of a run.
+struct Unpaired {
+    long steps = 0, steps_with_some = 0;
+    double deepest = 0;  ///< [m]
+};
+
+/// A scene, perhaps with another beginning.
+struct Start {
+    std::string name, scene_name, patch;
+};
+
+class UnpairedProbe final : public Probe {
+public:
+    void observe(const World& world, const Contacts& contacts, double) override
+    {
+        if (world.step == 0)
+            return;
+        in_contact_.fill(contacts);
+        double deepest = 0;
+        for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
+            for (int j = 0; j < i; ++j)
+                if (world.bodies[i]->surface().is_closed() && world.bodies[j]->surface().is_closed())
+                    deepest = std::max(deepest, deepest_of(world, i, j));
+        ++found.steps;
+        found.steps_with_some += deepest > least_depth;
+        found.deepest = std::max(found.deepest, deepest);
+    }
+    Unpaired found;
+
+private:
+    double deepest_of(const World& world, int i, int j) const
+    {
+        const Body &a = *world.bodies[i], &b = *world.bodies[j];
+        FaceTree tree_a(a.surface(), a.positions_t0()), tree_b(b.surface(), b.positions_t0());
+        tree_a.refit({a.surface(), a.positions_t0(), a.positions_t0()});
+        tree_b.refit({b.surface(), b.positions_t0(), b.positions_t0()});
+        double deepest = 0;
+        for (const Overlap& overlap : find_overlaps({a.surface(), a.positions_t0(), tree_a},
+                                                    {b.surface(), b.positions_t0(), tree_b})) {
+            for (const int vertex : overlap.vertices_of_a)
+                if (in_contact_.find(i, vertex, j) < 0)
+                    deepest = std::max(deepest, motivating::depth_inside(b, a.positions_t0()[vertex]));
+            for (const int vertex : overlap.vertices_of_b)
+                if (in_contact_.find(j, vertex, i) < 0)
+                    deepest = std::max(deepest, motivating::depth_inside(a, b.positions_t0()[vertex]));
+        }
+        return deepest;
+    }
+
+    VertexContacts in_contact_;
+};
+
+}  // namespace
+
+/// The course's scenes with the solvers of chapters 7 and 9: in how many steps a vertex is inside without a pair.
+void unpaired(const RunOptions& options, Report& report)
+{
+    GrowingTable table(
+        report, "unpaired",
+        {"scene", "steps", "steps_with_7", "deepest_with_7_mm", "steps_with_9", "deepest_with_9_mm"});
+    long steps = 0, some = 0;
+    std::vector<Start> starts;
+    for (const char* scene : {"hooked", "deep", "shifted", "false_resolution", "through_the_side", "tumble",
+                              "bar_on_cube", "bunny_bowl"})
+        starts.push_back({scene, scene, ""});
+    starts.push_back({"bunny in the wall", "bunny_bowl", R"({"/bodies/bunny/position": [0.3, 0.12, 0.1]})"});
+    for (const auto& [name, scene_name, patch] : starts) {
+        std::vector<Unpaired> found;
+        for (const auto make : {+[](const ContactParameters& p) { return chapter07_solver(p); },
+                                +[](const ContactParameters& p) { return chapter09_solver(p); }}) {
+            Scene scene = load_scene(scene_file(scene_name), patch);
+            UnpairedProbe probe;
+            run(scene, make(scene.contact), {&probe},
+                failure_on_purpose({.steps = options.quick ? std::optional(20) : std::nullopt}));
+            found.push_back(probe.found);
+        }
+        table.add({name, found[0].steps, found[0].steps_with_some, 1000 * found[0].deepest,
+                   found[1].steps_with_some, 1000 * found[1].deepest});
+        steps += found[1].steps;
+        some += found[1].steps_with_some;
+    }
+    report.table("unpaired", table);
+    report.page_table("unpaired", table);
+    report.fact("unpaired", "steps", static_cast<double>(steps), 6);
+    report.fact("unpaired", "some", static_cast<double>(some), 6);
+}
+
+}  // namespace enduring::chapter09

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "chapters/09_deep_contacts/overlaps.hpp"
+#include "common/simulation/step.hpp"
+
+#include <functional>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace enduring {
+
+/// The way out of each of some vertices that lie in another body, unit length; zero for none.
+/// @param way_out  of the overlap that they belong to
+using WaysOut = std::function<std::vector<Vec3>(const StillSurface& inner, const std::vector<int>& vertices,
+                                                const StillSurface& outer, const Vec3& way_out)>;
+
+/// All vertices share the way of their overlap.
+std::vector<Vec3> shared_way_out(const StillSurface& inner, const std::vector<int>& vertices,
+                                 const StillSurface& outer, const Vec3& way_out);
+
+/// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
+/// which the way out of their overlap leads; and the edges that cross on its border without one. It needs no
+/// history. Between bodies with closed surfaces only.
+///
+/// The trees are shaped once, so it belongs to one world.
+class InsidePairs {
+public:
+    explicit InsidePairs(WaysOut ways = shared_way_out) : ways_(std::move(ways)) {}
+
+    /// From where everything lies at the start of the step; the pairs endure.
+    void append_missing(const World& world, Contacts& contacts);
+
+    /// How much of the way out of its overlap leads along a pair's normal, in [0, 1]; 1 where no vertex of it is
+    /// in an overlap. Asked after append_missing().
+    double part_along_the_way(const World& world, const Contact& contact) const;
+
+private:
+    void fit_trees(const World& world);
+
+    void note_ways(int body_a, const std::vector<int>& vertices, int body_b, const std::vector<Vec3>& ways);
+
+    using Key = std::tuple<int, int, int>;  ///< body_a, vertex, body_b
+    WaysOut ways_;
+    std::map<Key, Vec3> way_of_vertex_;  ///< of this step
+    std::vector<const Body*> bodies_;    ///< whose trees these are
+    std::vector<FaceTree> trees_;
+};
+
+/// Lets the slack of each spring fade: a tenth in each step, as chapter 7 has it, but no faster than its body
+/// may be let out. So a spring that is born deep inside brings no energy, and throws nothing.
+/// @param keep  part of its slack that a spring keeps in a step at least
+/// @param most  by how much a pair's slack may fade in the step [m], not negative
+void fade_slack(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most);
+
+}  // namespace enduring

@@ -1,0 +1,43 @@
+#include "chapters/09_deep_contacts/experiments/experiments.hpp"
+#include "chapters/09_deep_contacts/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
+
+int main(int argc, char** argv)
+{
+    using namespace enduring;
+    return run_chapter(
+        argc, argv,
+        {
+            "09_deep_contacts",
+            "Chapter 9: deep contacts",
+            {
+                {"deep", "a cube rams a block: its energy with and without asking the neighbours",
+                 chapter09::deep},
+                {"bunny_curve", "the curves in which a bunny and a bowl cross", chapter09::bunny_curve},
+                {"way_out", "a cube over the rim of a block: the curve, what it bounds, and the way out",
+                 chapter09::way_out},
+                {"tracing", "random overlaps, with ties and without: are all curves closed?",
+                 chapter09::tracing},
+                {"born_inside", "bodies that begin inside something else: how they come out",
+                 chapter09::born_inside},
+                {"crossed_beams", "two beams that begin in each other, with no vertex inside",
+                 chapter09::crossed_beams},
+                {"born_loaded", "scenes in which pairs are born at a depth: the energy that they bring",
+                 chapter09::born_loaded},
+                {"mass_ratios", "light bodies under heavy ones, up to 25,000 times: do they come to rest?",
+                 chapter09::mass_ratios},
+                {"ways_compared", "three choices of the way out: wrong directions, and what they cost",
+                 chapter09::ways_compared},
+                {"thin", "shots at thin bodies: how many come out on the wrong side", chapter09::thin},
+                {"unpaired", "the course's scenes: is any vertex inside without a pair?",
+                 chapter09::unpaired},
+                {"folding", "soft bodies that fold onto themselves", chapter09::folding},
+                {"knot", "a rope with a knot is pulled tight and let go, with friction and nearly without",
+                 chapter09::knot},
+                {"round_turns", "a rope with one turn around its own end: how hard it has to be held back",
+                 chapter09::round_turns},
+                {"cost", "what tracing takes of a step", chapter09::cost},
+            },
+        },
+        [](const ContactParameters& parameters) { return chapter09_solver(parameters); });
+}

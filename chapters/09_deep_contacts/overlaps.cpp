@@ -1,0 +1,208 @@
+#include "chapters/09_deep_contacts/overlaps.hpp"
+
+#include "chapters/02_collision_detection/edge_triangle.hpp"
+#include "chapters/09_deep_contacts/surface_regions.hpp"
+#include "common/geometry/triangle_distance.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace enduring {
+namespace {
+
+/// Vector areas that are smaller than this part of what they are summed from have cancelled.
+constexpr double cancelled_area = 1e-3;
+
+Vec3 normal_of(const StillSurface& surface, int face)
+{
+    const auto [a, b, c] = surface.topology.faces()[face];
+    const Vec3& corner = surface.positions[a];
+    return (surface.positions[b] - corner).cross(surface.positions[c] - corner);
+}
+
+/// Along the curve A's inside lies to the left, seen from outside of A, if its pieces run along n_a x n_b.
+double along_the_piece(const Piercing& piercing, const Vec3& piece, const StillSurface& a,
+                       const StillSurface& b)
+{
+    const SurfaceTopology& of_edge = (piercing.edge_of_a ? a : b).topology;
+    double along = 0;
+    for (const int face : of_edge.faces_at_edge(piercing.edge))
+        if (face >= 0)
+            along += piece.dot(normal_of(a, piercing.face_of_a(face))
+                                   .cross(normal_of(b, piercing.face_of_b(face)))
+                                   .stableNormalized());
+    return along;
+}
+
+}  // namespace
+
+//! [vector_area]
+Vec3 vector_area(const Intersection& intersection, const IntersectionCurve& curve, const StillSurface& a,
+                 const StillSurface& b)
+{
+    const std::size_t count = curve.piercings.size();
+    std::vector<Vec3> points;
+    for (const int piercing : curve.piercings)
+        points.push_back(point_of(intersection.piercings[piercing], a, b));
+    Vec3 area = Vec3::Zero();
+    double direction = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 &now = points[i], &next = points[(i + 1) % count],
+                   &before = points[(i + count - 1) % count];
+        area += (now - points[0]).cross(next - points[0]) / 2;
+        direction += along_the_piece(intersection.piercings[curve.piercings[i]], next - before, a, b);
+    }
+    return direction < 0 ? Vec3(-area) : area;
+}
+//! [vector_area]
+
+Vec3 nearest_normal(const StillSurface& surface, const Vec3& point)
+{
+    double bound = INFINITY;
+    int nearest = 0;
+    surface.tree.visit_near(point, bound, [&](int face) {
+        const auto [a, b, c] = surface.topology.faces()[face];
+        const double distance = distance_to_triangle(point, surface.positions[a], surface.positions[b],
+                                                     surface.positions[c]);
+        if (distance * distance < bound) {
+            bound = distance * distance;
+            nearest = face;
+        }
+    });
+    return normal_of(surface, nearest).normalized();
+}
+
+namespace {
+
+/// Curves and regions inside, each a number; those that meet are of one volume.
+class Volumes {
+public:
+    Volumes(const Intersection& intersection, const StillSurface& a, const StillSurface& b)
+        : curves_(static_cast<int>(intersection.curves.size())),
+          regions_a_(flood_regions(intersection.piercings, a, b, true)),
+          regions_b_(flood_regions(intersection.piercings, a, b, false)),
+          parent_(intersection.curves.size() + regions_a_.winding.size() + regions_b_.winding.size())
+    {
+        std::iota(parent_.begin(), parent_.end(), 0);
+        for (std::size_t curve = 0; curve < intersection.curves.size(); ++curve)
+            for (const int index : intersection.curves[curve].piercings) {
+                const Piercing& piercing = intersection.piercings[index];
+                const SurfaceRegions& regions = piercing.edge_of_a ? regions_a_ : regions_b_;
+                const auto [from, to] = (piercing.edge_of_a ? a : b).topology.edges()[piercing.edge];
+                const int vertex = piercing.entry > 0 ? to : from;  // the end on the side that is inside
+                if (regions.winding_of_vertex(vertex) > 0)
+                    parent_[root(static_cast<int>(curve))] = root(of_vertex(vertex, piercing.edge_of_a));
+            }
+    }
+    bool is_inside(int vertex, bool of_a) const
+    {
+        return (of_a ? regions_a_ : regions_b_).winding_of_vertex(vertex) > 0;
+    }
+    int of_curve(int curve) { return root(curve); }
+    int volume_of_vertex(int vertex, bool of_a) { return root(of_vertex(vertex, of_a)); }
+
+private:
+    int of_vertex(int vertex, bool of_a) const
+    {
+        return curves_ +
+               (of_a ? regions_a_.region_of_vertex[vertex]
+                     : static_cast<int>(regions_a_.winding.size()) + regions_b_.region_of_vertex[vertex]);
+    }
+    int root(int i)
+    {
+        while (parent_[i] != i)
+            i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+
+    int curves_;
+    SurfaceRegions regions_a_, regions_b_;
+    std::vector<int> parent_;
+};
+
+//! [shortest_way]
+/// Of the ways along the normals next to some vertices, the one on which the last of them is out first.
+Vec3 shortest_way(const StillSurface& inner, const std::vector<int>& vertices, const StillSurface& outer)
+{
+    Vec3 best = Vec3::Zero();
+    double shortest = INFINITY;
+    for (const int vertex : vertices) {
+        const Vec3 way = nearest_normal(outer, inner.positions[vertex]);
+        double longest = 0;
+        for (const int other : vertices)
+            if (longest < shortest)
+                longest = std::max(longest, find_exit(outer, inner.positions[other], way).distance);
+        if (longest < shortest) {
+            shortest = longest;
+            best = way;
+        }
+    }
+    return best;
+}
+//! [shortest_way]
+
+}  // namespace
+
+//! [find_overlaps]
+std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
+{
+    const Intersection intersection = trace_intersection(a, b);
+    Volumes volumes(intersection, a, b);
+    struct Sum {
+        Overlap overlap;
+        Vec3 area = Vec3::Zero();
+        double size = 0;
+    };
+    std::map<int, Sum> sums;
+    for (int vertex = 0; vertex < a.topology.vertex_count(); ++vertex)
+        if (volumes.is_inside(vertex, true))
+            sums[volumes.volume_of_vertex(vertex, true)].overlap.vertices_of_a.push_back(vertex);
+    for (int vertex = 0; vertex < b.topology.vertex_count(); ++vertex)
+        if (volumes.is_inside(vertex, false))
+            sums[volumes.volume_of_vertex(vertex, false)].overlap.vertices_of_b.push_back(vertex);
+    for (std::size_t i = 0; i < intersection.curves.size(); ++i) {
+        const Vec3 area = vector_area(intersection, intersection.curves[i], a, b);
+        Sum& sum = sums[volumes.of_curve(static_cast<int>(i))];
+        std::vector<Piercing>& curve = sum.overlap.curves.emplace_back();
+        for (const int piercing : intersection.curves[i].piercings)
+            curve.push_back(intersection.piercings[piercing]);
+        sum.area += area;
+        sum.size += area.norm();
+    }
+    std::vector<Overlap> overlaps;
+    for (auto& [volume, sum] : sums) {
+        Overlap& overlap = sum.overlap;
+        if (sum.area.norm() > cancelled_area * sum.size)
+            overlap.way_out = -sum.area.normalized();
+        else if (!overlap.vertices_of_a.empty())
+            overlap.way_out = shortest_way(a, overlap.vertices_of_a, b);
+        else if (!overlap.vertices_of_b.empty())
+            overlap.way_out = -shortest_way(b, overlap.vertices_of_b, a);
+        overlaps.push_back(std::move(overlap));
+    }
+    return overlaps;
+}
+//! [find_overlaps]
+
+Exit find_exit(const StillSurface& surface, const Vec3& point, const Vec3& way)
+{
+    const SweptBox box = surface.tree.box();
+    const Vec3 outside = point + 2 * (box.high - box.low).norm() * way;
+    const double length = (outside - point).norm();
+    Exit exit;
+    surface.tree.faces_near({point.cwiseMin(outside), point.cwiseMax(outside)}, [&](int face) {
+        if (normal_of(surface, face).dot(way) <= 0)
+            return;
+        const auto [a, b, c] = surface.topology.faces()[face];
+        const auto hit = find_edge_triangle_hit(point, outside, surface.positions[a], surface.positions[b],
+                                                surface.positions[c]);
+        if (hit && hit->along_edge * length < exit.distance)
+            exit = {face,
+                    {1 - hit->weight_b - hit->weight_c, hit->weight_b, hit->weight_c},
+                    hit->along_edge * length};
+    });
+    return exit;
+}
+
+}  // namespace enduring

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "chapters/09_deep_contacts/intersection_curve.hpp"
+
+namespace enduring {
+
+/// A volume that two bodies share: the vertices of each that lie in it, and the way out of it.
+struct Overlap {
+    std::vector<int> vertices_of_a, vertices_of_b;
+    Vec3 way_out = Vec3::Zero();  ///< unit length: A leaves B along it, and B leaves A against it
+    std::vector<std::vector<Piercing>> curves;  ///< around it, the piercings of each in their order
+};
+
+/// The vector area that a curve bounds on A [m^2]: the integral of A's normals over what is inside B there,
+/// which by Stokes' theorem is half the sum of r x dr along the curve. It does not depend on where the origin
+/// lies.
+Vec3 vector_area(const Intersection& intersection, const IntersectionCurve& curve, const StillSurface& a,
+                 const StillSurface& b);
+
+/// The normal of the face that is nearest to a point, unit length.
+Vec3 nearest_normal(const StillSurface& surface, const Vec3& point);
+
+/// All volumes that two closed surfaces share.
+///
+/// The way out is the one on which the volume shrinks fastest: if A moves by a small s, it grows by s times
+/// the integral of A's normals over its surface inside B, so against the vector areas of the curves around
+/// it. Where they cancel, as for a body that is wholly inside another, it is the shortest of the ways along
+/// the normals of the faces that are nearest to its vertices.
+std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b);
+
+/// Where a way from a point inside a surface leaves it.
+struct Exit {
+    int face = -1;
+    std::array<double, 3> weights{};
+    double distance = INFINITY;  ///< [m]
+};
+
+/// The first face that a way passes from behind; none (face -1) where rounding hides it.
+Exit find_exit(const StillSurface& surface, const Vec3& point, const Vec3& way);
+
+}  // namespace enduring
