@@ -20,6 +20,7 @@ PICTURES = {  # each chapter's reference picture, and what is cut out of it firs
     "05_categorisation": ("hooked", ""),
     "06_redefinition": ("shifted", ""),
     "07_implicit_contact": ("card_house", ""),
+    "08_speculative_contacts": ("heap", ""),
     "09_deep_contacts": ("bunny_curve", ""),
 }
 

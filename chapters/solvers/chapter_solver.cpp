@@ -7,21 +7,11 @@
 #include "chapters/05_categorisation/solver.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "common/input/input_error.hpp"
 
 namespace enduring::solvers {
-namespace {
-
-/// A solver in the place of another chapter's, which has none of its own yet.
-Solver numbered(Solver solver, int chapter)
-{
-    solver.name = "chapter " + std::to_string(chapter);
-    return solver;
-}
-
-}  // namespace
-
 Solver chapter_solver(int chapter, const ContactParameters& parameters)
 {
     switch (chapter) {
@@ -32,7 +22,7 @@ Solver chapter_solver(int chapter, const ContactParameters& parameters)
         case 5: return chapter05_solver(parameters);
         case 6: return chapter06_solver(parameters);
         case 7: return chapter07_solver(parameters);
-        case 8: return numbered(chapter07_solver(parameters), 8);
+        case 8: return chapter08_solver(parameters);
         case 9: return chapter09_solver(parameters);
         default: throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to 9 have");
     }
