@@ -21,7 +21,7 @@ void CandidateSearch::build(const World& world)
     }
 }
 
-void CandidateSearch::find_candidates(const World& world)
+void CandidateSearch::find_candidates(const World& world, double margin)
 {
     const auto same = [](const Body* mine, const std::unique_ptr<Body>& theirs) {
         return mine == theirs.get();
@@ -30,7 +30,7 @@ void CandidateSearch::find_candidates(const World& world)
         build(world);
     std::vector<SweptBox> boxes;
     for (std::size_t i = 0; i < trees_.size(); ++i) {
-        trees_[i].refit(surface_step(*world.bodies[i]));
+        trees_[i].refit(surface_step(*world.bodies[i]), margin);
         boxes.push_back(trees_[i].box());
     }
     std::size_t count = 0;
@@ -45,6 +45,7 @@ void CandidateSearch::find_candidates(const World& world)
         collect_pairs(trees_[at(a)], trees_[at(b)], pair.pairs);
     }
     body_pairs_.resize(count);
+    find_more(world);
 }
 
 std::size_t CandidateSearch::candidate_count() const

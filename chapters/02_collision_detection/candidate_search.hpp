@@ -17,7 +17,8 @@ class CandidateSearch {
 public:
     virtual ~CandidateSearch() = default;
     /// Boxes of this step, and from them the pairs of features to look at.
-    virtual void find_candidates(const World& world);
+    /// @param margin  by which the box of each feature is larger on each side [m]
+    void find_candidates(const World& world, double margin = 0);
 
     /// Pairs of bodies whose boxes overlap, and of which at least one can
     /// move: those whose features are looked at.
@@ -48,7 +49,8 @@ public:
     }
 
 protected:
-    /// For a search that finds more; after find_candidates, whose boxes it has.
+    /// For a search that finds more; at the end of find_candidates, with its boxes.
+    virtual void find_more(const World& /*world*/) {}
     const FaceTree& tree(int body) const { return trees_[body]; }
     /// Pairs of features of two bodies, empty at first, which are visited behind all others.
     CandidatePairs& append_body_pair(int a, int b)

@@ -58,10 +58,10 @@ void FaceTree::build(std::span<int> faces, std::span<const Vec3> middles)
 }
 
 //! [refit]
-void FaceTree::refit(const SurfaceStep& surface)
+void FaceTree::refit(const SurfaceStep& surface, double margin)
 {
     for (std::size_t v = 0; v < vertex_boxes_.size(); ++v)
-        vertex_boxes_[v] = enduring::vertex_box(surface, static_cast<int>(v));
+        vertex_boxes_[v] = enduring::vertex_box(surface, static_cast<int>(v)).grown_by(margin);
     for (std::size_t e = 0; e < edge_boxes_.size(); ++e) {
         const auto [a, b] = surface.topology.edges()[e];
         edge_boxes_[e] = vertex_box(a) | vertex_box(b);

@@ -21,7 +21,8 @@ public:
     FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positions);
 
     /// Boxes around this step, from the leaves to the root. No memory is taken.
-    void refit(const SurfaceStep& surface);
+    /// @param margin  by which all boxes are larger on each side [m]
+    void refit(const SurfaceStep& surface, double margin = 0);
 
     /// Calls visit(face of a, face of b) for all pairs of faces whose
     /// boxes overlap, always in the same order.

@@ -21,6 +21,10 @@ struct SweptBox {
         const double infinity = std::numeric_limits<double>::infinity();
         return {Vec3::Constant(infinity), Vec3::Constant(-infinity)};
     }
+    SweptBox grown_by(double margin) const
+    {
+        return {low - Vec3::Constant(margin), high + Vec3::Constant(margin)};
+    }
     bool overlaps(const SweptBox& other) const
     {
         return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&

@@ -36,9 +36,8 @@ void collect_own_pairs(const FaceTree& tree, const RestNeighbours& neighbours, C
 }
 //! [own_pairs]
 
-void SelfDetection::find_candidates(const World& world)
+void SelfDetection::find_more(const World& world)
 {
-    CrossingDetection::find_candidates(world);
     for (int body = 0; body < static_cast<int>(world.bodies.size()); ++body)
         if (const RestNeighbours* neighbours = rest_neighbours(*world.bodies[body]))
             collect_own_pairs(tree(body), *neighbours, append_body_pair(body, body));

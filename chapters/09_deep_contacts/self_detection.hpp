@@ -7,8 +7,8 @@ namespace enduring {
 
 /// The search of the chapters before, and the surfaces of bodies that meet themselves against themselves.
 class SelfDetection final : public CrossingDetection {
-public:
-    void find_candidates(const World& world) override;
+protected:
+    void find_more(const World& world) override;
 };
 
 /// The pairs of features of one surface to look at, as collect_pairs() finds those of two: each once, and none
