@@ -13,6 +13,14 @@ int main(int argc, char** argv)
             {
                 {"heap", "cubes that fall on a heap: pairs, depths and rest, beside chapter 7's solver",
                  chapter08::heap},
+                {"families",
+                 "heaps at random of eight families of shapes: how deep they come into each other",
+                 chapter08::families},
+                {"ridges",
+                 "ridges, corners and borders that come down on each other, from a centimetre above",
+                 chapter08::ridges},
+                {"fast", "shots of 1 m/s to 1,000 m/s at a plate of 2 mm: how many come through",
+                 chapter08::fast},
             },
         },
         [](const ContactParameters& parameters) { return chapter08_solver(parameters); });

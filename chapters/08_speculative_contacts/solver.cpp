@@ -1,19 +1,72 @@
 #include "chapters/08_speculative_contacts/solver.hpp"
 
-#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_speculative_contacts/contact_memory.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/natural_units.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace enduring {
 
-//! [solver]
-Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings settings)
+//! [renew]
+void renew_pairs(ContactSearch& search, const World& world, double dt, Contacts& contacts,
+                 const std::function<void(Contacts&)>& find_more)
 {
-    Solver solver = chapter07_solver(parameters, std::move(settings));
+    Contacts found = search.find(world, contacts, dt);
+    find_more(found);
+    remember(world, contacts, found);
+    contacts = std::move(found);
+}
+//! [renew]
+
+//! [append]
+void append_pairs_brought_inside(ContactSearch& search, const World& world, double dt, Contacts& contacts)
+{
+    if (!search.has_moved(world))
+        return;
+    const KnownPairs known(contacts);
+    for (const Contact& contact : search.find(world, contacts, dt))
+        if (!known.contain(contact) && contact_geometry(world, contact, 1).depth <
+                                           -scale_parts.wanted_depth * natural_length(world, contact))
+            contacts.push_back(contact);
+}
+//! [append]
+
+//! [solver]
+Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings settings,
+                        const std::shared_ptr<ContactSearch>& search)
+{
+    settings.friction = coefficients_of(parameters.friction);
+    if (parameters.wanted_depth)
+        settings.stiffness.wanted_depth = parameters.wanted_depth;
+    settings.stiffness.of_its_mass *= search_parts.stiffer;
+    Solver solver;
     solver.name = "chapter 8";
+    solver.most_turn = 0.5;
+    solver.finds_stiffness = true;
+    solver.append(StepStage::refresh, "find pairs", [search](World& world, Contacts& contacts, double dt) {
+        renew_pairs(*search, world, dt, contacts);
+    });
+    solver.append(StepStage::detect, "find pairs brought inside",
+                  [search](World& world, Contacts& contacts, double dt) {
+                      append_pairs_brought_inside(*search, world, dt, contacts);
+                  });
+    solver.append(
+        StepStage::respond, "answer all pairs",
+        [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {
+            answer_all_pairs(world, contacts, settings, *matrix, dt);
+        });
+    solver.append(StepStage::finish, "remember pairs",
+                  [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
     return solver;
 }
 //! [solver]
+
+Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings settings)
+{
+    return chapter08_solver(parameters, std::move(settings), std::make_shared<ContactSearch>());
+}
 
 Solver chapter08_solver(const ContactParameters& parameters) { return chapter08_solver(parameters, {}); }
 

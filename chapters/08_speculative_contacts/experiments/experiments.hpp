@@ -5,5 +5,8 @@
 namespace enduring::chapter08 {
 
 void heap(const RunOptions& options, Report& report);
+void families(const RunOptions& options, Report& report);
+void ridges(const RunOptions& options, Report& report);
+void fast(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08

@@ -1,0 +1,164 @@
+#include "chapters/08_speculative_contacts/contact_search.hpp"
+
+#include "chapters/08_speculative_contacts/vertex_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace enduring {
+namespace {
+
+/// The candidates of a search, all faces of a vertex together.
+std::vector<std::array<int, 4>> vertex_candidates(const CandidateSearch& search)
+{
+    std::vector<std::array<int, 4>> all;
+    search.visit_candidates(
+        [&](int body_a, int vertex, int body_b, int face) {
+            all.push_back({body_a, vertex, body_b, face});
+        },
+        [](int, int, int, int) {});
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+Reach reach_of(const World& world, int body_a, int body_b, double margin)
+{
+    const double size = std::min(world.bodies[static_cast<std::size_t>(body_a)]->size(),
+                                 world.bodies[static_cast<std::size_t>(body_b)]->size());
+    return {margin, search_parts.inside * size};
+}
+
+/// Of the bodies that move [m]; 0 if none does.
+double smallest_size(const World& world)
+{
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const auto& body : world.bodies)
+        if (!body->is_static())
+            smallest = std::min(smallest, body->size());
+    return std::isfinite(smallest) ? smallest : 0;
+}
+
+SurfaceStep surface_of(const World& world, int body)
+{
+    return surface_step(*world.bodies[static_cast<std::size_t>(body)]);
+}
+
+//! [vertex_pairs]
+void append_vertex_pairs(const World& world, const CandidateSearch& search, const KnownPairs& known,
+                         double margin, Contacts& contacts)
+{
+    const auto all = vertex_candidates(search);
+    std::vector<FaceMeeting> meetings;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto [body_a, vertex, body_b, face] = all[i];
+        const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
+        const Reach reach = reach_of(world, body_a, body_b, margin);
+        Contact pair{ContactKind::vertex_face, body_a, body_b, vertex, face};
+        const bool is_known = known.contain(pair);
+        if (auto meeting = find_meeting(a, vertex, b, face, reach, is_known)) {
+            if (is_known && !meeting->is_crossing())  // of two equal ones, that of the last step
+                meeting->cost -= 1e-2 * search_parts.hysteresis * reach.inside / search_parts.inside;
+            meetings.push_back({face, *meeting});
+        }
+        const bool last = i + 1 == all.size() ||
+                          !std::equal(all[i].begin(), all[i].begin() + 3, all[i + 1].begin());
+        if (!last)
+            continue;
+        for (const FaceMeeting& chosen : choose_walls(b, std::move(meetings))) {
+            const auto [f0, f1, f2] = b.face(chosen.face);
+            pair.feature_b = chosen.face;
+            pair.vertices = {vertex, f0, f1, f2};
+            pair.weights = chosen.meeting.weights;
+            contacts.push_back(pair);
+        }
+        meetings.clear();
+    }
+}
+//! [vertex_pairs]
+
+void append_edge_pairs(const World& world, const CandidateSearch& search, const KnownPairs& known,
+                       double margin, Contacts& contacts)
+{
+    search.visit_candidates(
+        [](int, int, int, int) {},
+        [&](int body_a, int edge_a, int body_b, int edge_b) {
+            Contact pair{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b};
+            const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
+            const auto meeting = find_edge_meeting(
+                a, edge_a, b, edge_b, reach_of(world, body_a, body_b, margin), known.contain(pair));
+            if (!meeting)
+                return;
+            const auto [a0, a1] = a.edge(edge_a);
+            const auto [b0, b1] = b.edge(edge_b);
+            pair.vertices = {a0, a1, b0, b1};
+            pair.weights = meeting->weights;
+            pair.orientation = meeting->orientation;
+            contacts.push_back(pair);
+        });
+}
+
+}  // namespace
+
+double search_margin(const World& world, double dt)
+{
+    return std::max(search_parts.fall * world.gravity.norm() * dt * dt,
+                    search_parts.nearness * smallest_size(world));
+}
+
+void append_plane_pairs(const World& world, double margin, Contacts& contacts)
+{
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        const Body& body = *world.bodies[i];
+        for (std::size_t p = 0; p < world.planes.size() && !body.is_static(); ++p) {
+            const Plane& plane = world.planes[p];
+            for (int vertex = 0; vertex < body.surface().vertex_count(); ++vertex) {
+                const auto height = [&](double tau) {
+                    return plane.normal.dot(body.position(vertex, tau) - plane.point);
+                };
+                if (height(0) > margin && height(1) > 0)
+                    continue;
+                contacts.push_back({ContactKind::vertex_plane,
+                                    static_cast<int>(i),
+                                    static_cast<int>(p),
+                                    vertex,
+                                    -1,
+                                    {vertex, -1, -1, -1},
+                                    {1, 0, 0, 0}});
+            }
+        }
+    }
+}
+
+//! [find]
+Contacts ContactSearch::find(const World& world, const Contacts& known, double dt)
+{
+    margin_ = search_margin(world, dt);
+    find_candidates(world, std::max(margin_, search_parts.still_seen * smallest_size(world)));
+    seen_t1_.clear();
+    for (const auto& body : world.bodies)
+        seen_t1_.emplace_back(body->positions_t1().begin(), body->positions_t1().end());
+
+    const KnownPairs known_pairs(known);
+    Contacts found;
+    append_plane_pairs(world, margin_, found);
+    append_vertex_pairs(world, *this, known_pairs, margin_, found);
+    append_edge_pairs(world, *this, known_pairs, margin_, found);
+    for (Contact& contact : found)
+        contact.category = ContactCategory::regular;
+    std::sort(found.begin(), found.end(),
+              [](const Contact& one, const Contact& other) { return key_of(one) < key_of(other); });
+    return found;
+}
+//! [find]
+
+bool ContactSearch::has_moved(const World& world) const
+{
+    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+        for (std::size_t v = 0; v < seen_t1_[i].size(); ++v)
+            if ((world.bodies[i]->positions_t1()[v] - seen_t1_[i][v]).cwiseAbs().maxCoeff() > margin_)
+                return true;
+    return false;
+}
+
+}  // namespace enduring

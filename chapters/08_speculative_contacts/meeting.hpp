@@ -1,0 +1,41 @@
+#pragma once
+
+#include "chapters/03_penalty_impulses/crossing.hpp"
+#include "chapters/06_redefinition/pair_projection.hpp"
+#include "chapters/08_speculative_contacts/search_parts.hpp"
+
+#include <optional>
+
+namespace enduring {
+
+/// Two features that may push each other in a step, and how they lie at the moment that tells: at its start where they
+/// are near or inside each other then, or else when one passes the other.
+struct Meeting {
+    double tau = 0;  ///< of that moment, in [0, 1]
+    /// of two meetings of a vertex that with the smaller cost counts first: at the start its distance from the face [m],
+    /// in a crossing the moment
+    double cost = 0;
+    double depth_t1 = 0;  ///< at the end of the step [m]
+    double orientation = 1;
+    PairWeights weights{};
+
+    bool is_crossing() const { return tau > 0; }
+};
+
+/// Whether a pair that is so deep at the start may be near or inside then. Of one that is known it is known, too, on
+/// which side it came in.
+inline bool near_at_start(double depth_t0, const Reach& reach, bool known)
+{
+    return (known || -reach.inside <= depth_t0) && depth_t0 <= reach.margin;
+}
+
+/// Whether and how a vertex of A may come to push a face of B in this step.
+/// @param known  it has a pair with this face since the last step
+std::optional<Meeting> find_meeting(const SurfaceStep& a, int vertex, const SurfaceStep& b, int face,
+                                    const Reach& reach, bool known);
+
+/// The same for two edges.
+std::optional<Meeting> find_edge_meeting(const SurfaceStep& a, int edge_a, const SurfaceStep& b, int edge_b,
+                                         const Reach& reach, bool known);
+
+}  // namespace enduring

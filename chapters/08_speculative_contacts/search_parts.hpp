@@ -1,0 +1,46 @@
+#pragma once
+
+namespace enduring {
+
+//! [search_parts]
+/// Every number that decides which features get a pair. Each says why it is so large, and what a tenth of it does, and
+/// ten times as much.
+struct SearchParts {
+    /// of g dt^2, what a body at rest would fall in a step [1]: from how far a pair is made.
+    double fall = 1.5;
+    /// of the size of the smallest body [1]: the same where gravity is weak or the step is short.
+    double nearness = 1e-4;
+    /// of the smaller body's size [1]: how deep a pair may be at the start of a step. Deeper, geometry does not tell
+    /// on which side a feature came in.
+    double inside = 0.1;
+    /// of the size of the smallest body [1]: how far a feature reaches whose pairs are asked about. What an impact has left
+    /// inside by more than that, and moves on inwards, would lose its pair: with a tenth, a corner at 10 m/s in steps of
+    /// 10 ms passes a plate. Ten times as much only costs time.
+    double still_seen = 5e-3;
+    /// sine by which a neighbour may pass the plane of a pair: a body that comes down on a side has all of its corners
+    /// in play before it lies flat.
+    double cone_sine = 0.2;
+    /// sine of the angle from which an edge counts as convex.
+    double least_fold = 1e-4;
+    /// sine of the angle of two edges from which their cross product tells a normal.
+    double edge_sine = 1e-4;
+    /// cosine of the angle of two faces from which they count as one wall of a vertex.
+    double one_wall = 0.9999;
+    /// of an edge: by how much a pair that is remembered may pass its end, or its rim.
+    double hysteresis = 1e-3;
+    /// as stiff as chapter 7's pairs: nothing is lost where a spring is so stiff that depth says nothing about where a
+    /// feature came in, so impacts may end less deep.
+    double stiffer = 5;
+    /// cosine of the angle up to which a vertex hands what it remembers on to another face.
+    double hand_on = 0.7;
+};
+inline constexpr SearchParts search_parts;
+//! [search_parts]
+
+/// How near two bodies' features have to be, in metres.
+struct Reach {
+    double margin = 0;  ///< apart
+    double inside = 0;  ///< inside each other at the start of the step
+};
+
+}  // namespace enduring
