@@ -33,30 +33,6 @@ void append_pairs_of(int body_a, const StillSurface& inner, const std::vector<in
 }
 //! [append]
 
-//! [way_of_pairs]
-/// The way on which an overlap's pairs let its bodies out. It is theirs if none of them leads along the way out,
-/// as half-way through a body, where a hair decides which way is the shorter one: they would wait for each other.
-Vec3 way_of_pairs(const World& world, const Contacts& contacts, const VertexContacts& in_contact,
-                  const Overlap& overlap, int body_a, int body_b)
-{
-    Vec3 sum = Vec3::Zero();
-    double most = -1;
-    const auto add = [&](int inner, const std::vector<int>& vertices, int outer, double sign) {
-        for (const int vertex : vertices) {
-            const int index = in_contact.find(inner, vertex, outer);
-            if (index < 0 || !contacts[index].is_spring())
-                continue;
-            const Vec3 normal = sign * contact_geometry(world, contacts[index], 0).normal;
-            sum += normal;
-            most = std::max(most, normal.dot(overlap.way_out));
-        }
-    };
-    add(body_a, overlap.vertices_of_a, body_b, 1);
-    add(body_b, overlap.vertices_of_b, body_a, -1);
-    return most <= 0 && sum.norm() > tolerance::cancelled ? sum.normalized() : overlap.way_out;
-}
-//! [way_of_pairs]
-
 StillSurface still(const Body& body, const FaceTree& tree)
 {
     return {body.surface(), body.positions_t0(), tree};
@@ -93,12 +69,10 @@ void InsidePairs::note_ways(int body_a, const std::vector<int>& vertices, int bo
         way_of_vertex_[{body_a, vertices[i], body_b}] = ways[i];
 }
 
-//! [append_missing]
-void InsidePairs::append_missing(const World& world, Contacts& contacts)
+void InsidePairs::trace(const World& world)
 {
     fit_trees(world);
-    way_of_vertex_.clear();
-    const VertexContacts in_contact(contacts);
+    overlaps_.clear();
     const int count = static_cast<int>(bodies_.size());
     for (int i = 0; i < count; ++i)
         for (int j = i + 1; j < count; ++j) {
@@ -106,21 +80,28 @@ void InsidePairs::append_missing(const World& world, Contacts& contacts)
             if ((a.is_static() && b.is_static()) || !a.surface().is_closed() || !b.surface().is_closed() ||
                 !trees_[i].box().overlaps(trees_[j].box()))
                 continue;
-            const StillSurface still_a = still(a, trees_[i]), still_b = still(b, trees_[j]);
-            for (const Overlap& overlap : find_overlaps(still_a, still_b)) {
-                const auto &of_a = overlap.vertices_of_a, &of_b = overlap.vertices_of_b;
-                const Vec3 way_out = way_of_pairs(world, contacts, in_contact, overlap, i, j);
-                const std::vector<Vec3> ways_a = ways_(still_a, of_a, still_b, way_out),
-                                        ways_b = ways_(still_b, of_b, still_a, -way_out);
-                append_pairs_of(i, still_a, of_a, j, still_b, ways_a, in_contact, contacts);
-                append_pairs_of(j, still_b, of_b, i, still_a, ways_b, in_contact, contacts);
-                append_crossing_edges(world, i, j, overlap, way_out, contacts);
-                note_ways(i, of_a, j, ways_a);
-                note_ways(j, of_b, i, ways_b);
-            }
+            if (auto found = find_overlaps(still(a, trees_[i]), still(b, trees_[j])); !found.empty())
+                overlaps_.push_back({i, j, std::move(found)});
         }
 }
-//! [append_missing]
+
+void InsidePairs::append_pairs(const World& world, Contacts& contacts)
+{
+    way_of_vertex_.clear();
+    const VertexContacts in_contact(contacts);
+    for (const auto& [i, j, overlaps] : overlaps_)
+        for (const Overlap& overlap : overlaps) {
+            const auto &of_a = overlap.vertices_of_a, &of_b = overlap.vertices_of_b;
+            const StillSurface a = still(*bodies_[i], trees_[i]), b = still(*bodies_[j], trees_[j]);
+            const std::vector<Vec3> ways_a = ways_(a, of_a, b, overlap.way_out),
+                                    ways_b = ways_(b, of_b, a, -overlap.way_out);
+            append_pairs_of(i, a, of_a, j, b, ways_a, in_contact, contacts);
+            append_pairs_of(j, b, of_b, i, a, ways_b, in_contact, contacts);
+            append_crossing_edges(world, i, j, overlap, overlap.way_out, contacts);
+            note_ways(i, of_a, j, ways_a);
+            note_ways(j, of_b, i, ways_b);
+        }
+}
 
 //! [fade_slack]
 void fade_slack(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most)

@@ -28,22 +28,37 @@ class InsidePairs {
 public:
     explicit InsidePairs(WaysOut ways = shared_way_out) : ways_(std::move(ways)) {}
 
-    /// From where everything lies at the start of the step; the pairs endure.
-    void append_missing(const World& world, Contacts& contacts);
+    /// Finds where bodies overlap at the start of the step.
+    void trace(const World& world);
+    /// A pair for each vertex in a traced overlap that has none in the list, and for edges that cross on its border.
+    void append_pairs(const World& world, Contacts& contacts);
+    /// Both.
+    void append_missing(const World& world, Contacts& contacts)
+    {
+        trace(world);
+        append_pairs(world, contacts);
+    }
 
     /// How much of the way out of its overlap leads along a pair's normal, in [0, 1]; 1 where no vertex of it is
-    /// in an overlap. Asked after append_missing().
+    /// in an overlap. Asked after append_pairs().
     double part_along_the_way(const World& world, const Contact& contact) const;
 
 private:
+    /// What two bodies, a < b, have in common.
+    struct BodyOverlaps {
+        int a, b;
+        std::vector<Overlap> overlaps;
+    };
+
     void fit_trees(const World& world);
 
     void note_ways(int body_a, const std::vector<int>& vertices, int body_b, const std::vector<Vec3>& ways);
 
     using Key = std::tuple<int, int, int>;  ///< body_a, vertex, body_b
     WaysOut ways_;
-    std::map<Key, Vec3> way_of_vertex_;  ///< of this step
-    std::vector<const Body*> bodies_;    ///< whose trees these are
+    std::map<Key, Vec3> way_of_vertex_;   ///< of this step
+    std::vector<BodyOverlaps> overlaps_;  ///< of this step
+    std::vector<const Body*> bodies_;     ///< whose trees these are
     std::vector<FaceTree> trees_;
 };
 

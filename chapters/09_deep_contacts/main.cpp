@@ -11,8 +11,7 @@ int main(int argc, char** argv)
             "09_deep_contacts",
             "Chapter 9: deep contacts",
             {
-                {"deep", "a cube rams a block: its energy with and without asking the neighbours",
-                 chapter09::deep},
+                {"deep", "a cube rams a block: its energy with four chapters' solvers", chapter09::deep},
                 {"bunny_curve", "the curves in which a bunny and a bowl cross", chapter09::bunny_curve},
                 {"way_out", "a cube over the rim of a block: the curve, what it bounds, and the way out",
                  chapter09::way_out},

@@ -15,8 +15,8 @@ void cost(const RunOptions& options, Report& report)
         report.fact("cost", name + "_ms", 1000 * result.timings.of(pass) / steps, 2);
         report.fact("cost", name + "_percent", 100 * result.timings.of(pass) / result.timings.total(), 2);
     };
-    tell("tracing", "find what is inside");
-    tell("asking", "ask the neighbours");
+    tell("tracing", "trace overlaps");
+    tell("search", "find pairs");
     report.fact("cost", "step_ms", 1000 * result.timings.total() / steps, 2);
 
     Scene meeting = load_scene(scene_file("bunny_bowl"), R"({"/bodies/bunny/self_contact": true})");

@@ -102,7 +102,7 @@ void hold_or_slip(bool quick, Report& report)
                 continue;
             RoundTurnRun turn = rope(load, mu);
             StripProbe film(
-                turn.soft.scene, {load.dt, 0.01, 0.02, 0.03}, [](auto&&...) {}, 400, 284);
+                turn.soft.scene, {load.dt, 0.01, 0.015, 0.02}, [](auto&&...) {}, 400, 284);
             const auto probes = usual ? std::vector<Probe*>{&film} : std::vector<Probe*>{};
             const double duration = quick ? 0.1 : load.dt > loads[0].dt ? 0.6 : 0.2;  // until it rests
             all.add(load, mu, pull(turn, load, duration, slipped, probes));

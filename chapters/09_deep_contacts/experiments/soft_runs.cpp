@@ -59,8 +59,7 @@ Solver pulling(Solver solver, std::vector<Pull> pulls)
 
 double search_time(const Timings& timings)
 {
-    return timings.of("broad phase") + timings.of("queries") + timings.of("resolve vertices") +
-           timings.of("resolve edges");
+    return timings.of("find pairs") + timings.of("find pairs brought inside");
 }
 
 namespace {

@@ -8,6 +8,9 @@
 #include "common/experiments/run/run.hpp"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace enduring::chapter09 {
 namespace {
@@ -19,6 +22,7 @@ constexpr double least_depth = 1e-6;
 struct Unpaired {
     long steps = 0, steps_with_some = 0;
     double deepest = 0;  ///< [m]
+    int longest = 0;     ///< steps in a row after which the same vertex is
 };
 
 /// A scene, perhaps with another beginning.
@@ -33,37 +37,52 @@ public:
         if (world.step == 0)
             return;
         in_contact_.fill(contacts);
-        double deepest = 0;
+        deepest_ = 0;
+        std::map<Place, int> now;
         for (int i = 0; i < static_cast<int>(world.bodies.size()); ++i)
             for (int j = 0; j < i; ++j)
                 if (world.bodies[i]->surface().is_closed() && world.bodies[j]->surface().is_closed())
-                    deepest = std::max(deepest, deepest_of(world, i, j));
+                    note_overlaps(world, i, j, now);
+        in_a_row_ = std::move(now);
         ++found.steps;
-        found.steps_with_some += deepest > least_depth;
-        found.deepest = std::max(found.deepest, deepest);
+        found.steps_with_some += !in_a_row_.empty();
+        found.deepest = std::max(found.deepest, deepest_);
     }
     Unpaired found;
 
 private:
-    double deepest_of(const World& world, int i, int j) const
+    using Place = std::tuple<int, int, int>;  ///< body, vertex, the body that it is in
+
+    void note_overlaps(const World& world, int i, int j, std::map<Place, int>& now)
     {
         const Body &a = *world.bodies[i], &b = *world.bodies[j];
         FaceTree tree_a(a.surface(), a.positions_t0()), tree_b(b.surface(), b.positions_t0());
         tree_a.refit({a.surface(), a.positions_t0(), a.positions_t0()});
         tree_b.refit({b.surface(), b.positions_t0(), b.positions_t0()});
-        double deepest = 0;
         for (const Overlap& overlap : find_overlaps({a.surface(), a.positions_t0(), tree_a},
                                                     {b.surface(), b.positions_t0(), tree_b})) {
             for (const int vertex : overlap.vertices_of_a)
-                if (in_contact_.find(i, vertex, j) < 0)
-                    deepest = std::max(deepest, motivating::depth_inside(b, a.positions_t0()[vertex]));
+                note(world, {i, vertex, j}, now);
             for (const int vertex : overlap.vertices_of_b)
-                if (in_contact_.find(j, vertex, i) < 0)
-                    deepest = std::max(deepest, motivating::depth_inside(a, b.positions_t0()[vertex]));
+                note(world, {j, vertex, i}, now);
         }
-        return deepest;
     }
 
+    void note(const World& world, const Place& place, std::map<Place, int>& now)
+    {
+        const auto [body, vertex, other] = place;
+        const double depth = motivating::depth_inside(*world.bodies[other],
+                                                      world.bodies[body]->positions_t0()[vertex]);
+        if (depth <= least_depth || in_contact_.find(body, vertex, other) >= 0)
+            return;
+        deepest_ = std::max(deepest_, depth);
+        const auto before = in_a_row_.find(place);
+        now[place] = before == in_a_row_.end() ? 1 : before->second + 1;
+        found.longest = std::max(found.longest, now[place]);
+    }
+
+    double deepest_ = 0;             ///< after this step [m]
+    std::map<Place, int> in_a_row_;  ///< steps, of what has none after this one
     VertexContacts in_contact_;
 };
 
@@ -76,6 +95,7 @@ void unpaired(const RunOptions& options, Report& report)
         report, "unpaired",
         {"scene", "steps", "steps_with_7", "deepest_with_7_mm", "steps_with_9", "deepest_with_9_mm"});
     long steps = 0, some = 0;
+    int longest = 0;
     std::vector<Start> starts;
     for (const char* scene : {"hooked", "deep", "shifted", "false_resolution", "through_the_side", "tumble",
                               "bar_on_cube", "bunny_bowl"})
@@ -95,11 +115,13 @@ void unpaired(const RunOptions& options, Report& report)
                    found[1].steps_with_some, 1000 * found[1].deepest});
         steps += found[1].steps;
         some += found[1].steps_with_some;
+        longest = std::max(longest, found[1].longest);
     }
     report.table("unpaired", table);
     report.page_table("unpaired", table);
     report.fact("unpaired", "steps", static_cast<double>(steps), 6);
     report.fact("unpaired", "some", static_cast<double>(some), 6);
+    report.fact("unpaired", "longest", static_cast<double>(longest));
 }
 
 }  // namespace enduring::chapter09

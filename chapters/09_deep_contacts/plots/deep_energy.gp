@@ -9,4 +9,4 @@ of(name) = strcol("solver") eq name ? column("energy_ratio") : NaN
 data = folder."/deep_energy.csv"
 plot 1 linetype 10, \
      data using "time_s":(of("chapter 6")) with linespoints linetype 2 title "chapter 6", \
-     data using "time_s":(of("chapter 6, asking")) with linespoints linetype 1 title "asking the neighbours"
+     data using "time_s":(of("chapter 9")) with linespoints linetype 1 title "chapter 9"

@@ -1,9 +1,10 @@
+#include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/experiments/inside_scenes.hpp"
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
-#include "chapters/09_deep_contacts/spring_compression.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/triangle_distance.hpp"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <set>
 
 using namespace enduring;
 
@@ -86,6 +88,37 @@ TEST_CASE("inside pairs: each vertex inside gets one pair, none outside does, an
     CHECK(contacts.size() == before);
 }
 
+TEST_CASE("inside pairs: what was traced serves any list of pairs, until the next trace")
+{
+    const World world = block_in_floor(0.13, 0.3), apart = block_in_floor(-0.01, 0.3);
+    InsidePairs inside;
+    Contacts all, none;
+    inside.append_pairs(world, all);
+    CHECK(all.empty());  // nothing is traced yet
+    inside.trace(world);
+    inside.append_pairs(world, all);
+    REQUIRE(all.size() > 3);
+    Contacts some(all.begin() + 2, all.end());
+    inside.append_pairs(world, some);
+    std::set<PairKey> keys;
+    for (const Contact& contact : some)
+        keys.insert(key_of(contact));
+    CHECK(some.size() == all.size());
+    CHECK(keys.size() == all.size());
+
+    const auto least_along = [&](const World& of) {
+        double least = 1;
+        for (const Contact& contact : all)
+            least = std::min(least, inside.part_along_the_way(of, contact));
+        return least;
+    };
+    CHECK(least_along(world) < 1);
+    inside.trace(apart);
+    inside.append_pairs(apart, none);
+    CHECK(none.empty());
+    CHECK(least_along(apart) == 1);
+}
+
 TEST_CASE("letting out: slack fades by a tenth, and no faster than the speed at which a body is let out")
 {
     Contacts contacts(3);
@@ -127,97 +160,18 @@ TEST_CASE("letting out: a block that begins in a floor comes up slowly and rests
     CHECK(lowest_of(*world.bodies[1]) < -4);
 }
 
-TEST_CASE("spring: at another face it keeps its compression, and it follows to no face far away")
-{
-    const World world = block_in_floor(0.1);
-    const Body& block = *world.bodies[1];
-    int vertex = 0;
-    for (int i = 0; i < block.surface().vertex_count(); ++i)
-        vertex = block.positions_t0()[i].y() < block.positions_t0()[vertex].y() ? i : vertex;
-    const auto at_face = [&](int face) {
-        const Face& f = world.bodies[0]->surface().faces()[face];
-        Contact contact{
-            ContactKind::vertex_face, 1, 0, vertex, face, {vertex, f[0], f[1], f[2]}, {1, -1, 0, 0}};
-        contact.stiffness = 1000;
-        contact.slack = -0.07;
-        return contact;
-    };
-    const auto faces_towards = [&](const Vec3& way) {
-        const auto faces = world.bodies[0]->surface().faces();
-        const auto x = world.bodies[0]->positions_t0();
-        std::vector<int> found;
-        for (std::size_t i = 0; i < faces.size(); ++i)
-            if ((x[faces[i][1]] - x[faces[i][0]])
-                    .cross(x[faces[i][2]] - x[faces[i][0]])
-                    .normalized()
-                    .dot(way) > 0.9)
-                found.push_back(static_cast<int>(i));
-        return found;
-    };
-    const int top = faces_towards(Vec3::UnitY())[0], beside = faces_towards(Vec3::UnitY())[1],
-              side = faces_towards(Vec3::UnitX())[0];
-    SpringCompressions springs;
-    Contacts contacts{at_face(top)};  // 0.1 m deep, so compressed by 0.03 m
-    springs.note(world, contacts);
-    springs.keep(world, contacts);
-    CHECK(contacts[0].slack == -0.07);  // the same face: nothing changes
-    contacts = {at_face(beside)};
-    contacts[0].slack = -0.02;
-    springs.keep(world, contacts);
-    CHECK(contacts[0].slack == doctest::Approx(-0.07));
-    contacts = {at_face(side)};  // a metre away: it cannot have come there
-    springs.keep(world, contacts);
-    CHECK(contacts[0].resolved);
-}
-
 TEST_CASE(
-    "spring: at its own face, and where it is held, it keeps its slack; a hair deeper at another face it is kept")
+    "letting out: with chapter 8 a block rests that begins a millimetre in a floor, and falls from 2 cm")
 {
-    World world = block_in_floor(0.1);
-    const Body& block = *world.bodies[1];
-    int vertex = 0;
-    for (int i = 0; i < block.surface().vertex_count(); ++i)
-        vertex = block.positions_t0()[i].y() < block.positions_t0()[vertex].y() ? i : vertex;
-    const auto faces = world.bodies[0]->surface().faces();
-    const auto x = world.bodies[0]->positions_t0();
-    std::vector<int> top;
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        if ((x[faces[i][1]] - x[faces[i][0]]).cross(x[faces[i][2]] - x[faces[i][0]]).normalized().y() > 0.9)
-            top.push_back(static_cast<int>(i));
-    const auto at_face = [&](int face, double slack) {
-        const Face& f = faces[face];
-        Contact contact{
-            ContactKind::vertex_face, 1, 0, vertex, face, {vertex, f[0], f[1], f[2]}, {1, -1, 0, 0}};
-        contact.stiffness = 1000;
-        contact.slack = slack;
-        return contact;
-    };
-    SpringCompressions springs;
-    Contacts contacts{at_face(top[0], -0.15)};  // 0.1 m deep: not compressed
-    springs.note(world, contacts);
-    springs.keep(world, contacts);
-    CHECK(contacts[0].slack == -0.15);
-    contacts = {at_face(top[1], -0.07)};
-    contacts[0].hold(true);
-    springs.keep(world, contacts);
-    CHECK(contacts[0].slack == -0.07);
-    // noted at the face right above it, 0.1 m away; then deeper at the one beside
-    const auto above = std::find_if(top.begin(), top.end(), [&](int face) {
-        const Vec3 &p = block.positions_t0()[vertex], &a = x[faces[face][0]], &b = x[faces[face][1]],
-                   &c = x[faces[face][2]];
-        return distance_to_triangle(p, a, b, c) < 0.1 + 1e-12;
-    });
-    REQUIRE(above != top.end());
-    const int beside = *above == top[0] ? top[1] : top[0];
-    for (const auto& [deeper, is_kept] : {std::pair(0.5, true), std::pair(2.0, false)}) {
-        CAPTURE(deeper);
-        World before = block_in_floor(0.1),
-              after = block_in_floor(0.1 + deeper * scale_parts.other_face * 0.4);
-        contacts = {at_face(*above, -0.07)};
-        springs.note(before, contacts);
-        contacts = {at_face(beside, -0.02)};
-        springs.keep(after, contacts);
-        CHECK(contacts[0].resolved != is_kept);
+    for (const double depth : {0.001, 0.02}) {
+        CAPTURE(depth);
+        World world = block_in_floor(depth);
+        const Solver solver = chapter08_solver({});
+        Contacts contacts;
+        for (int step = 0; step < 100; ++step)
+            advance(world, contacts, solver, 0.01);
+        CHECK((lowest_of(*world.bodies[1]) < -4) == (depth > 0.01));
+        CHECK((std::abs(lowest_of(*world.bodies[1])) < 1e-4) == (depth < 0.01));
     }
 }
 

@@ -1,6 +1,6 @@
 #include "chapters/09_deep_contacts/experiments/bent_bars.hpp"
 #include "chapters/09_deep_contacts/experiments/self_crossings.hpp"
-#include "chapters/09_deep_contacts/self_detection.hpp"
+#include "chapters/09_deep_contacts/self_search.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/scenes/scene_warnings.hpp"

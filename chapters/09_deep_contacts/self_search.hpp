@@ -1,12 +1,12 @@
 #pragma once
 
-#include "chapters/03_penalty_impulses/crossing_detection.hpp"
+#include "chapters/08_speculative_contacts/contact_search.hpp"
 #include "common/simulation/rest_neighbours.hpp"
 
 namespace enduring {
 
-/// The search of the chapters before, and the surfaces of bodies that meet themselves against themselves.
-class SelfDetection final : public CrossingDetection {
+/// The search of the chapter before, and the surfaces of bodies that meet themselves against themselves.
+class SelfSearch final : public ContactSearch {
 protected:
     void find_more(const World& world) override;
 };

@@ -1,4 +1,4 @@
-#include "chapters/09_deep_contacts/self_detection.hpp"
+#include "chapters/09_deep_contacts/self_search.hpp"
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ void collect_own_pairs(const FaceTree& tree, const RestNeighbours& neighbours, C
 }
 //! [own_pairs]
 
-void SelfDetection::find_more(const World& world)
+void SelfSearch::find_more(const World& world)
 {
     for (int body = 0; body < static_cast<int>(world.bodies.size()); ++body)
         if (const RestNeighbours* neighbours = rest_neighbours(*world.bodies[body]))
