@@ -1,5 +1,5 @@
+#include "chapters/08_speculative_contacts/feature_cones.hpp"
 #include "chapters/08_speculative_contacts/meeting.hpp"
-#include "chapters/08_speculative_contacts/normal_cone.hpp"
 
 #include <algorithm>
 #include <cmath>

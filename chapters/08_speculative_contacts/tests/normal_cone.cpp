@@ -1,4 +1,4 @@
-#include "chapters/08_speculative_contacts/normal_cone.hpp"
+#include "chapters/08_speculative_contacts/feature_cones.hpp"
 #include "chapters/08_speculative_contacts/tests/moving_surface.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"

@@ -1,4 +1,4 @@
-#include "chapters/08_speculative_contacts/normal_cone.hpp"
+#include "chapters/08_speculative_contacts/feature_cones.hpp"
 
 #include <algorithm>
 
