@@ -1,20 +1,21 @@
 #include "chapters/06_redefinition/solver.hpp"
 
+#include "chapters/03_penalty_impulses/crossing_detection.hpp"
 #include "chapters/05_categorisation/solver.hpp"
 #include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/06_redefinition/new_pairs.hpp"
 #include "chapters/06_redefinition/resolution.hpp"
 
-#include <utility>
+#include <memory>
 
 namespace enduring {
 namespace {
 
 /// What a pass hands to those behind it.
 struct HandedOn {
-    std::unique_ptr<CrossingDetection> detection;  ///< resolution looks at its candidates too
-    std::size_t first_new = 0;                     ///< index of the first pair that the last queries found
-    Redefinitions redefinitions{};                 ///< of the pass before; edge pairs follow them
+    CrossingDetection detection;    ///< resolution looks at its candidates too
+    std::size_t first_new = 0;      ///< index of the first pair that the last queries found
+    Redefinitions redefinitions{};  ///< of the pass before; edge pairs follow them
 };
 
 void drop(World&, Contacts& contacts, double) { drop_resolved(contacts); }
@@ -46,10 +47,10 @@ void follow_enduring_pairs(Solver& solver, const std::shared_ptr<HandedOn>& step
 void detect_new_pairs(Solver& solver, const std::shared_ptr<HandedOn>& step)
 {
     solver.replace("broad phase", "broad phase",
-                   [step](World& world, Contacts&, double) { step->detection->find_candidates(world); });
+                   [step](World& world, Contacts&, double) { step->detection.find_candidates(world); });
     solver.replace("queries", "queries", [step](World& world, Contacts& contacts, double) {
         step->first_new = contacts.size();
-        step->detection->append_entries(world, contacts);
+        step->detection.append_entries(world, contacts);
     });
     solver.append(StepStage::detect, "admit new pairs", [step](World& world, Contacts& contacts, double) {
         step->redefinitions.clear();
@@ -64,11 +65,11 @@ void resolve_pairs_that_left(Solver& solver, const std::shared_ptr<HandedOn>& st
 {
     solver.append(StepStage::finish, "resolve vertices", [step](World& world, Contacts& contacts, double) {
         step->redefinitions.clear();
-        resolve_vertices_that_left(world, *step->detection, contacts, step->redefinitions);
+        resolve_vertices_that_left(world, step->detection, contacts, step->redefinitions);
     });
     solver.append(StepStage::finish, "edge pairs of exits", edge_pairs_at(1, step));
     solver.append(StepStage::finish, "resolve edges", [step](World& world, Contacts& contacts, double) {
-        resolve_edges_that_left(world, *step->detection, contacts);
+        resolve_edges_that_left(world, step->detection, contacts);
     });
 }
 //! [resolve]
@@ -76,11 +77,9 @@ void resolve_pairs_that_left(Solver& solver, const std::shared_ptr<HandedOn>& st
 }  // namespace
 
 //! [solver]
-Solver chapter06_solver_with(const ContactParameters& parameters,
-                             std::unique_ptr<CrossingDetection> detection)
+Solver chapter06_solver(const ContactParameters& parameters)
 {
     const auto step = std::make_shared<HandedOn>();
-    step->detection = std::move(detection);
     Solver solver = chapter05_solver(parameters);
     solver.name = "chapter 6";
     follow_enduring_pairs(solver, step);
@@ -89,10 +88,5 @@ Solver chapter06_solver_with(const ContactParameters& parameters,
     return solver;
 }
 //! [solver]
-
-Solver chapter06_solver(const ContactParameters& parameters)
-{
-    return chapter06_solver_with(parameters, std::make_unique<CrossingDetection>());
-}
 
 }  // namespace enduring

@@ -129,15 +129,14 @@ void push_from_all_walls(Solver& solver)
 }  // namespace
 
 //! [solver]
-Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings,
-                        std::unique_ptr<CrossingDetection> detection)
+Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings)
 {
     settings.friction = coefficients_of(parameters.friction);
     if (parameters.wanted_depth)
         settings.stiffness.wanted_depth = parameters.wanted_depth;
     ContactParameters frictionless = parameters;
     frictionless.friction = NoFriction{};
-    Solver solver = chapter06_solver_with(frictionless, std::move(detection));
+    Solver solver = chapter06_solver(frictionless);
     solver.name = "chapter 7";
     solver.most_turn = 0.5;
     solver.replace(
@@ -156,11 +155,6 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     return solver;
 }
 //! [solver]
-
-Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings)
-{
-    return chapter07_solver(parameters, std::move(settings), std::make_unique<CrossingDetection>());
-}
 
 Solver chapter07_solver(const ContactParameters& parameters) { return chapter07_solver(parameters, {}); }
 

@@ -11,8 +11,5 @@ namespace enduring {
 Solver chapter07_solver(const ContactParameters& parameters);
 /// The same with settings of one's own; the coefficients of friction are the scene's.
 Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings);
-/// The same with another search for pairs.
-Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings settings,
-                        std::unique_ptr<CrossingDetection> detection);
 
 }  // namespace enduring

@@ -67,8 +67,7 @@ struct TwoEdges {
         const double sign = in_cones(feet->normal, tau) ? 1 : in_cones(-feet->normal, tau) ? -1 : 0;
         if (sign == 0)
             return std::nullopt;
-        const double furthest = 2 * std::min(reach.inside, std::abs(feet->depth)) + 0.1 * reach.margin +
-                                path_length();
+        const double furthest = reach.beyond_border(feet->depth, path_length());
         const double tolerance = known ? search_parts.hysteresis : 0;
         if (!is_on_edge({a, tau}, edge_a, feet->s, -sign * feet->normal, furthest, tolerance) ||
             !is_on_edge({b, tau}, edge_b, feet->t, sign * feet->normal, furthest, tolerance))

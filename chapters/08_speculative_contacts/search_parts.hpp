@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 namespace enduring {
 
 //! [search_parts]
@@ -41,6 +44,14 @@ inline constexpr SearchParts search_parts;
 struct Reach {
     double margin = 0;  ///< apart
     double inside = 0;  ///< inside each other at the start of the step
+
+    /// How far a feature goes on beyond a border at which no other one takes over [m].
+    /// @param depth  of the pair, of either sign [m]
+    /// @param path   of the features against each other in the step [m]
+    double beyond_border(double depth, double path) const
+    {
+        return 2 * std::min(inside, std::abs(depth)) + 0.1 * margin + path;
+    }
 };
 
 }  // namespace enduring

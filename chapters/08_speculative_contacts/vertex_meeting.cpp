@@ -60,8 +60,7 @@ struct VertexAndFace {
     /// Whether they are nearest to each other at a moment when they are near.
     std::optional<Meeting> near_at(double tau, const TriangleFoot& foot) const
     {
-        const double furthest = 2 * std::min(reach.inside, std::abs(foot.depth)) + 0.1 * reach.margin +
-                                path_length(a, vertex, b, face);
+        const double furthest = reach.beyond_border(foot.depth, path_length(a, vertex, b, face));
         const auto beyond = beyond_rim({b, tau}, face, foot, furthest,
                                        known ? search_parts.hysteresis : 1e-9);
         if (!beyond || !in_cone(tau))

@@ -48,7 +48,7 @@ bool pushes_out(const World& world, const Vec3& way_out, Contact& pair)
 }  // namespace
 
 void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap,
-                           const Vec3& way_out, Contacts& contacts)
+                           Contacts& contacts)
 {
     const KnownPairs known(contacts);
     for (const std::vector<Piercing>& curve : overlap.curves)
@@ -57,7 +57,7 @@ void append_crossing_edges(const World& world, int body_a, int body_b, const Ove
             const auto [b0, b1] = world.bodies[body_b]->surface().edges()[edge_b];
             Contact pair{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b, {a0, a1, b0, b1}};
             pair.category = ContactCategory::regular;
-            if (!known.contain(pair) && pushes_out(world, way_out, pair))
+            if (!known.contain(pair) && pushes_out(world, overlap.way_out, pair))
                 contacts.push_back(pair);
         }
 }

@@ -12,8 +12,7 @@ namespace enduring {
 /// Where the corners of two boxes lie beside each other there is no vertex in either box, and nothing but two edges
 /// that hold them apart.
 /// @param overlap  of body_a with body_b, places in World::bodies
-/// @param way_out  of body_a, unit length
 void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap,
-                           const Vec3& way_out, Contacts& contacts);
+                           Contacts& contacts);
 
 }  // namespace enduring

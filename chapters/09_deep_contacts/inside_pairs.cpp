@@ -97,7 +97,7 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
                                     ways_b = ways_(b, of_b, a, -overlap.way_out);
             append_pairs_of(i, a, of_a, j, b, ways_a, in_contact, contacts);
             append_pairs_of(j, b, of_b, i, a, ways_b, in_contact, contacts);
-            append_crossing_edges(world, i, j, overlap, overlap.way_out, contacts);
+            append_crossing_edges(world, i, j, overlap, contacts);
             note_ways(i, of_a, j, ways_a);
             note_ways(j, of_b, i, ways_b);
         }

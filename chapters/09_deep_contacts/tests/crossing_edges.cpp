@@ -37,7 +37,7 @@ struct TwoCubes {
     Contacts pairs(Contacts known = {}) const
     {
         for (const Overlap& overlap : overlaps)
-            append_crossing_edges(world, 0, 1, overlap, overlap.way_out, known);
+            append_crossing_edges(world, 0, 1, overlap, known);
         return known;
     }
 };
@@ -89,7 +89,7 @@ TEST_CASE(
         const TwoCubes at(above, box(Vec3::Ones()));
         for (const Overlap& overlap : at.overlaps) {
             Contacts pairs;
-            append_crossing_edges(at.world, 0, 1, overlap, overlap.way_out, pairs);
+            append_crossing_edges(at.world, 0, 1, overlap, pairs);
             for (const Contact& pair : pairs) {
                 const ContactGeometry geometry = contact_geometry(at.world, pair, 0);
                 CHECK(geometry.depth < 0);

@@ -1,27 +1,17 @@
 #include "chapters/08_speculative_contacts/search_parts.hpp"
-#include "chapters/09_deep_contacts/solver.hpp"
+#include "chapters/09_deep_contacts/tests/quiet_solver.hpp"
 #include "chapters/motivating_scenes/scaled_scene.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace enduring;
-
-namespace {
-
-Solver quiet_solver(const ContactParameters& parameters)
-{
-    ImplicitSettings settings;
-    settings.record = [](const SolveRecord&) {};
-    return chapter09_solver(parameters, settings);
-}
-
-}  // namespace
+using namespace enduring::chapter09;
 
 TEST_CASE("scales: what begins inside a plane or a body is let out alike in any size, with any density")
 {
     for (const motivating::ScaleTrial& trial : motivating::inside_scale_trials()) {
         CAPTURE(trial.name);
-        // pairs are ten times as stiff as chapter 7's, so rounding moves bodies ten times as far
+        // pairs are stiffer than chapter 7's, and rounding moves bodies by as much more
         CHECK(motivating::difference_over_scales(trial, quiet_solver) < search_parts.stiffer * 1e-8);
     }
 }

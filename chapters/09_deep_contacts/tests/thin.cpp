@@ -1,5 +1,5 @@
 #include "chapters/09_deep_contacts/experiments/thin_shots.hpp"
-#include "chapters/09_deep_contacts/solver.hpp"
+#include "chapters/09_deep_contacts/tests/quiet_solver.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/simulation/energy.hpp"
 
@@ -9,17 +9,6 @@
 
 using namespace enduring;
 using namespace enduring::chapter09;
-
-namespace {
-
-Solver quiet_solver(const ContactParameters& parameters)
-{
-    ImplicitSettings settings;
-    settings.record = [](const SolveRecord&) {};
-    return chapter09_solver(parameters, settings);
-}
-
-}  // namespace
 
 TEST_CASE("thin: no shot at a plate of one cell or a shell comes out on the other side, from either side")
 {
