@@ -10,7 +10,6 @@ StiffnessChoice StiffnessChoice::of_pair(const NaturalUnits& units) const
 {
     StiffnessChoice own = *this;
     own.wanted_depth = depth(units.length);
-    own.forgets_in = scale_parts.forgets_in * units.time();
     own.doubles_in = scale_parts.doubles_in * units.time();
     own.leaving_speed = scale_parts.fading_speed * units.speed;
     return own;
@@ -44,8 +43,7 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
         return;
     }
     const double before = contact.stiffness;
-    const double least = choice.is_goal ? before * std::exp(-dt / choice.forgets_in) : before;
-    stiffen(contact, depth_t0, std::clamp(wanted, least, before * std::exp2(dt / choice.doubles_in)));
+    stiffen(contact, depth_t0, std::clamp(wanted, before, before * std::exp2(dt / choice.doubles_in)));
     // What moves out is not thrown, and a pair that cannot move out is not wound up for ever.
     const double at_most = depth_t0 + most_load / contact.stiffness;
     contact.slack = std::min({choice.keep * contact.slack, contact.slack + choice.leaving_speed * dt,

@@ -19,13 +19,9 @@ struct StiffnessChoice {
     /// how deep the load that a pair carries may press it [m]; without it, a part of the pair's size
     std::optional<double> wanted_depth{};
     double keep = 0.9;  ///< part of a spring's slack that a step keeps
-    /// whether the wanted depth is to be reached, not only not to be passed: a stiffness may fall then
-    bool is_goal = false;
     /// how many wanted depths the spring of a pair that began inside may still be slack when friction sets in
     double rubbing_slack = INFINITY;
-    /// time in which it falls to 1/e at most [s]; of a metre, see of_pair()
-    double forgets_in = scale_parts.forgets_in * NaturalUnits{}.time();
-    /// time in which it doubles at most, from step to step [s]; of a metre, see of_pair()
+    /// time in which a stiffness doubles at most, from step to step [s]; of a metre, see of_pair()
     double doubles_in = scale_parts.doubles_in * NaturalUnits{}.time();
     /// the fastest at which a slack fades [m/s]; of a metre, see of_pair()
     double leaving_speed = scale_parts.fading_speed * NaturalUnits{}.speed;

@@ -36,7 +36,7 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         const double load = law.normal.dot(step.problem.rows[i].acting) / dt;
         const double depth = choice.of_pair(natural_units(world, contact, dt)).depth();
         const double wanted = std::min(choice.of_its_mass * masses[i] / (dt * dt), load / depth);
-        if (choice.is_goal || wanted < enough * contact.stiffness)
+        if (wanted < enough * contact.stiffness)
             continue;
         const double most = choice.most_of_its_mass * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
         if (most < enough * contact.stiffness)

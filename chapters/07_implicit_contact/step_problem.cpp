@@ -1,7 +1,6 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
 #include "chapters/06_redefinition/edge_pairs.hpp"
-#include "chapters/07_implicit_contact/patch_mass.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
@@ -171,7 +170,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         if (row.part_count == 0 || row.law.normal.isZero(0))
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
-        if (!choice.is_goal && (first || contact.stiffness == 0)) {
+        if (first || contact.stiffness == 0) {
             const bool asks = contact.load > own.depth() * contact.stiffness;
             const double mass = contact.stiffness == 0 || asks ? mass_of(row, step.problem) : 0;
             adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, own, step_law.dt, most);
@@ -184,8 +183,6 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         step.problem.rows.push_back(std::move(row));
         step.of_row.push_back(&contact);
     }
-    if (choice.is_goal)
-        aim_at_wanted_depth(world, step, choice, most, first);
     return step;
 }
 

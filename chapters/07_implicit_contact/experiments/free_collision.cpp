@@ -1,6 +1,7 @@
 #include "chapters/06_redefinition/experiments/levers.hpp"
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,8 @@ void free_collision(const RunOptions&, Report& report)
             for (const double arrives : {0.1, 0.5, 0.9}) {
                 const chapter06::FreeSlide slide{dt, along, arrives * down * dt,
                                                  MassSplitting{.mu_s = mu, .mu_d = mu}};
-                const chapter06::LeverCost cost = chapter06::cost_of_levers(slide, counting_solver(solves));
+                const chapter06::LeverCost cost = chapter06::cost_of_levers(
+                    slide, counting_solver(chapter07_solver, solves));
                 const double gained = cost.measured.norm();
                 const double pressed = cost.pushed / std::sqrt(1 + mu * mu);
                 const double by_slide = pressed * along * dt * arrives * (1 - arrives);

@@ -1,6 +1,5 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 
-#include "chapters/07_implicit_contact/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
@@ -98,25 +97,24 @@ void SolveStatistics::add(const SolveRecord& record)
     worst_residual = std::max(worst_residual, record.residual);
 }
 
-std::function<Solver(const ContactParameters&)> counting_solver(SolveStatistics& solves)
+std::function<Solver(const ContactParameters&)> counting_solver(MakeSolver make, SolveStatistics& solves)
 {
-    return [&solves](const ContactParameters& parameters) {
+    return [make, &solves](const ContactParameters& parameters) {
         ImplicitSettings settings;
         settings.record = [&solves](const SolveRecord& record) { solves.add(record); };
-        return chapter07_solver(parameters, settings);
+        return make(parameters, settings);
     };
 }
 
-PileOutcome watch(Scene& scene, double duration, Probe* observer, const StiffnessChoice& stiffness)
+PileOutcome watch(Scene& scene, double duration, MakeSolver make, Probe* observer)
 {
     PileOutcome outcome;
     ImplicitSettings settings;
-    settings.stiffness = stiffness;
     settings.record = [&](const SolveRecord& record) {
         outcome.solves.add(record);
         outcome.newton_steps_at_rest = record.newton_steps;
     };
-    const Solver solver = chapter07_solver(scene.contact, settings);
+    const Solver solver = make(scene.contact, settings);
     World& world = scene.world;
     Contacts contacts;
     const double first = total_energy(world).total();
@@ -135,6 +133,7 @@ PileOutcome watch(Scene& scene, double duration, Probe* observer, const Stiffnes
         if (observer)
             observer->observe(world, contacts, scene.dt);
     }
+    outcome.pairs = static_cast<long>(contacts.size());
     outcome.moved_mm = 1000 * longest_way(world, at_first);
     outcome.drift_um_per_s = 1e6 * longest_way(world, at_half_time) / (0.5 * duration);
     return outcome;

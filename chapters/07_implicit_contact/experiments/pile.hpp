@@ -44,9 +44,12 @@ struct SolveStatistics {
     void add(const SolveRecord& record);
 };
 
-/// This chapter's solver with nothing told on stderr: its solves are counted instead.
+/// The solver of a chapter that answers all pairs together, this one's or a later one's.
+using MakeSolver = Solver (*)(const ContactParameters&, ImplicitSettings);
+
+/// A solver with nothing told on stderr: its solves are counted instead.
 /// @param solves  has to outlive the solver
-std::function<Solver(const ContactParameters&)> counting_solver(SolveStatistics& solves);
+std::function<Solver(const ContactParameters&)> counting_solver(MakeSolver make, SolveStatistics& solves);
 
 /// What is left of a pile when it has come to rest.
 struct PileOutcome {
@@ -56,12 +59,12 @@ struct PileOutcome {
     double moved_mm = 0;            ///< body that ends farthest from its start
     double energy_gain_j = 0;       ///< most that the energy rose above the first
     long newton_steps_at_rest = 0;  ///< of the last step
+    long pairs = 0;                 ///< in the list after it
     SolveStatistics solves;
 };
 
-/// Runs a scene with this chapter's solver; the observer, if any, sees the first state and each step.
-/// @param stiffness  only to show what another choice does
-PileOutcome watch(Scene& scene, double duration, Probe* observer = nullptr,
-                  const StiffnessChoice& stiffness = {});
+/// Runs a scene; the observer, if any, sees the first state and each step.
+/// @param duration  [s]
+PileOutcome watch(Scene& scene, double duration, MakeSolver make, Probe* observer = nullptr);
 
 }  // namespace enduring::chapter07

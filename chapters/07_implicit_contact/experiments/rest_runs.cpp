@@ -12,8 +12,9 @@ bool is_at_rest(const PileOutcome& outcome)
     return outcome.drift_um_per_s < 10 && outcome.energy_gain_j <= 1e-6;
 }
 
-RestRuns::RestRuns(Report& report, const std::string& experiment, std::size_t count)
-    : table_(report, experiment,
+RestRuns::RestRuns(Report& report, const std::string& experiment, MakeSolver make, std::size_t count)
+    : make_(make),
+      table_(report, experiment,
              {"scene", "dt_s", "at_rest", "deepest_mm", "deepest_ever_mm", "moved_mm", "drift_um_per_s",
               "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"},
              count)
@@ -21,7 +22,7 @@ RestRuns::RestRuns(Report& report, const std::string& experiment, std::size_t co
 
 PileOutcome RestRuns::run(Case& c, Probe* observer)
 {
-    const PileOutcome outcome = watch(c.scene, c.duration, observer);
+    const PileOutcome outcome = watch(c.scene, c.duration, make_, observer);
     add(c, outcome);
     if (c.pictured) {
         Renderer renderer(480, 360);

@@ -19,7 +19,7 @@ public:
         Vec3 seen_from{1, 0.6, 2};  ///< direction to the camera
     };
     /// @param count  of the runs; 0 if nobody knows
-    RestRuns(Report& report, const std::string& experiment, std::size_t count = 0);
+    RestRuns(Report& report, const std::string& experiment, MakeSolver make, std::size_t count = 0);
     /// Runs it, and leaves the scene as it ended.
     PileOutcome run(Case& c, Probe* observer = nullptr);
     /// The row of a case that has been run, with its outcome.
@@ -28,6 +28,7 @@ public:
     void report(const std::string& experiment, Report& report, int columns) const;
 
 private:
+    MakeSolver make_;
     GrowingTable table_;
     std::vector<StripPicture> ends_;
     PileOutcome worst_;  ///< of the runs that come to rest

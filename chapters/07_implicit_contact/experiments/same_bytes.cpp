@@ -1,5 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -18,7 +19,7 @@ public:
         for (const std::size_t box : order)
             ordered.push_back(boxes[box]);
         scene_ = scene_of(ordered, dt);
-        solver_ = counting_solver(solves_)(scene_.contact);
+        solver_ = counting_solver(chapter07_solver, solves_)(scene_.contact);
     }
 
     void until(double time)

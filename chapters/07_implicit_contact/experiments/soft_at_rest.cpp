@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_runs.hpp"
 #include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
 #include "common/input/number_text.hpp"
 
 #include <algorithm>
@@ -113,7 +114,7 @@ void bowls(RestRuns& runs, const RunOptions& options, Report& report)
 /// A ton on a soft block, and soft bunnies that fall into a bowl.
 void soft_at_rest(const RunOptions& options, Report& report)
 {
-    RestRuns runs(report, "soft_at_rest");
+    RestRuns runs(report, "soft_at_rest", chapter07_solver);
     blocks(runs, options);
     bowls(runs, options, report);
     runs.report("soft_at_rest", report, 3);

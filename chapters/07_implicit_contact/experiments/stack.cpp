@@ -1,6 +1,7 @@
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"
 #include "common/experiments/report/growing_table.hpp"
 #include "common/experiments/run/run.hpp"
@@ -22,7 +23,6 @@ std::vector<Case> all_cases()
     for (const double dt : {0.01, 1.0 / 60}) {
         for (const int n : {10, 20})
             cases.push_back({std::to_string(n) + " cubes", stack_of(n), dt});
-        cases.push_back({"10 cubes, corner on corner", stack_of(10, 10, 10, 0), dt});
         cases.push_back({"1000 kg on 1 kg", stack_of(2, 1, 1000), dt});
         cases.push_back({"1 kg on 1000 kg", stack_of(2, 1000, 1), dt});
     }
@@ -65,7 +65,7 @@ void stack(const RunOptions& options, Report& report)
         const bool drawn = c.boxes.size() == 20 && c.dt == 0.01;
         if (drawn)
             pictures = {picture_of(after_chapter06(c, duration), "chapter 6, 3 kN/m")};
-        const PileOutcome outcome = watch(scene, duration);
+        const PileOutcome outcome = watch(scene, duration, chapter07_solver);
         if (drawn)
             pictures.push_back(picture_of(scene, "this chapter"));
         table.add({c.name, c.dt, outcome.deepest_mm, outcome.drift_um_per_s, outcome.energy_gain_j,

@@ -1,52 +1,11 @@
-#include "chapters/04_friction/experiments/rides.hpp"
-#include "chapters/06_redefinition/experiments/laid_block.hpp"
 #include "chapters/06_redefinition/experiments/levers.hpp"
-#include "chapters/06_redefinition/experiments/plane_slide.hpp"
-#include "chapters/07_implicit_contact/experiments/facets.hpp"
-#include "chapters/07_implicit_contact/experiments/launch.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
-#include "chapters/07_implicit_contact/experiments/rimless_wheel.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 using namespace enduring;
 using namespace enduring::chapter07;
-
-TEST_CASE(
-    "flat triangles: without friction a cube keeps its speed to 0.01 percent, and is carried by its weight to 1 percent")
-{
-    const chapter06::PlaneSlide slide{GridDiagonals::crossed, 1, true, 30000, 0.01};
-    SolveStatistics solves;
-    ForceProbe force("cube", "floor");
-    const chapter06::SlideOutcome outcome = chapter06::slide_over_plane(
-        slide, counting_solver(solves)(chapter06::scene_of(slide).contact), &force);
-    CHECK(std::abs(outcome.speed_change) < 1e-4);
-    CHECK(outcome.sideways_speed < 1e-4);
-    const auto& rows = force.table().rows();
-    for (std::size_t i = rows.size() / 10; i < rows.size(); ++i)
-        CHECK(std::get<double>(rows[i][2]) == doctest::Approx(20 * 9.81).epsilon(0.01));
-}
-
-TEST_CASE("flat triangles: a block that is laid a billionth of a millimetre above them gains no energy")
-{
-    SolveStatistics solves;
-    for (const double slope : {10.0, 15.0})
-        CHECK(chapter06::lay({1e-12, slope, 0.3}, counting_solver(solves)).energy_gained < 1e-3);
-}
-
-TEST_CASE("turntable: a block and a grate creep less than a micrometre in a turn")
-{
-    for (const rides::Load load : {rides::Load::block, rides::Load::grate}) {
-        rides::Ride ride = rides::short_ride(rides::Ground::table, load);
-        ride.steps = 314;
-        SolveStatistics solves;
-        const rides::RideRecord record = rides::take(ride, counting_solver(solves));
-        CHECK(record.creep.back() < 1e-6);
-        CHECK(record.vertex_faces + record.edge_edges > 0);
-    }
-}
 
 TEST_CASE(
     "free collision: linear momentum is kept to rounding, and angular momentum but for the slide before the impact")
@@ -54,8 +13,8 @@ TEST_CASE(
     SolveStatistics solves;
     for (const double dt : {0.004, 0.002})
         for (const double arrives : {0.1, 0.5, 0.9}) {
-            const chapter06::LeverCost cost = chapter06::cost_of_levers({dt, 1, 0.2 * dt * arrives, {}},
-                                                                        counting_solver(solves));
+            const chapter06::LeverCost cost = chapter06::cost_of_levers(
+                {dt, 1, 0.2 * dt * arrives, {}}, counting_solver(chapter07_solver, solves));
             CHECK(cost.linear.norm() < 1e-12);
             CHECK(cost.measured.norm() ==
                   doctest::Approx(cost.pushed * dt * arrives * (1 - arrives)).epsilon(0.1));
@@ -67,67 +26,11 @@ TEST_CASE("order: a stack whose cubes stand in another order in their scene move
     const std::vector<Box> boxes = stack_of(5), reversed(boxes.rbegin(), boxes.rend());
     Scene first = scene_of(boxes, 0.01), again = scene_of(boxes, 0.01), other = scene_of(reversed, 0.01);
     for (Scene* scene : {&first, &again, &other})
-        watch(*scene, 1);
+        watch(*scene, 1, chapter07_solver);
     for (std::size_t box = 0; box < boxes.size(); ++box)
         for (std::size_t v = 0; v < 8; ++v) {
             const Vec3& place = first.world.bodies[box]->positions_t0()[v];
             CHECK(place == again.world.bodies[box]->positions_t0()[v]);
             CHECK((place - other.world.bodies[boxes.size() - 1 - box]->positions_t0()[v]).norm() < 1e-10);
         }
-}
-
-TEST_CASE(
-    "launch: with one coefficient a cube stays where it turns round 1 percent above tan, and slides 1 percent below")
-{
-    for (const double slope : {10.0, 30.0})
-        for (const double part : {0.99, 1.01}) {
-            const double mu = part * std::tan(slope * 3.14159265358979 / 180);
-            CHECK(stays({slope, 0.01, mu, mu}) == (part > 1));
-        }
-}
-
-TEST_CASE(
-    "launch: with a coefficient that falls, too, a cube that is laid down holds from the tangent on, to 1 percent")
-{
-    for (const double slope : {5.0, 30.0})
-        for (const double part : {0.99, 1.01}) {
-            const double mu_s = part * std::tan(slope * 3.14159265358979 / 180);
-            CHECK(stays({slope, 0.01, mu_s, 0.8 * mu_s, 0}) == (part > 1));
-        }
-}
-
-TEST_CASE(
-    "launch: with a coefficient that falls far a cube stays where it turns round, at whatever speed it comes")
-{
-    const double tangent = std::tan(10 * 3.14159265358979 / 180);
-    for (int i = 0; i < 10; ++i)
-        CHECK(stays({10, 0.01, 1.1 * tangent, 0.2 * tangent, 2 + 0.1 * i}));
-}
-
-TEST_CASE(
-    "facets: a rimless wheel keeps its energy between landings, and a landing leaves cos of a hoop's turn halved")
-{
-    RimlessWheel wheel{
-        .sides = 6, .radius = 0.2, .mass = 2, .inertia = 0.08, .slope = 0.1, .angle = -0.5, .rate = 3};
-    const auto energy = [&] {
-        return 0.5 * (0.08 + 0.08) * wheel.rate * wheel.rate +
-               2 * 9.81 * 0.2 * std::cos(wheel.angle + wheel.slope);
-    };
-    const double before = energy();
-    wheel.roll(0.3);
-    CHECK(wheel.angle > 0.2);
-    CHECK(energy() == doctest::Approx(before).epsilon(1e-6));
-    CHECK(wheel.kept() == doctest::Approx(0.75));  // (1 + cos 60 degrees) / 2
-}
-
-TEST_CASE(
-    "facets: a prism rolls as the rimless wheel of its shape, to 2 percent, and twice as near with shorter steps")
-{
-    for (const int sides : {8, 16, 32}) {
-        const PrismRoll longer = roll_prism(sides, 0.005), shorter = roll_prism(sides, 0.001);
-        CHECK(std::abs(longer.measured / longer.by_wheel - 1) < 0.025);
-        CHECK(std::abs(shorter.measured / shorter.by_wheel - 1) < 0.01);
-        CHECK(std::abs(shorter.measured / shorter.by_wheel - 1) <
-              0.5 * std::abs(longer.measured / longer.by_wheel - 1));
-    }
 }

@@ -8,5 +8,18 @@ void heap(const RunOptions& options, Report& report);
 void families(const RunOptions& options, Report& report);
 void ridges(const RunOptions& options, Report& report);
 void fast(const RunOptions& options, Report& report);
+void edge_on_edge(const RunOptions& options, Report& report);
+void at_rest(const RunOptions& options, Report& report);
+void wedged(const RunOptions& options, Report& report);
+void creep(const RunOptions& options, Report& report);
+void wanted_depth(const RunOptions& options, Report& report);
+void rolling(const RunOptions& options, Report& report);
+void facets(const RunOptions& options, Report& report);
+void flat_triangles(const RunOptions& options, Report& report);
+void frictionless(const RunOptions& options, Report& report);
+void screw(const RunOptions& options, Report& report);
+void turntable(const RunOptions& options, Report& report);
+void spinning(const RunOptions& options, Report& report);
+void launch(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08

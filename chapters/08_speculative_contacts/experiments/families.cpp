@@ -1,6 +1,6 @@
+#include "chapters/07_implicit_contact/experiments/depth_runs.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/08_speculative_contacts/experiments/experiments.hpp"
-#include "chapters/08_speculative_contacts/experiments/heap_runs.hpp"
 #include "chapters/08_speculative_contacts/experiments/shapes.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "common/experiments/render/renderer.hpp"
@@ -37,7 +37,7 @@ void draw_heaps(bool quick, Report& report)
     std::vector<StripPicture> pictures;
     for (int family = 0; family < mixed_family; ++family) {
         Scene scene = random_heap({family, quick ? 5 : 16, 0.01, 1, 1});
-        watch(scene, quick ? 1 : 4, chapter08_solver);
+        chapter07::watch(scene, quick ? 1 : 4, chapter08_solver);
         Stage stage = stage_of(scene.world, scene);
         stage.camera = frame(points_of(stage), {0.6, 0.6, 1}, static_cast<double>(width) / height);
         pictures.push_back({Renderer(width, height).draw(stage), family_name(family)});
@@ -45,18 +45,22 @@ void draw_heaps(bool quick, Report& report)
     write_png(strip(pictures, 4), report.file("families.png"));
 }
 
-double percent_of(double depth, const DepthOutcome& outcome) { return 100 * depth / outcome.size_m; }
+double percent_of(double depth, const chapter07::DepthOutcome& outcome)
+{
+    return 100 * depth / outcome.size_m;
+}
 
-void report_families(const std::vector<DepthOutcome>& found, std::size_t runs, bool quick, Report& report)
+void report_families(const std::vector<chapter07::DepthOutcome>& found, std::size_t runs, bool quick,
+                     Report& report)
 {
     Table now({"family", "bodies", "runs", "deepest_percent", "at_the_end_percent", "gain_percent",
                "unsolved", "solves", "most_newton_steps"});
     Table before({"family", "runs", "deepest_with_7_mm", "deepest_with_8_mm", "at_the_end_with_7_um",
                   "at_the_end_with_8_um", "unsolved_with_7", "unsolved_with_8"});
-    std::array<DepthOutcome, 2> all;  // chapter 7's, chapter 8's
+    std::array<chapter07::DepthOutcome, 2> all;  // chapter 7's, chapter 8's
     double deepest = 0, at_end = 0;
     for (int family = 0; family < family_count; ++family) {
-        std::array<DepthOutcome, 2> worst;
+        std::array<chapter07::DepthOutcome, 2> worst;
         for (std::size_t i = 0; i < runs; ++i)
             for (const std::size_t way : {0U, 1U})
                 worst[way].add(found[2 * (static_cast<std::size_t>(family) * runs + i) + way]);
@@ -99,11 +103,12 @@ void families(const RunOptions& options, Report& report)
         for (const HeapPlan& plan : heaps_of(family, options.quick))
             plans.push_back(plan);
     const double duration = options.quick ? 1.2 : 3;
-    constexpr std::array<MakeSolver, 2> solvers{chapter07_solver, chapter08_solver};
-    const auto found = sweep<DepthOutcome>(options, "families", 2 * plans.size(), [&](std::size_t i) {
-        Scene scene = random_heap(plans[i / 2]);
-        return measure_depths(scene, duration, solvers[i % 2]);
-    });
+    constexpr std::array<chapter07::MakeSolver, 2> solvers{chapter07_solver, chapter08_solver};
+    const auto found = sweep<chapter07::DepthOutcome>(
+        options, "families", 2 * plans.size(), [&](std::size_t i) {
+            Scene scene = random_heap(plans[i / 2]);
+            return chapter07::measure_depths(scene, duration, solvers[i % 2]);
+        });
     if (!found)
         return;
     report_families(*found, plans.size() / family_count, options.quick, report);

@@ -1,7 +1,7 @@
 #include "chapters/08_speculative_contacts/experiments/fast_shots.hpp"
 
+#include "chapters/07_implicit_contact/experiments/true_depth.hpp"
 #include "chapters/08_speculative_contacts/experiments/shapes.hpp"
-#include "chapters/08_speculative_contacts/experiments/true_depth.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
@@ -110,7 +110,7 @@ FastOutcome shoot(const FastVolley& volley, double dt, unsigned seed)
     const long steps = std::lround(std::ceil(0.5 / volley.speed / dt)) + 20;
     for (long i = 0; i < steps; ++i) {
         advance(world, contacts, solver, dt);
-        outcome.deepest_m = std::max(outcome.deepest_m, true_depth(world));
+        outcome.deepest_m = std::max(outcome.deepest_m, chapter07::true_depth(world));
         outcome.most_energy = std::max(outcome.most_energy, total_energy(world).kinetic / first);
         const double height = height_over(plate, shot.centre());
         if ((height > 0) != above && (shot.centre() - plate.centre()).norm() < 0.5)

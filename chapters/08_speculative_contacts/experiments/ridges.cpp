@@ -1,5 +1,5 @@
+#include "chapters/07_implicit_contact/experiments/depth_runs.hpp"
 #include "chapters/08_speculative_contacts/experiments/experiments.hpp"
-#include "chapters/08_speculative_contacts/experiments/heap_runs.hpp"
 #include "chapters/08_speculative_contacts/experiments/ridge_scenes.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "common/experiments/render/moments.hpp"
@@ -21,7 +21,7 @@ void draw_ridges(Report& report)
                                        [&](const RidgePlan& each) { return each.name == name; });
         Scene scene = ridge_scene(*plan, 0.01);
         MomentsProbe moments(scene, times, mark_pairs, name + ", ");
-        watch(scene, times.back() + 2 * scene.dt, chapter08_solver, &moments);
+        chapter07::watch(scene, times.back() + 2 * scene.dt, chapter08_solver, &moments);
         std::vector<Moment> of_scene = moments.moments();
         frame_together(of_scene, towards, static_cast<double>(width) / height);
         shown.insert(shown.end(), of_scene.begin(), of_scene.end());
@@ -39,13 +39,13 @@ void ridges(const RunOptions& options, Report& report)
     constexpr double duration = 1.5;
     Table table({"what falls", "deepest with 10 ms [µm]", "at the end [µm]", "stays with 10 ms",
                  "deepest with 2 ms [µm]", "stays with 2 ms", "unsolved"});
-    DepthOutcome all;
+    chapter07::DepthOutcome all;
     for (const RidgePlan& plan : ridge_plans()) {
-        std::array<DepthOutcome, 2> outcomes;
+        std::array<chapter07::DepthOutcome, 2> outcomes;
         std::array<std::string, 2> stays;
         for (const std::size_t i : {0U, 1U}) {
             Scene scene = ridge_scene(plan, i == 0 ? 0.01 : 0.002);
-            outcomes[i] = measure_depths(scene, duration, chapter08_solver);
+            outcomes[i] = chapter07::measure_depths(scene, duration, chapter08_solver);
             stays[i] = is_held(scene) ? "yes" : "no";
             all.add(outcomes[i]);
         }

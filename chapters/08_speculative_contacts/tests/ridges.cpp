@@ -1,4 +1,4 @@
-#include "chapters/08_speculative_contacts/experiments/heap_runs.hpp"
+#include "chapters/07_implicit_contact/experiments/depth_runs.hpp"
 #include "chapters/08_speculative_contacts/experiments/ridge_scenes.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
 
@@ -15,7 +15,7 @@ TEST_CASE(
             CAPTURE(plan.name);
             CAPTURE(dt);
             Scene scene = ridge_scene(plan, dt);
-            const DepthOutcome outcome = measure_depths(scene, 1, chapter08_solver);
+            const chapter07::DepthOutcome outcome = chapter07::measure_depths(scene, 1, chapter08_solver);
             CHECK(outcome.deepest_m < 1e-4);
             CHECK(outcome.unsolved == 0);
         }
@@ -28,7 +28,7 @@ TEST_CASE("ridges: a box over the border of a sheet stays if its middle is over 
             continue;
         CAPTURE(plan.name);
         Scene scene = ridge_scene(plan, 0.01);
-        measure_depths(scene, 1.5, chapter08_solver);
+        chapter07::measure_depths(scene, 1.5, chapter08_solver);
         CHECK(is_held(scene) == (plan.aside < 0));
     }
 }
