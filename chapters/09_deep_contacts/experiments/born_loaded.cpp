@@ -1,5 +1,5 @@
 #include "chapters/06_redefinition/solver.hpp"
-#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/experiments/experiments.hpp"
 #include "chapters/09_deep_contacts/experiments/towers.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
@@ -101,7 +101,7 @@ struct LoadedWith {
     Solver (*make)(const ContactParameters&);
 };
 const std::vector<LoadedWith> solvers{
-    {"chapter_6", chapter06_solver}, {"chapter_7", chapter07_solver}, {"chapter_9", chapter09_solver}};
+    {"chapter_6", chapter06_solver}, {"chapter_8", chapter08_solver}, {"chapter_9", chapter09_solver}};
 
 void laid_blocks(bool quick, Report& report, Table& table)
 {
@@ -117,7 +117,7 @@ void laid_blocks(bool quick, Report& report, Table& table)
         }
     table.add({std::string("block laid exactly"), runs, most[0], most[1], most[2]});
     report.fact("born_loaded", "laid_6", most[0]);
-    report.fact("born_loaded", "laid_7", most[1]);
+    report.fact("born_loaded", "laid_8", most[1]);
     report.fact("born_loaded", "laid_9", most[2]);
 }
 
@@ -157,11 +157,11 @@ Towers try_towers(int cubes, bool quick, Solver (*make)(const ContactParameters&
 /// Towers of equal cubes: the energy that pairs bring which are born and die at a depth, and whether they stand.
 void towers(bool quick, Report& report, Table& table)
 {
-    Table page({"cubes", "runs", "fallen_chapter_6", "fallen_chapter_7", "fallen_chapter_9",
-                "chapter_6_percent", "chapter_7_percent", "chapter_9_percent", "aside_chapter_7_mm",
+    Table page({"cubes", "runs", "fallen_chapter_6", "fallen_chapter_8", "fallen_chapter_9",
+                "chapter_6_percent", "chapter_8_percent", "chapter_9_percent", "aside_chapter_8_mm",
                 "aside_chapter_9_mm"});
     long runs = 0, fallen = 0;
-    double brought = 0, gained = 0, aside_7 = 0, aside_9 = 0;
+    double brought = 0, gained = 0, aside_8 = 0, aside_9 = 0;
     for (const int cubes : quick ? std::vector{1, 2, 5} : std::vector{1, 2, 3, 5, 7, 20}) {
         std::vector<Towers> of;
         for (const LoadedWith& solver : solvers)
@@ -178,7 +178,7 @@ void towers(bool quick, Report& report, Table& table)
             brought = std::max(brought, mine.brought_percent);
             gained = std::max(gained, mine.worst.most);
         }
-        aside_7 = std::max(aside_7, of[1].worst.aside);
+        aside_8 = std::max(aside_8, of[1].worst.aside);
         aside_9 = std::max(aside_9, of[2].worst.aside);
     }
     report.table("tower", page);
@@ -188,7 +188,7 @@ void towers(bool quick, Report& report, Table& table)
     constexpr double rounding = 1e-12;
     report.fact("born_loaded", "tower_brought_percent", brought < rounding ? 0 : brought);
     report.fact("born_loaded", "tower_gained", gained);
-    report.fact("born_loaded", "tower_aside_7_mm", 1000 * aside_7, 2);
+    report.fact("born_loaded", "tower_aside_8_mm", 1000 * aside_8, 2);
     report.fact("born_loaded", "tower_aside_9_mm", 1000 * aside_9, 2);
 }
 //! [towers]
@@ -198,7 +198,7 @@ void towers(bool quick, Report& report, Table& table)
 /// Scenes in which pairs are born at a depth: the energy that they bring, under three solvers.
 void born_loaded(const RunOptions& options, Report& report)
 {
-    Table table({"scene", "runs", "chapter_6_j", "chapter_7_j", "chapter_9_j"});
+    Table table({"scene", "runs", "chapter_6_j", "chapter_8_j", "chapter_9_j"});
     laid_blocks(options.quick, report, table);
     towers(options.quick, report, table);
     report.table("born_loaded", table);

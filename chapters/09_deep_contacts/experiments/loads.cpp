@@ -1,6 +1,6 @@
 #include "chapters/09_deep_contacts/experiments/loads.hpp"
 
-#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "common/experiments/run/energy_budget.hpp"
 #include "common/geometry/box_shapes.hpp"
@@ -44,7 +44,7 @@ Solver solver_of(int chapter, const Scene& scene, LoadOutcome& outcome)
         outcome.newton_steps += record.newton_steps;
         outcome.most_newton_steps = std::max<long>(outcome.most_newton_steps, record.newton_steps);
     };
-    return chapter == 7 ? chapter07_solver(scene.contact, settings)
+    return chapter == 8 ? chapter08_solver(scene.contact, settings)
                         : chapter09_solver(scene.contact, settings);
 }
 

@@ -40,7 +40,7 @@ struct LoadOutcome {
     bool rests() const { return height_mm < 0.1 && sideways_mm < 1 && speed < 1e-4 && told_at == 0; }
 };
 
-/// Runs a scene with the solver of chapter 7 or 9.
+/// Runs a scene with the solver of chapter 8 or 9.
 LoadOutcome watch(Load& load, int chapter, double duration);
 
 }  // namespace enduring::chapter09

@@ -77,7 +77,7 @@ void mass_ratios(const RunOptions& options, Report& report)
         while (last < cases.size() && cases[last].name == cases[first].name &&
                cases[last].ratio == cases[first].ratio)
             ++last;
-        for (const int chapter : {7, 9}) {
+        for (const int chapter : {8, 9}) {
             Worst worst;
             for (std::size_t i = first; i < last; ++i)
                 for (const double dt : options.quick ? std::vector{0.01} : std::vector{0.01, 0.002, 0.001}) {

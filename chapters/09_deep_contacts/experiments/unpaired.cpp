@@ -1,5 +1,5 @@
 #include "chapters/06_redefinition/contact_index.hpp"
-#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/experiments/experiments.hpp"
 #include "chapters/09_deep_contacts/overlaps.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
@@ -88,12 +88,12 @@ private:
 
 }  // namespace
 
-/// The course's scenes with the solvers of chapters 7 and 9: in how many steps a vertex is inside without a pair.
+/// The course's scenes with the solvers of chapters 8 and 9: in how many steps a vertex is inside without a pair.
 void unpaired(const RunOptions& options, Report& report)
 {
     GrowingTable table(
         report, "unpaired",
-        {"scene", "steps", "steps_with_7", "deepest_with_7_mm", "steps_with_9", "deepest_with_9_mm"});
+        {"scene", "steps", "steps_with_8", "deepest_with_8_mm", "steps_with_9", "deepest_with_9_mm"});
     long steps = 0, some = 0;
     int longest = 0;
     std::vector<Start> starts;
@@ -103,7 +103,7 @@ void unpaired(const RunOptions& options, Report& report)
     starts.push_back({"bunny in the wall", "bunny_bowl", R"({"/bodies/bunny/position": [0.3, 0.12, 0.1]})"});
     for (const auto& [name, scene_name, patch] : starts) {
         std::vector<Unpaired> found;
-        for (const auto make : {+[](const ContactParameters& p) { return chapter07_solver(p); },
+        for (const auto make : {+[](const ContactParameters& p) { return chapter08_solver(p); },
                                 +[](const ContactParameters& p) { return chapter09_solver(p); }}) {
             Scene scene = load_scene(scene_file(scene_name), patch);
             UnpairedProbe probe;

@@ -187,7 +187,7 @@ TEST_CASE("letting out: a block that is laid exactly on triangles is not thrown 
         for (Vec3& x : block.vertices)
             x = slope * (turn * x + Vec3::Constant(0.125));
         const ContactParameters parameters{PenaltyMethod::continuous, 12000};
-        const Solver solvers[] = {chapter06_solver(parameters), chapter07_solver(parameters),
+        const Solver solvers[] = {chapter06_solver(parameters), chapter08_solver(parameters),
                                   chapter09_solver(parameters)};
         for (int i = 0; i < 3; ++i) {
             World world;
