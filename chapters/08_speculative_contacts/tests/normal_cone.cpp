@@ -1,4 +1,6 @@
+#include "chapters/05_categorisation/category.hpp"
 #include "chapters/08_speculative_contacts/feature_cones.hpp"
+#include "chapters/08_speculative_contacts/search_parts.hpp"
 #include "chapters/08_speculative_contacts/tests/moving_surface.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
@@ -238,4 +240,23 @@ TEST_CASE("normal cone: the sine widens the cone of an edge on both sides")
     CHECK_FALSE(is_in(191, sine_of_10));
     CHECK_FALSE(is_in(81, 0));
     CHECK_FALSE(is_in(315, 0.99));  // into the body
+}
+
+TEST_CASE(
+    "errata: the face normals and their average do not stand for the span of 6.2.2: a spike that meets a wall with an edge would be hooked")
+{
+    SurfaceMesh spike{{Vec3::Zero()}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}};  // its tip is up
+    for (int i = 0; i < 3; ++i) {
+        const double around = 120 * degree * i;
+        spike.vertices.emplace_back(std::sin(0.1) * std::cos(around), -std::cos(0.1),
+                                    -std::sin(0.1) * std::sin(around));
+    }
+    const MovingSurface surface(spike);
+    int hooked = 0;
+    for (int degrees = 0; degrees < 360; degrees += 5) {
+        const Vec3 wall(std::cos(degrees * degree), 0, std::sin(degrees * degree));
+        hooked += is_hooked_vertex(surface.start(), 0, wall);
+        CHECK(in_cone_of_vertex(surface.start(), 0, -wall, search_parts.cone_sine));
+    }
+    CHECK(hooked > 12);
 }
