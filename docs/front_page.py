@@ -19,7 +19,7 @@ PICTURES = {  # each chapter's reference picture, and what is cut out of it firs
     "04_friction": ("slope", ""),
     "05_categorisation": ("hooked", ""),
     "06_redefinition": ("shifted", ""),
-    "07_implicit_contact": ("card_house", ""),
+    "07_implicit_contact": ("stack", ""),
     "08_speculative_contacts": ("heap", ""),
     "09_deep_contacts": ("bunny_curve", ""),
 }
