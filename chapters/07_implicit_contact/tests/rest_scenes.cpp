@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/07_implicit_contact/tests/extent.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/energy.hpp"
@@ -15,17 +16,6 @@ using namespace enduring;
 using namespace enduring::chapter07;
 
 namespace {
-
-/// Least and largest coordinate of a body's vertices [m].
-std::pair<double, double> extent(const Body& body, int axis)
-{
-    double least = 1e300, most = -1e300;
-    for (const Vec3& x : body.positions_t0()) {
-        least = std::min(least, x[axis]);
-        most = std::max(most, x[axis]);
-    }
-    return {least, most};
-}
 
 std::pair<double, double> heights(const Body& body) { return extent(body, 1); }
 

@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_runs.hpp"
 #include "chapters/07_implicit_contact/experiments/true_depth.hpp"
+#include "chapters/07_implicit_contact/tests/extent.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
 
 #include <doctest/doctest.h>
@@ -11,19 +12,9 @@
 #include <vector>
 
 using namespace enduring;
+using chapter07::extent;
 
 namespace {
-
-/// Least and largest coordinate of a body's vertices [m].
-std::pair<double, double> extent(const Body& body, int axis)
-{
-    double least = 1e300, most = -1e300;
-    for (const Vec3& x : body.positions_t0()) {
-        least = std::min(least, x[axis]);
-        most = std::max(most, x[axis]);
-    }
-    return {least, most};
-}
 
 /// The largest normal force on a pair [N].
 struct MostLoad : Probe {
