@@ -1,8 +1,5 @@
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 
-#include "chapters/07_implicit_contact/limit_search.hpp"
-#include "chapters/07_implicit_contact/newton_matrix.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -133,83 +130,18 @@ double residual_of(const ContactProblem& problem, const VectorXd& change, double
     return residual_from(problem, times_mass(problem, change) - answers.missing, answers.total, least_speed);
 }
 
-namespace {
-
-/// Residual below which Newton's method on the real equation needs nobody to lead it.
-constexpr double near_the_answer = 0.01;
-
-std::vector<Mat3> stiffenings_at(const ContactProblem& problem, const VectorXd& change)
+double true_residual(const ContactProblem& problem, const VectorXd& change, double least_speed)
 {
-    std::vector<Mat3> stiffenings;
-    for (const PairRow& row : problem.rows)
-        stiffenings.push_back(answer(row.law, row.velocity_after(change), problem.step).stiffening);
-    return stiffenings;
-}
-
-/// One step on the real equation, or a part of it; false where the residual falls by less than a fifth: a
-/// crawl would only lead away from where the convex problems go.
-bool newton_step(const ContactProblem& problem, NewtonMatrix& matrix, double least_speed,
-                 ProblemSolution& solution)
-{
-    const Answers answers = answers_to(problem, solution.change);
-    const VectorXd direction = matrix.solve(problem, stiffenings_at(problem, solution.change),
-                                            answers.missing - times_mass(problem, solution.change));
-    ++solution.newton_steps;
-    for (double part = 1; part >= 0.25; part /= 2) {
-        const VectorXd change = solution.change + part * direction;
-        const double residual = residual_of(problem, change, least_speed);
-        if (residual > 0.8 * solution.residual)
-            continue;
-        solution.impulses += part *
-                             (matrix.tangent(problem, answers.impulses, direction) - solution.impulses);
-        solution.change = change;
-        solution.residual = residual;
-        return true;
+    VectorXd total = VectorXd::Zero(problem.size), missing = VectorXd::Zero(problem.size);
+    for (const PairRow& row : problem.rows) {
+        const Vec3 velocity = row.velocity_after(change);
+        PairLaw law = row.law;
+        law.lagged_normal_impulse = normal_impulse(law, velocity, problem.step);
+        const Vec3 impulse = pushed(law, velocity, problem.step).total();
+        row.add_impulse(impulse, total);
+        row.add_impulse(impulse - row.acting, missing);
     }
-    return false;
+    return residual_from(problem, times_mass(problem, change) - missing, total, least_speed);
 }
-
-}  // namespace
-
-//! [solve]
-ProblemSolution solve(ContactProblem problem, NewtonMatrix& matrix, double tolerance, double least_speed,
-                      int most_steps)
-{
-    ProblemSolution solution = unchanged(problem);
-    const auto see_residual = [&] {
-        problem.step.limit = FrictionLimit::coupled;
-        solution.residual = residual_of(problem, solution.change, least_speed);
-    };
-    const auto lead_on = [&] {
-        problem.step.limit = FrictionLimit::lagged;
-        const ProblemSolution led = solve_convex(
-            problem, matrix, solution, std::max(tolerance, 0.1 * solution.residual), least_speed,
-            std::min(most_convex_steps, most_steps - solution.newton_steps));
-        solution.change = led.change;
-        solution.impulses = led.impulses;
-        solution.newton_steps += led.newton_steps;
-        see_residual();
-    };
-    see_residual();
-    if (solution.residual > near_the_answer && most_steps > 0)
-        lead_on();
-    LimitSearch limits;
-    while (solution.residual > tolerance && solution.newton_steps < most_steps) {
-        ProblemSolution tried = solution;
-        while (tried.residual > tolerance && tried.newton_steps < most_steps &&
-               newton_step(problem, matrix, least_speed, tried)) {}
-        solution.newton_steps = tried.newton_steps;
-        if (tried.residual <= tolerance) {
-            solution = tried;
-        } else {
-            // What Newton's method has tried is no answer to any limits: the search goes on from its own.
-            limits.advance(problem, solution.change);
-            lead_on();
-        }
-    }
-    solution.converged = solution.residual <= tolerance;
-    return solution;
-}
-//! [solve]
 
 }  // namespace enduring

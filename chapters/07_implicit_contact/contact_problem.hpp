@@ -56,7 +56,7 @@ void with_fixed_size(const VertexMotion& part, const Visit& visit)
 
 class NewtonMatrix;
 
-/// One step of all bodies in touch as one problem, convex while friction's limits are lagged: find the change
+/// One step of all bodies in touch as one convex problem, with limits of friction that are known: find the change
 /// x of their predicted velocities that makes
 ///   1/2 x^T A x  +  sum over pairs of (potential(velocity + J x) + acting . J x)
 /// least. Where it is least, A x is what the pairs answer to the
@@ -101,6 +101,9 @@ double residual_of(const ContactProblem& problem, const Eigen::VectorXd& change,
 double residual_from(const ContactProblem& problem, const Eigen::VectorXd& gradient,
                      const Eigen::VectorXd& total, double least_speed);
 
+/// The same with the limits of friction that the same motion makes, whatever those of the problem.
+double true_residual(const ContactProblem& problem, const Eigen::VectorXd& change, double least_speed);
+
 /// The impulses of all pairs as they act, three numbers each [N s].
 Eigen::VectorXd impulses_acting(const ContactProblem& problem);
 /// No change, by the impulses that act already.
@@ -118,13 +121,5 @@ constexpr int most_convex_steps = 100;
 ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
                              const ProblemSolution& begin, double tolerance, double least_speed,
                              int most_steps = most_convex_steps);
-
-/// Newton's method on the real equation, whose limits of friction are those that the same motion makes. Far
-/// from the answer, and where a step does not let the residual fall, the convex problem leads on, with
-/// limits that a search brings nearer.
-/// @param problem     its rows hold the limits to begin with; the other parameters as above
-/// @param most_steps  of Newton's method, over all loops
-ProblemSolution solve(ContactProblem problem, NewtonMatrix& matrix, double tolerance, double least_speed,
-                      int most_steps = 500);
 
 }  // namespace enduring

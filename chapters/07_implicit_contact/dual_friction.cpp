@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 /// equation takes d and the guess once each, in both orders so that the sum stays symmetric.
 Mat3 missing_stiffness(const PairRow& row, const Vec3& spring, const Vec3& guess, const StepLaw& step)
 {
-    const double limit = row.law.mu * row.law.pressing, size = spring.norm();
+    const double limit = row.law.mu * row.law.lagged_normal_impulse, size = spring.norm();
     const Vec3 d = spring / size, short_of_it = d - guess / limit;
     const Mat3 once = d * short_of_it.transpose();
     return limit / size * row.law.stiffness * step.dt * step.dt * 0.5 * (once + once.transpose());
@@ -39,7 +39,7 @@ void DualFriction::follow(const VectorXd& change, const VectorXd& direction)
 {
     for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
         const PairRow& row = problem_.rows[i];
-        const double limit = row.law.mu * row.law.pressing;
+        const double limit = row.law.mu * row.law.lagged_normal_impulse;
         const Vec3 velocity = row.velocity_after(change), faster = velocity + row.rate_of(direction);
         const Vec3 spring = spring_impulse(row.law, velocity, problem_.step),
                    then = spring_impulse(row.law, faster, problem_.step);

@@ -13,14 +13,17 @@ struct SolveRecord {
     int pairs = 0;
     int rounds = 0;        ///< how often the problem was set up anew from the motion that its answer made
     int newton_steps = 0;  ///< of all rounds
-    /// of the last problem, with friction's limits and the normals as its answer made them
+    /// on the bodies: with the normals and the limits of friction that the impulses themselves make
     double residual = 0;
-    bool turns_too_far = false;  ///< a body, so that the answer was thrown away for a safe one
     bool converged = false;
 };
 
 /// Says on the standard error stream which step is not solved, and how well it is.
 void tell_unconverged(const SolveRecord& record);
+
+/// Into how short a part of a step a solver goes that takes an unsolved one in halves, as a power of two: 1/32. Shorter, what
+/// one part misses is no larger than what a step of a fast body misses anyway.
+inline constexpr int most_halvings = 5;
 
 //! [settings]
 /// The same for all scenes but for the coefficients of friction, which are the scene's.
@@ -29,18 +32,26 @@ struct ImplicitSettings {
     FrictionCoefficients friction;
     double centre = 1;        ///< of the weight over the step
     double tolerance = 1e-6;  ///< of the residual
-    /// Of Newton's method in a step, over all its responses, rounds, limits and problems. What is unsolved then is
-    /// told, and answered safely where more than a hundredth is left. Landing soft bodies take some hundreds: a tenth
-    /// of it would cut these off; with ten times as many a heap that jams takes ten seconds for such a step.
+    /// The largest residual with which a step is kept; else it is taken in halves. A tenth: landing soft bodies are halved for
+    /// an error that nobody sees. Ten times: impulses that do not belong to their motion gain energy.
+    double kept_residual = 1e-2;
+    /// Of Newton's method in a step, over all its responses and rounds, each of which counts as one more; what is not solved then is told, or the step is taken in
+    /// halves. A tenth of it would cut landing soft bodies off; ten times as many cost ten seconds where a heap jams.
     int most_newton_steps = 500;
+    /// Where bodies jam, limits that are taken from the last round come back enlarged: from this round on, each round looks for
+    /// its limits (LimitSearch). A tenth: the search is tried where the rounds would have ended by themselves. Ten times:
+    /// jams take most of the steps of Newton's method that there are.
+    int rounds_before_search = 40;
     std::function<void(const SolveRecord&)> record = tell_unconverged;
 };
 //! [settings]
 
-/// Response: finds the impulses of all pairs together, from the motion that they make, and applies them.
+/// Response: finds the impulses of all pairs together, from the motion that they make, and applies them. Each round brings
+/// normals, levers and limits of friction to the last motion, solves one convex problem, and mixes its impulses with those of
+/// the rounds before, until the equation holds on the bodies themselves.
 /// @param matrix  keeps its memory and its order from step to step
-void answer_all_pairs(World& world, Contacts& contacts, const ImplicitSettings& settings,
-                      NewtonMatrix& matrix, double dt);
+void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings, NewtonMatrix& matrix,
+                    double dt);
 
 /// Before the step is settled: what each pair hands on to the next one,
 /// its load and the stretch of its friction. One that is held holds nothing: its spring has let go.

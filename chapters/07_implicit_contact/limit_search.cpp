@@ -14,7 +14,7 @@ Eigen::VectorXd errors_of(const ContactProblem& problem, const Eigen::VectorXd& 
     for (Eigen::Index i = 0; i < errors.size(); ++i) {
         const PairRow& row = problem.rows[static_cast<std::size_t>(i)];
         const PairAnswer made = answer(row.law, row.velocity_after(change), problem.step);
-        errors[i] = made.normal_impulse.norm() - row.law.pressing;
+        errors[i] = made.normal_impulse.norm() - row.law.lagged_normal_impulse;
     }
     return errors;
 }
@@ -32,10 +32,33 @@ void LimitSearch::advance(ContactProblem& problem, const Eigen::VectorXd& change
     }
     last_error_ = error;
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-        double& limit = problem.rows[i].law.pressing;
+        double& limit = problem.rows[i].law.lagged_normal_impulse;
         limit = std::max(0.0, limit + part_ * error[static_cast<Eigen::Index>(i)]);
     }
 }
 //! [advance]
+
+//! [search]
+ProblemSolution solve_with_limit_search(ContactProblem problem, NewtonMatrix& matrix,
+                                        const ProblemSolution& begin, double tolerance, double least_speed,
+                                        int most_steps)
+{
+    ProblemSolution solution = begin;
+    LimitSearch limits;
+    for (int steps = 0; steps < most_steps; ++steps) {
+        const double left = true_residual(problem, solution.change, least_speed);
+        if (left <= tolerance)
+            break;
+        if (steps > 0)
+            limits.advance(problem, solution.change);
+        const int before = solution.newton_steps;
+        solution = solve_convex(problem, matrix, solution, std::max(tolerance, 0.1 * left), least_speed,
+                                std::min(most_convex_steps, most_steps - steps));
+        steps += solution.newton_steps;
+        solution.newton_steps += before;
+    }
+    return solution;
+}
+//! [search]
 
 }  // namespace enduring

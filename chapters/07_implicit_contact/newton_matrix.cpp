@@ -8,11 +8,10 @@ namespace {
 using Eigen::VectorXd;
 
 //! [assemble]
-/// Adds A + J^T S J to a matrix of zeros. `at(row, column)` is where its blocks are; above its diagonal a
-/// symmetric one is left empty.
+/// Adds A + J^T S J to a matrix of zeros. `at(row, column)` is where its blocks are. It is symmetric, and above its diagonal
+/// it is left empty.
 template <class At>
-void assemble(const ContactProblem& problem, const std::vector<Mat3>& stiffenings, bool symmetric,
-              const At& at)
+void assemble(const ContactProblem& problem, const std::vector<Mat3>& stiffenings, const At& at)
 {
     for (const BodyBlock& body : problem.blocks) {
         const int size = static_cast<int>(body.mass.rows());
@@ -28,7 +27,7 @@ void assemble(const ContactProblem& problem, const std::vector<Mat3>& stiffening
                 for (const VertexMotion& one : problem.rows[pair].moving())
                     with_fixed_size(one, [&]<class One>(int row, const One& rate) {
                         constexpr int rows = One::ColsAtCompileTime, columns = Other::ColsAtCompileTime;
-                        if (row >= column || !symmetric)
+                        if (row >= column)
                             at(row, column).template block<rows, columns>().noalias() += rate.transpose() *
                                                                                          force;
                     });
@@ -92,31 +91,21 @@ bool NewtonMatrix::fits(const std::vector<Mat3>& stiffenings) const
 //! [factor]
 void NewtonMatrix::factor(const ContactProblem& problem)
 {
-    const bool symmetric = std::all_of(stiffenings_.begin(), stiffenings_.end(),
-                                       [](const Mat3& s) { return s.isApprox(s.transpose(), 1e-12); });
     if (is_dense(problem))
         factor_dense(problem);
     else
-        factor_sparse(problem, symmetric);
+        factor_sparse(problem);
 }
 
-void NewtonMatrix::factor_sparse(const ContactProblem& problem, bool symmetric)
+void NewtonMatrix::factor_sparse(const ContactProblem& problem)
 {
     // where a factor is there, its step is the same, and so is its pattern
-    if (blocks_.reset(problem))
-        is_ordered_ = is_lu_ordered_ = false;
-    assemble(problem, stiffenings_, symmetric, [&](int row, int column) { return blocks_.at(row, column); });
-    const auto order_once = [&](auto& solver, bool& is_done) {
-        if (!is_done)
-            solver.analyzePattern(blocks_.matrix());
-        is_done = true;
-        solver.factorize(blocks_.matrix());
-    };
-    kind_ = symmetric ? Kind::sparse_symmetric : Kind::sparse;
-    if (symmetric)
-        order_once(sparse_cholesky_, is_ordered_);
-    else
-        order_once(sparse_lu_, is_lu_ordered_);
+    const bool is_other_pattern = blocks_.reset(problem);
+    assemble(problem, stiffenings_, [&](int row, int column) { return blocks_.at(row, column); });
+    if (is_other_pattern)
+        sparse_.analyzePattern(blocks_.matrix());
+    sparse_.factorize(blocks_.matrix());
+    kind_ = Kind::sparse;
 }
 //! [factor]
 
@@ -173,13 +162,9 @@ VectorXd NewtonMatrix::solve_with_factor(const ContactProblem& problem, const Ve
 {
     switch (kind_) {
         case Kind::dense: return solve_dense(problem, b);
-        case Kind::sparse_symmetric:
-            if (sparse_cholesky_.info() == Eigen::Success)
-                return sparse_cholesky_.solve(b);
-            break;
         case Kind::sparse:
-            if (sparse_lu_.info() == Eigen::Success)
-                return sparse_lu_.solve(b);
+            if (sparse_.info() == Eigen::Success)
+                return sparse_.solve(b);
             break;
         case Kind::none: break;
     }

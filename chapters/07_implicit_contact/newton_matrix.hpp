@@ -5,7 +5,6 @@
 
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 
 #include <memory>
 
@@ -40,16 +39,14 @@ public:
 
 private:
     /// Which factor is the present one.
-    enum class Kind { none, dense, sparse_symmetric, sparse };
+    enum class Kind { none, dense, sparse };
 
     bool fits(const std::vector<Mat3>& stiffenings) const;
     void factor(const ContactProblem& problem);
     void factor_dense(const ContactProblem& problem);
-    void factor_sparse(const ContactProblem& problem, bool symmetric);
+    void factor_sparse(const ContactProblem& problem);
     Eigen::VectorXd solve_dense(const ContactProblem& problem, const Eigen::VectorXd& b) const;
     Eigen::VectorXd solve_with_factor(const ContactProblem& problem, const Eigen::VectorXd& b) const;
-
-    using Sparse = Eigen::SparseMatrix<double>;
 
     Kind kind_ = Kind::none;
     int solves_ = 0;                 ///< in this step
@@ -57,9 +54,7 @@ private:
     std::vector<int> stiff_;         ///< coordinates that a stiff pair moves, ascending
     Eigen::PartialPivLU<Eigen::MatrixXd> dense_lu_;
     BlockMatrix blocks_;
-    Eigen::SimplicialLLT<Sparse> sparse_cholesky_;
-    Eigen::SparseLU<Sparse> sparse_lu_;
-    bool is_ordered_ = false, is_lu_ordered_ = false;  ///< for the present pattern
+    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> sparse_;  ///< ordered for the present pattern
 };
 
 }  // namespace enduring

@@ -29,8 +29,7 @@ PushAndSlope push_and_slope(const PairLaw& pair, const Vec3& velocity, const Ste
     const auto [impulse, slope] = weighted_impulse(pair.depth_t0, depth_t1, step.centre, pair.stiffness,
                                                    step.dt);
     PushAndSlope result{{impulse * pair.normal, Vec3::Zero()}, slope};
-    const bool coupled = step.limit == FrictionLimit::coupled;
-    result.limit = std::max(0.0, pair.mu * (coupled ? impulse : pair.pressing));
+    result.limit = std::max(0.0, pair.mu * pair.lagged_normal_impulse);
     if (result.limit == 0)
         return result;
 
@@ -44,6 +43,13 @@ PushAndSlope push_and_slope(const PairLaw& pair, const Vec3& velocity, const Ste
 //! [push]
 
 }  // namespace
+
+double normal_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step)
+{
+    return weighted_impulse(pair.depth_t0, pair.depth_t0 + step.dt * pair.normal.dot(velocity), step.centre,
+                            pair.stiffness, step.dt)
+        .impulse;
+}
 
 PairPush pushed(const PairLaw& pair, const Vec3& velocity, const StepLaw& step)
 {
@@ -66,8 +72,6 @@ PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step
     }
     const Vec3 direction = push.friction / limit;
     result.stiffening += limit / wanted * k * dt * dt * (along - direction * direction.transpose());
-    if (step.limit == FrictionLimit::coupled)
-        result.stiffening -= pair.mu * dt * slope * direction * n.transpose();
     return result;
 }
 //! [answer]

@@ -11,20 +11,15 @@ struct PairLaw {
     double stiffness = 0;         ///< k, along the normal and along the surface [N/m]
     Vec3 stretch = Vec3::Zero();  ///< of its friction at the start of the step, along the surface [m]
     double mu = 0;                ///< coefficient of friction
-    /// normal impulse that friction's limit is taken from while it is lagged [N s]
-    double pressing = 0;
+    /// The normal impulse that friction's limit is taken from [N s]. It is that of an earlier motion, so it is known: then the
+    /// impulse is the slope of a convex potential of the velocity. With the normal impulse of the same motion there is none.
+    double lagged_normal_impulse = 0;
 };
-
-/// Where the limit of friction comes from: a normal impulse that is known, then the
-/// impulse is the slope of a convex potential of the velocity; or the one that the same
-/// motion makes, as it should be, then there is no potential.
-enum class FrictionLimit { lagged, coupled };
 
 /// What all pairs share.
 struct StepLaw {
     double centre = 1;  ///< of the weight over the step, in [1/2, 1]
     double dt = 0.01;   ///< [s]
-    FrictionLimit limit = FrictionLimit::lagged;
 };
 
 struct PairPush {
@@ -35,12 +30,15 @@ struct PairPush {
 };
 
 struct PairAnswer : PairPush {
-    /// minus the derivative of the total by the velocity [kg]; symmetric, never negative if lagged
+    /// minus the derivative of the total by the velocity [kg]; symmetric, never negative
     Mat3 stiffening;
 };
 
 /// What the spring along the surface would push if it never gave [N s].
 Vec3 spring_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
+
+/// What the normal pushes, which does not ask for a limit [N s]; never negative.
+double normal_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 
 /// @param velocity  of p against q over the step [m/s]
 PairPush pushed(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);

@@ -16,11 +16,11 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     frictionless.friction = NoFriction{};
     Solver solver = chapter06_solver(frictionless);
     solver.name = "chapter 7";
-    solver.most_turn = 0.5;
+    solver.most_halvings = most_halvings;
     solver.replace(
-        "impulses", "answer all pairs",
+        "impulses", "solve contacts",
         [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {
-            answer_all_pairs(world, contacts, settings, *matrix, dt);
+            solve_contacts(world, contacts, settings, *matrix, dt);
         });
     solver.finds_stiffness = true;
     solver.append(StepStage::finish, "remember pairs",

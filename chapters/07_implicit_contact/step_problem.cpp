@@ -155,7 +155,6 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
 {
     StepProblem step;
     step.problem.step = step_law;
-    step.problem.step.limit = FrictionLimit::coupled;
     step.vertices = touched_vertices(world, contacts);
     add_blocks(world, step);
     step.problem.rows.reserve(contacts.size());
@@ -186,11 +185,12 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
     return step;
 }
 
-void look_again(const World& world, StepProblem& step)
+void update_kinematics(const World& world, StepProblem& step)
 {
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
         look_at(world, *step.of_row[i], step.problem.step, step.problem.rows[i]);
-        step.problem.rows[i].law.pressing = step.of_row[i]->impulse.norm();
+        step.problem.rows[i].law.lagged_normal_impulse = std::max(
+            0.0, step.problem.rows[i].law.normal.dot(step.of_row[i]->impulse));
     }
 }
 

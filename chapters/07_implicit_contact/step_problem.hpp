@@ -29,8 +29,9 @@ double mass_of(const PairRow& row, const ContactProblem& problem);
 /// presses harder than this comes from the pairs themselves.
 double most_load(const World& world, double dt);
 
-/// Brings normals, velocities and pressing impulses of all rows to the present prediction.
-void look_again(const World& world, StepProblem& step);
+/// Brings normals, velocities and acting impulses of all rows to the present prediction. Friction's limits are taken from the
+/// normal impulses that act, not from what the pairs answer to the motion: this enlarges an error of the motion by h.
+void update_kinematics(const World& world, StepProblem& step);
 
 /// The impulses of all pairs in the last step, three numbers each [N s]: at rest they are the answer.
 Eigen::VectorXd last_impulses(const World& world, const StepProblem& step);

@@ -43,7 +43,7 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
     settings.stiffness.of_its_mass *= search_parts.stiffer;
     Solver solver;
     solver.name = "chapter 8";
-    solver.most_turn = 0.5;
+    solver.most_halvings = most_halvings;
     solver.finds_stiffness = true;
     solver.append(StepStage::refresh, "find pairs", [search](World& world, Contacts& contacts, double dt) {
         renew_pairs(*search, world, dt, contacts);
@@ -53,9 +53,9 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
                       append_pairs_brought_inside(*search, world, dt, contacts);
                   });
     solver.append(
-        StepStage::respond, "answer all pairs",
+        StepStage::respond, "solve contacts",
         [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {
-            answer_all_pairs(world, contacts, settings, *matrix, dt);
+            solve_contacts(world, contacts, settings, *matrix, dt);
         });
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });

@@ -40,6 +40,7 @@ public:
     const NodalVectors& velocities() const { return velocities_; }
     /// [N], besides gravity; stay until changed
     NodalVectors& external_forces() { return external_forces_; }
+    const NodalVectors& external_forces() const { return external_forces_; }
 
     /// Turns about the origin, then moves; velocities turn along. Rotations start from the placed shape.
     void place(const Mat3& rotation, const Vec3& translation);
@@ -89,6 +90,17 @@ public:
     Vec3 linear_momentum() const;                    ///< [kg m/s]
     Vec3 angular_momentum(const Vec3& about) const;  ///< [kg m^2/s]
     int inverted_elements() const { return enduring::inverted_elements(mesh_, positions_); }
+
+    /// All that the next step depends on but what the linear solver keeps; `visit` is given each field in turn.
+    template <class Visit>
+    void visit_state(Visit& visit)
+    {
+        for (NodalVectors* field :
+             {&positions_, &velocities_, &external_forces_, &last_prediction_, &last_response_})
+            visit(*field);
+        for (Mat3& rotation : rotations_)
+            visit(rotation);
+    }
 
     const ElementRotations& rotations() const { return rotations_; }  ///< of the last predict()
     int solver_iterations() const { return solver_.iterations(); }    ///< of the last prediction

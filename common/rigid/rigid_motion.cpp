@@ -61,6 +61,14 @@ void RigidMotion::place(const Pose& pose)
     inverse_inertia_ = axes * principal_inertia_.cwiseInverse().asDiagonal() * axes.transpose();
 }
 
+void RigidMotion::take(const State& state)
+{
+    place(state.pose);
+    velocity_ = state.velocity;
+    angular_velocity_ = state.angular_velocity;
+    spin_momentum_ = state.spin_momentum;
+}
+
 Vec3 RigidMotion::spin_in_body_axes() const
 {
     return (pose_.orientation.conjugate() * spin_momentum_).cwiseQuotient(principal_inertia_);

@@ -43,6 +43,14 @@ public:
     /// The predicted pose becomes the pose.
     void commit(double dt);
 
+    /// What changes from step to step.
+    struct State {
+        Pose pose;
+        Vec3 velocity, angular_velocity, spin_momentum;
+    };
+    State state() const { return {pose_, velocity_, angular_velocity_, spin_momentum_}; }
+    void take(const State& state);
+
     const Pose& pose() const { return pose_; }                          ///< committed
     const Vec3& centre() const { return pose_.position; }               ///< [m]
     const Vec3& velocity() const { return velocity_; }                  ///< of the centre of mass [m/s]

@@ -5,6 +5,7 @@
 #include "common/geometry/vector.hpp"
 #include "common/simulation/contact_mass.hpp"
 #include "common/simulation/mass_parts.hpp"
+#include "common/simulation/state_archive.hpp"
 #include "common/simulation/trial.hpp"
 
 #include <Eigen/Core>
@@ -106,6 +107,11 @@ public:
     /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
     virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/)
     {}
+
+    /// The work of forces from outside but gravity in the step as it is predicted [J].
+    virtual double driven_work(double /*dt*/) const { return 0; }
+    /// Writes or reads all that the next step depends on. It is asked between steps: what was predicted is not kept.
+    virtual void visit_state(StateArchive& archive) { archive(positions_t0_); }
 
     virtual bool is_static() const { return false; }
     virtual double mass() const = 0;                       ///< [kg]; 0 for a static body

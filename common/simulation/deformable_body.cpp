@@ -243,6 +243,13 @@ void DeformableBody::apply_contact_impulse(std::span<const int> touched, const E
     mends_ = true;
 }
 
+void DeformableBody::visit_state(StateArchive& archive)
+{
+    Body::visit_state(archive);
+    elastic_.visit_state(archive);
+    archive(waiting_impulses_);
+}
+
 std::unique_ptr<Trial> DeformableBody::begin_trial() const
 {
     if (impulse_response_ == ImpulseResponse::implicit)

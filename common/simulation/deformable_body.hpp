@@ -66,6 +66,12 @@ public:
     std::unique_ptr<Trial> begin_trial() const override;
     const MassParts& mass_parts() const override { return *parts_; }
 
+    double driven_work(double dt) const override
+    {
+        return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum();
+    }
+    void visit_state(StateArchive& archive) override;
+
     double mass() const override { return elastic_.mass(); }
     Energy energy(const Vec3& gravity) const override { return energy_of(elastic_, gravity); }
     Vec3 linear_momentum() const override { return elastic_.linear_momentum(); }

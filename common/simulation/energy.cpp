@@ -29,4 +29,13 @@ double friction_spring_energy(const Contacts& contacts, const FrictionParameters
     return sum;
 }
 
+double spring_energy(const Contacts& contacts)
+{
+    double sum = 0;
+    for (const Contact& contact : contacts)
+        if (const double k = contact.stiffness; k > 0)
+            sum += 0.5 * (contact.load * contact.load / k + k * contact.stretch.squaredNorm());
+    return sum;
+}
+
 }  // namespace enduring

@@ -113,6 +113,19 @@ std::unique_ptr<Trial> RigidBody::begin_trial() const
     return std::make_unique<RigidTrial>(motion_, positions_t0_);
 }
 
+void RigidBody::visit_state(StateArchive& archive)
+{
+    Body::visit_state(archive);
+    RigidMotion::State state = motion_.state();
+    archive(state.pose.position);
+    archive(state.pose.orientation);
+    archive(state.velocity);
+    archive(state.angular_velocity);
+    archive(state.spin_momentum);
+    if (archive.reads())
+        motion_.take(state);
+}
+
 Energy RigidBody::energy(const Vec3& gravity) const
 {
     Energy energy;

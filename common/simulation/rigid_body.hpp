@@ -34,6 +34,8 @@ public:
 
     std::unique_ptr<Trial> begin_trial() const override;
 
+    void visit_state(StateArchive& archive) override;
+
     double mass() const override { return motion_.mass(); }
     Energy energy(const Vec3& gravity) const override;
     Vec3 linear_momentum() const override { return motion_.linear_momentum(); }

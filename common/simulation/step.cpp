@@ -1,10 +1,11 @@
 #include "common/simulation/step.hpp"
 
+#include "common/input/number_text.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/energy.hpp"
+#include "common/simulation/step_attempt.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace enduring {
@@ -73,24 +74,25 @@ void commit(World& world, double dt)
     world.time += dt;
 }
 
-//! [parts_left]
-/// In how many parts of one length the rest of a step has to be taken, as fast as the bodies turn now.
-double parts_left(const World& world, double most_turn, double left)
+//! [turns_too_far]
+/// By how much each body turns in a step, as fast as it turns now [rad].
+std::vector<double> turns(const World& world, double dt)
 {
-    constexpr double most_parts = 1000;
-    double parts = 1;
-    for (const std::unique_ptr<Body>& body : world.bodies) {
-        parts = std::max(parts, std::ceil(left * body->turning_speed() / most_turn));
-        if (parts > most_parts) {
-            std::ostringstream why;
-            why << "step " << world.step + 1 << ": body '" << body->name() << "' turns by "
-                << left * body->turning_speed() << " rad in a step; make dt shorter";
-            throw std::runtime_error(why.str());
-        }
-    }
-    return parts;
+    std::vector<double> of_body;
+    for (const auto& body : world.bodies)
+        of_body.push_back(dt * body->turning_speed());
+    return of_body;
 }
-//! [parts_left]
+
+/// Whether impulses turn a body so far that its vertices leave their straight lines. An answer that turns a body by radians may
+/// end beside what pressed it: that solves the equation, too, with any energy.
+bool turns_too_far(const World& world, const std::vector<double>& before, double most_turn, double dt)
+{
+    const std::vector<double> now = turns(world, dt);
+    return !std::equal(now.begin(), now.end(), before.begin(), before.end(),
+                       [&](double one, double other) { return one <= other + most_turn; });
+}
+//! [turns_too_far]
 
 }  // namespace
 
@@ -187,6 +189,12 @@ std::string Solver::all_names() const
     return names.empty() ? "none" : names;
 }
 
+void push_from_outside(World& world, std::size_t body, int vertex, const Vec3& impulse)
+{
+    world.bodies[body]->apply_impulse(vertex, impulse);
+    world.attempt.from_outside.push_back({body, vertex, impulse});
+}
+
 //! [apply_impulses]
 void apply_impulses(World& world, Contacts& contacts)
 {
@@ -206,12 +214,19 @@ void apply_impulses(World& world, Contacts& contacts)
 
 namespace {
 
+/// Whether the attempt at a step is given up here, before it ends.
+bool is_given_up(const World& world)
+{
+    return world.attempt.may_be_halved && world.attempt.trouble != StepTrouble::none;
+}
+
 //! [advance]
-void advance_part(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
+void take_step(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
 {
     predict(world, dt);
     begin_step(contacts);
     done("predict");
+    const std::vector<double> free_turns = turns(world, dt);
     run_passes(solver.passes(StepStage::refresh), world, contacts, dt, done);
 
     run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
@@ -221,27 +236,99 @@ void advance_part(World& world, Contacts& contacts, const Solver& solver, double
         done("apply impulses");
         update_predictions(world, dt);
         done("update prediction");
+        if (turns_too_far(world, free_turns, solver.most_turn, dt))
+            world.attempt.trouble = StepTrouble::turns_too_far;
+        if (is_given_up(world))
+            return;
         run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
     }
 
     run_passes(solver.passes(StepStage::finish), world, contacts, dt, done);
+    if (solver.most_halvings > 0)
+        world.attempt.put_in += driven_work(world, contacts, dt);
     commit(world, dt);
     done("commit");
 }
 //! [advance]
 
+//! [try_step]
+/// Takes a step, and says in the world's attempt how it ended.
+void try_step(World& world, Contacts& contacts, const Solver& solver, double dt, bool may_be_halved,
+              const PassObserver& done)
+{
+    world.attempt = {may_be_halved, StepTrouble::none, spring_energy(contacts)};
+    const HeldEnergy before = held_energy(world, contacts);
+    try {
+        take_step(world, contacts, solver, dt, done);
+    } catch (const std::runtime_error&) {  // a number is not finite
+        if (!may_be_halved)
+            throw;
+        world.attempt.trouble = StepTrouble::not_finite;
+    }
+    if (world.attempt.trouble == StepTrouble::none &&
+        has_gained(world, before, held_energy(world, contacts), dt))
+        world.attempt.trouble = StepTrouble::gains_energy;
+}
+
+/// Whether a body that nothing touches turns so far in a step that it has to be taken in halves from the first.
+bool begins_too_long(const World& world, double most_turn, double dt)
+{
+    constexpr double most_parts = 1024;
+    for (const auto& body : world.bodies) {
+        const double turn = dt * body->turning_speed();
+        if (turn > most_parts * most_turn)
+            throw std::runtime_error("step " + std::to_string(world.step + 1) + ": body '" + body->name() +
+                                     "' turns by " + readable(turn, 4) + " rad in a step; make dt shorter");
+        if (turn > most_turn)
+            return true;
+    }
+    return false;
+}
+
+void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, double dt, int halvings,
+                       const PassObserver& done);
+
+void advance_both_halves(World& world, Contacts& contacts, const Solver& solver, double dt, int halvings,
+                         const PassObserver& done)
+{
+    for (int half = 0; half < 2; ++half)
+        advance_in_halves(world, contacts, solver, dt / 2, halvings, done);
+}
+
+/// A step that does not end well is thrown away, and its halves are tried in its place.
+/// @param halvings  how often what is left of the step was halved because it had not ended well
+void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, double dt, int halvings,
+                       const PassObserver& done)
+{
+    if (begins_too_long(world, solver.most_turn, dt)) {
+        advance_both_halves(world, contacts, solver, dt, halvings, done);
+        return;
+    }
+    const SavedState before(world, contacts);
+    try_step(world, contacts, solver, dt, halvings < solver.most_halvings, done);
+    if (world.attempt.trouble == StepTrouble::none)
+        return;
+    if (!world.attempt.may_be_halved) {
+        ++world.ended_badly;
+        return;
+    }
+    ++world.thrown_away;
+    before.restore(world, contacts);
+    advance_both_halves(world, contacts, solver, dt, halvings + 1, done);
+}
+//! [try_step]
+
 }  // namespace
 
-//! [advance_in_parts]
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
 {
-    for (double parts = 2, left = dt; parts > 1;) {
-        parts = parts_left(world, solver.most_turn, left);
-        advance_part(world, contacts, solver, left / parts, done);
-        left -= left / parts;
+    if (solver.most_halvings > 0) {
+        advance_in_halves(world, contacts, solver, dt, 0, done);
+    } else {
+        world.attempt = {};
+        take_step(world, contacts, solver, dt, done);
     }
     ++world.step;
 }
-//! [advance_in_parts]
 
 }  // namespace enduring

@@ -4,8 +4,8 @@
 #include "common/simulation/contact.hpp"
 
 #include <array>
+#include <cstdint>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +23,26 @@ struct Plane {
     std::optional<double> stiffness{};
 };
 
+/// Why a step is thrown away.
+enum class StepTrouble : std::uint8_t { none, turns_too_far, unsolved, gains_energy, not_finite };
+
+/// An impulse on a vertex of a body [N s] that no other body has given.
+struct OutsideImpulse {
+    std::size_t body;
+    int vertex;
+    Vec3 impulse;
+};
+
+/// How the step goes that is being taken. A pass that sees trouble says so here.
+struct StepAttempt {
+    bool may_be_halved = false;  ///< trouble throws it away; else its end is taken as it is
+    StepTrouble trouble = StepTrouble::none;
+    double springs = 0;  ///< energy that springs held when it began [J]
+    /// energy that came in on purpose: by a rule that winds springs up, by bodies that move as given [J]
+    double put_in = 0;
+    std::vector<OutsideImpulse> from_outside{};  ///< in this step: their work counts as put in
+};
+
 /// The bodies and planes of a scene, and where time stands.
 struct World {
     std::vector<std::unique_ptr<Body>> bodies;
@@ -30,7 +50,13 @@ struct World {
     Vec3 gravity{0, -9.81, 0};  ///< [m/s^2]
     double time = 0;            ///< of the committed state [s]
     int step = 0;               ///< steps committed so far
+    StepAttempt attempt;        ///< at the next one, or how the last one ended
+    long thrown_away = 0;       ///< attempts that were taken again in halves
+    long ended_badly = 0;       ///< steps, or parts of steps, that could not be halved any more
 };
+
+/// Pushes a vertex of a body, from a pass; the step's energy takes the work of the push for what was put in on purpose.
+void push_from_outside(World& world, std::size_t body, int vertex, const Vec3& impulse);
 
 /// A layer of the course works as a pass: a plain function over the world and the one list of contacts.
 struct Pass {
@@ -57,8 +83,11 @@ enum class StepStage {
 class Solver {
 public:
     std::string name;
-    /// The furthest that a body may turn at once [rad]: a step that turns one further is taken in parts.
-    double most_turn = std::numeric_limits<double>::infinity();
+    /// How often a step may be halved that does not end well: that turns a body too far, that is not solved, that gains energy,
+    /// or whose numbers are not finite. None: every step is taken as it comes.
+    int most_halvings = 0;
+    /// The furthest that a body may turn in a step that may be halved [rad].
+    double most_turn = 0.5;
     bool finds_stiffness = false;  ///< of each pair: a scene's has no effect
 
     Solver() = default;
@@ -104,16 +133,15 @@ void apply_impulses(World& world, Contacts& contacts);
 ///   impulses, update the prediction) until nothing new
 ///   appears; finish; commit velocities, then positions. Pairs found by the
 ///   last detection stay, waiting, for the next step.
-/// A step in which a body turns further than the solver's most_turn is taken in parts, each a step of its own
-/// with a shorter dt; the pairs then tell their impulses of the last part.
+/// A step that does not end well is thrown away and taken in halves, each of them a step of its own with half of dt, as far
+/// as the solver's most_halvings goes; the pairs then tell their impulses of the last part.
 ///
 /// @param world     bodies, changed in place
 /// @param contacts  pairs that live on from the last step; on return those alive after this one
 /// @param dt        length of the step [s], positive
 /// @param done      is told of each pass, and of "predict", "apply
 ///     impulses", "update prediction" and "commit"
-/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex; or a
-///     step would need more than 1,000 parts: names step and body
+/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
              const PassObserver& done = nobody_observes);
 

@@ -35,6 +35,12 @@ void TurningBody::commit(double dt)
     positions_t0_ = positions_t1_;
 }
 
+void TurningBody::visit_state(StateArchive& archive)
+{
+    Body::visit_state(archive);
+    archive(time_);
+}
+
 Vec3 TurningBody::velocity(int vertex) const
 {
     return angular_velocity_.cross(positions_t0_[vertex] - centre_);

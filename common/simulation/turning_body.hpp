@@ -22,6 +22,8 @@ public:
     Vec3 velocity(int vertex) const override;
     Mat3 inverse_mass(int) const override { return Mat3::Zero(); }
 
+    void visit_state(StateArchive& archive) override;
+
     bool is_static() const override { return true; }
     double mass() const override { return 0; }
     Energy energy(const Vec3&) const override { return {}; }

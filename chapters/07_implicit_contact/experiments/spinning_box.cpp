@@ -3,6 +3,7 @@
 #include "common/simulation/energy.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace enduring::chapter07 {
@@ -26,6 +27,8 @@ double most_energy(Scene scene, MakeSolver make, double most_turn, SolveStatisti
 {
     Solver solver = counting_solver(make, solves)(scene.contact);
     solver.most_turn = most_turn;
+    if (std::isinf(most_turn))
+        solver.most_halvings = 0;  // every step as it comes
     Contacts contacts;
     const double first = total_energy(scene.world).total();
     double most = 0;

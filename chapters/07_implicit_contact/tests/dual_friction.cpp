@@ -26,7 +26,7 @@ ContactProblem slipping_particles()
         row.law.normal = vector().normalized();
         row.law.stiffness = 1e6;
         row.law.mu = 0.5;
-        row.law.pressing = 1;
+        row.law.lagged_normal_impulse = 1;
         row.velocity = vector() - row.law.normal;
         row.parts[0] = {problem.size, Mat3::Identity()};
         row.part_count = 1;

@@ -61,7 +61,7 @@ Counted count(int most_newton_steps, int steps)
     };
     Scene scene = balls_in_a_pit(3, 3, 1);
     Solver solver = chapter07_solver(scene.contact, settings);
-    solver.most_turn = INFINITY;  // whole steps
+    solver.most_halvings = 0;  // every step as it comes
     Contacts contacts;
     const double first = total_energy(scene.world).total();
     for (int i = 0; i < steps; ++i) {

@@ -42,14 +42,12 @@ public:
 
     const ContactProblem& problem() const { return problem_; }
 
-    std::vector<Mat3> stiffenings(bool symmetric)
+    std::vector<Mat3> stiffenings()
     {
         std::vector<Mat3> all;
         for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
             const Mat3 root = matrix(3, 3);
             all.push_back(i % 4 == 3 ? Mat3(Mat3::Zero()) : Mat3(100 * root * root.transpose()));
-            if (!symmetric)
-                all.back() += 10 * matrix(3, 3);
         }
         return all;
     }
@@ -112,28 +110,26 @@ Eigen::MatrixXd reference(const ContactProblem& problem, const std::vector<Mat3>
     return sum;
 }
 
-void check_solution(NewtonMatrix& matrix, RandomProblem& of, bool symmetric)
+void check_solution(NewtonMatrix& matrix, RandomProblem& of)
 {
     const ContactProblem& problem = of.problem();
-    const std::vector<Mat3> stiffenings = of.stiffenings(symmetric);
+    const std::vector<Mat3> stiffenings = of.stiffenings();
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(problem.size, -1, 1),
                           x = matrix.solve(problem, stiffenings, b);
     CAPTURE(problem.size);
-    CAPTURE(symmetric);
     CHECK((reference(problem, stiffenings) * x - b).norm() <= 1e-9 * b.norm());
 }
 
 }  // namespace
 
-TEST_CASE(
-    "newton matrix: dense or sparse, symmetric or not, it solves with A + J^T S J of the present stiffening")
+TEST_CASE("newton matrix: dense or sparse, it solves with A + J^T S J of the present stiffening")
 {
     for (unsigned seed = 0; seed < 5; ++seed)
         for (RandomProblem problem :
              {ring_of_rigid_bodies(seed, 4), ring_of_rigid_bodies(seed, 30), soft_among_rigid(seed, 20)}) {
             NewtonMatrix matrix;
-            for (const bool symmetric : {true, false, true})
-                check_solution(matrix, problem, symmetric);
+            for (int again = 0; again < 3; ++again)
+                check_solution(matrix, problem);
         }
 }
 
@@ -141,14 +137,14 @@ TEST_CASE("newton matrix: in a new step other bodies may touch, or the same ones
 {
     NewtonMatrix matrix;
     for (const std::size_t bodies : {20u, 30u, 30u, 25u})
-        for (const bool symmetric : {true, false}) {
+        for (const bool one_more : {true, false}) {
             RandomProblem ring = ring_of_rigid_bodies(static_cast<unsigned>(bodies), bodies);
-            if (symmetric)
+            if (one_more)
                 ring.add_rigid_pair({0, bodies / 2});
             matrix.begin_response(true);
-            check_solution(matrix, ring, symmetric);
+            check_solution(matrix, ring);
         }
     RandomProblem mixed = soft_among_rigid(1, 12);
     matrix.begin_response(true);
-    check_solution(matrix, mixed, true);
+    check_solution(matrix, mixed);
 }

@@ -13,7 +13,7 @@
 namespace enduring::chapter08 {
 namespace {
 
-constexpr double pi = std::numbers::pi, duration = 0.5, first_gap = 1e-5, play = 5e-4;
+constexpr double full_turn = 2 * std::numbers::pi, duration = 0.5, bolt_gap = 1e-5, play = 5e-4;
 
 /// A point of a thread's outline: its distance from the axis, and its height in the first turn [m].
 using Outline = std::vector<std::array<double, 2>>;
@@ -34,7 +34,7 @@ SurfaceMesh swept(const Outline& outline, double lead, int segments, int from, i
     SurfaceMesh mesh;
     const int rows = static_cast<int>(outline.size()), steps = (to - from) * segments;
     for (int i = 0; i <= steps; ++i) {
-        const double turns = from + static_cast<double>(i) / segments, angle = 2 * pi * turns;
+        const double turns = from + static_cast<double>(i) / segments, angle = full_turn * turns;
         for (const auto& [radius, height] : outline)
             mesh.vertices.emplace_back(radius * std::cos(angle), lead * turns + height,
                                        -radius * std::sin(angle));
@@ -67,7 +67,7 @@ Scene scene_of(const BoltInNut& bolt)
         "nut", SurfaceTopology(static_cast<int>(nut.vertices.size()), nut.faces), nut.vertices));
     SurfaceMesh ridge = swept(outline_of(thread, 0, 0), thread.lead, bolt.bolt_segments, 0, 2);
     for (Vec3& x : ridge.vertices)
-        x.y() += first_gap;
+        x.y() += bolt_gap;
     MassProperties properties;  // of a slender shank that nothing touches
     properties.mass = BoltInNut::mass;
     properties.centre = Vec3(0, thread.lead, 0);
@@ -99,10 +99,10 @@ BoltFall drop_bolt(const BoltInNut& bolt, Probe* observer)
         if (observer)
             observer->observe(world, contacts, bolt.dt);
     }
-    const double rise = bolt.thread.lead / (2 * pi);  // a radian
+    const double rise = bolt.thread.lead / full_turn;  // a radian
     const double acceleration = world.gravity.norm() / (1 + BoltInNut::squared_gyration / (rise * rise));
     fall.fallen_mm = 1000 * (height - body.motion().centre().y());
-    fall.by_energy_mm = 1000 * (first_gap + 0.5 * acceleration * duration * duration);
+    fall.by_energy_mm = 1000 * (bolt_gap + 0.5 * acceleration * duration * duration);
     return fall;
 }
 

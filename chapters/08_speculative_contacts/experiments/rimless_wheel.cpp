@@ -7,7 +7,7 @@
 namespace enduring::chapter08 {
 namespace {
 
-constexpr double g = 9.81, longest_step = 1e-4;
+constexpr double standard_gravity = 9.81, longest_step = 1e-4;
 
 double inertia_about_edge(const RimlessWheel& wheel)
 {
@@ -16,7 +16,8 @@ double inertia_about_edge(const RimlessWheel& wheel)
 
 double acceleration_at(const RimlessWheel& wheel, double angle)
 {
-    return wheel.mass * g * wheel.radius * std::sin(angle + wheel.slope) / inertia_about_edge(wheel);
+    return wheel.mass * standard_gravity * wheel.radius * std::sin(angle + wheel.slope) /
+           inertia_about_edge(wheel);
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ double RimlessWheel::pressed() const
 {
     const double upwards = -radius *
                            (acceleration_at(*this, angle) * std::sin(angle) + rate * rate * std::cos(angle));
-    return mass * (g * std::cos(slope) + upwards);
+    return mass * (standard_gravity * std::cos(slope) + upwards);
 }
 
 }  // namespace enduring::chapter08

@@ -97,7 +97,7 @@ TEST_CASE("solver of chapter 8: four passes, one of each stage, and none stands 
     using Names = std::vector<std::string>;
     CHECK(names(StepStage::refresh) == Names{"find pairs"});
     CHECK(names(StepStage::detect) == Names{"find pairs brought inside"});
-    CHECK(names(StepStage::respond) == Names{"answer all pairs"});
+    CHECK(names(StepStage::respond) == Names{"solve contacts"});
     CHECK(names(StepStage::finish) == Names{"remember pairs"});
     CHECK(solver.finds_stiffness);
 }
@@ -120,8 +120,8 @@ TEST_CASE("solver of chapter 8: pairs are found once at the start of a step, and
         const auto place = [&](const std::string& name) {
             return std::find(passes.begin(), passes.end(), name) - passes.begin();
         };
-        CHECK(place("find pairs brought inside") < place("answer all pairs"));
-        CHECK(place("answer all pairs") < place("remember pairs"));
+        CHECK(place("find pairs brought inside") < place("solve contacts"));
+        CHECK(place("solve contacts") < place("remember pairs"));
     }
 }
 
@@ -272,8 +272,8 @@ TEST_CASE(
         const Solver solver = chapter08_solver(once.contact);
         Solver answers_twice = chapter08_solver(twice.contact);
         int second = 0;
-        const Pass::Function answer = answers_twice.pass("answer all pairs").run;
-        answers_twice.replace("answer all pairs", "answer all pairs",
+        const Pass::Function answer = answers_twice.pass("solve contacts").run;
+        answers_twice.replace("solve contacts", "solve contacts",
                               [answer, &second](World& world, Contacts& contacts, double length) {
                                   answer(world, contacts, length);
                                   answer(world, contacts, length);

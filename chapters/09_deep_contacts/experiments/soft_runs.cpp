@@ -49,8 +49,8 @@ Solver pulling(Solver solver, std::vector<Pull> pulls)
             Body& body = *world.bodies[pull.body];
             const double part = pull.halved > 0 ? std::exp2(-world.time / pull.halved) : 1;
             for (const int vertex : pull.vertices)
-                body.apply_impulse(vertex,
-                                   part * dt / static_cast<double>(pull.vertices.size()) * pull.force);
+                push_from_outside(world, static_cast<std::size_t>(pull.body), vertex,
+                                  part * dt / static_cast<double>(pull.vertices.size()) * pull.force);
             body.update_prediction(dt);
         }
     });
@@ -102,7 +102,7 @@ long own_pairs(const Contacts& contacts)
 /// Adds up what the answers take, times the part of a step's pairs that are of a body with itself.
 void clock_own_answers(Solver& solver, double& seconds)
 {
-    solver.wrap("answer all pairs", "answer all pairs",
+    solver.wrap("solve contacts", "solve contacts",
                 [&seconds](const Pass::Function& answer, World& world, Contacts& contacts, double dt) {
                     const double start = processor_seconds();
                     answer(world, contacts, dt);

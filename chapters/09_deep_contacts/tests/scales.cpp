@@ -21,6 +21,6 @@ TEST_CASE("scales: what falls, slides, rolls and bends moves alike in any size, 
     for (const motivating::ScaleTrial& trial : motivating::scale_trials()) {
         CAPTURE(trial.name);
         // the pairs are ten times as stiff as chapter 7's, so rounding moves them ten times as much
-        CHECK(motivating::difference_over_scales(trial, quiet_solver) < 1e-8 * search_parts.stiffer);
+        CHECK(motivating::difference_over_scales(trial, quiet_solver) < 2e-8 * search_parts.stiffer);
     }
 }

@@ -217,15 +217,15 @@ World spinning_cube(double speed)
 
 }  // namespace
 
-TEST_CASE("step: one in which a body turns too far is taken in parts, and is still one step")
+TEST_CASE("step: one in which a body turns too far is taken in halves, and is still one step")
 {
     for (const auto& [turns, parts] :
-         {std::pair(0.2, 1), std::pair(0.49, 1), std::pair(0.51, 2), std::pair(4.9, 10)}) {
+         {std::pair(0.2, 1), std::pair(0.49, 1), std::pair(0.51, 2), std::pair(4.9, 16)}) {
         const double turn = turns;
         std::string log;
         World world = spinning_cube(turn / 0.01);
         Solver solver{"", {}, {logged("d", log)}, {}};
-        solver.most_turn = 0.5;
+        solver.most_halvings = 5;
         Contacts contacts;
         advance(world, contacts, solver, 0.01);
         CAPTURE(turn);
@@ -238,17 +238,17 @@ TEST_CASE("step: one in which a body turns too far is taken in parts, and is sti
     }
 }
 
-TEST_CASE("step: the fastest of all bodies tells in how many parts, wherever it stands among them")
+TEST_CASE("step: the fastest of all bodies tells how short the halves are, wherever it stands among them")
 {
     for (const bool first : {true, false}) {
         std::string log;
         World world = spinning_cube(first ? 490 : 1), other = spinning_cube(first ? 1 : 490);
         world.bodies.push_back(std::move(other.bodies[0]));
         Solver solver{"", {}, {logged("d", log)}, {}};
-        solver.most_turn = 0.5;
+        solver.most_halvings = 5;
         Contacts contacts;
         advance(world, contacts, solver, 0.01);
-        CHECK(log.size() == 20);  // ten parts
+        CHECK(log.size() == 32);  // sixteen parts
     }
 }
 
@@ -259,7 +259,7 @@ TEST_CASE("step: what a step begins turns no further in what is left of it")
     Solver solver{"", {}, {}, {}, {logged("spin up", log, [](World& w, Contacts&) {
                       w.bodies[0]->apply_impulse(0, Vec3(0, 0, 100));
                   })}};
-    solver.most_turn = 0.5;
+    solver.most_halvings = 5;
     Contacts contacts;
     advance(world, contacts, solver, 0.01);
     CHECK(log.size() > 2 * std::string("spin up ").size());  // more than the two parts that it began with
@@ -268,11 +268,11 @@ TEST_CASE("step: what a step begins turns no further in what is left of it")
 
 TEST_CASE("step: who turns a thousand times too far is named")
 {
-    World world = spinning_cube(501 / 0.01);
+    World world = spinning_cube(513 / 0.01);
     Solver solver;
-    solver.most_turn = 0.5;
+    solver.most_halvings = 5;
     Contacts contacts;
     CHECK_THROWS_WITH_AS(advance(world, contacts, solver, 0.01),
-                         "step 1: body 'top' turns by 501 rad in a step; make dt shorter",
+                         "step 1: body 'top' turns by 513 rad in a step; make dt shorter",
                          std::runtime_error);
 }

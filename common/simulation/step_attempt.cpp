@@ -1,0 +1,76 @@
+#include "common/simulation/step_attempt.hpp"
+
+#include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/energy.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace enduring {
+
+SavedState::SavedState(World& world, const Contacts& contacts) : contacts_(contacts), time_(world.time)
+{
+    bodies_.reserve(world.bodies.size());
+    for (const auto& body : world.bodies) {
+        StateArchive writer;
+        body->visit_state(writer);
+        bodies_.push_back(writer.numbers());
+    }
+}
+
+void SavedState::restore(World& world, Contacts& contacts) const
+{
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        StateArchive reader(bodies_[i]);
+        world.bodies[i]->visit_state(reader);
+    }
+    contacts = contacts_;
+    world.time = time_;
+}
+
+//! [held_energy]
+HeldEnergy held_energy(const World& world, const Contacts& contacts)
+{
+    const Energy energy = total_energy(world);
+    const double springs = spring_energy(contacts);
+    return {energy.total() + springs, energy.kinetic + springs};
+}
+
+double driven_work(const World& world, const Contacts& contacts, double dt)
+{
+    double work = 0;
+    for (const auto& body : world.bodies)
+        work += body->driven_work(dt);
+    for (const OutsideImpulse& push : world.attempt.from_outside) {
+        const Body& body = *world.bodies[push.body];
+        const auto vertex = static_cast<std::size_t>(push.vertex);
+        work += push.impulse.dot(body.positions_t1()[vertex] - body.positions_t0()[vertex]) / dt;
+    }
+    for (const Contact& contact : contacts)
+        for (int i = 0; contact.answered() && i < contact.vertex_count(); ++i) {
+            const Body& body = *world.bodies[body_index(contact, i)];
+            const auto n = static_cast<std::size_t>(i);
+            const auto vertex = static_cast<std::size_t>(contact.vertices[n]);
+            if (body.is_static())
+                work -= contact.weights[n] *
+                        (contact.impulse + contact.friction)
+                            .dot(body.positions_t1()[vertex] - body.positions_t0()[vertex]) /
+                        dt;
+        }
+    return work;
+}
+
+bool has_gained(const World& world, const HeldEnergy& before, const HeldEnergy& after, double dt)
+{
+    double mass = 0;
+    for (const auto& body : world.bodies)
+        mass += body->mass();
+    const double fall = dt * world.gravity.norm();
+    const double gain = after.total - before.total - world.attempt.put_in;
+    return !(gain <= attempt_limits.gain * (before.moving + world.attempt.put_in) +
+                         attempt_limits.gain_at_rest * mass * fall * fall +
+                         attempt_limits.rounding * std::abs(before.total));
+}
+//! [held_energy]
+
+}  // namespace enduring
