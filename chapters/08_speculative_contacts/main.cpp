@@ -47,6 +47,8 @@ int main(int argc, char** argv)
                 {"launch",
                  "a cube is launched up a slope: with which coefficient it stays where it turns round",
                  chapter08::launch},
+                {"harsh", "random scenes as harsh as a stranger's: energy, depth and solves of every step",
+                 chapter08::harsh},
             },
         },
         [](const ContactParameters& parameters) { return chapter08_solver(parameters); });
