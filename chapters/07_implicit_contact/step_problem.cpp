@@ -50,7 +50,9 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
         const int vertex = contact.vertices[static_cast<std::size_t>(i)];
         const auto index = static_cast<std::size_t>(
             std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
-        VertexMotion part = world.bodies[body]->contact_motion(vertices, index, step.problem.step.centre);
+        // the lever of a path is that of its middle, or a push at right angles to the path would do work
+        const double tau = contact.sliding_normal.isZero(0) ? step.problem.step.centre : 0.5;
+        VertexMotion part = world.bodies[body]->contact_motion(vertices, index, tau);
         part.rate *= contact.weights[static_cast<std::size_t>(i)];
         part.first += step.problem.blocks[static_cast<std::size_t>(step.block[body])].first;
         // all vertices of a rigid body move with the same coordinates
@@ -97,14 +99,40 @@ bool are_nearly_parallel(const PairStep& step)
 }
 //! [nearly_parallel]
 
-void look_at(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
+//! [push_between_paths]
+/// Of the normals between two, the one along which nothing moves; or the nearer one of the two.
+Vec3 normal_of_path(const Vec3& one, const Vec3& other, const Vec3& velocity)
+{
+    const double a = one.dot(velocity), b = other.dot(velocity);
+    return a == b ? other : Vec3((one + std::clamp(a / (a - b), 0.0, 1.0) * (other - one)).normalized());
+}
+
+/// A vertex that slides along a surface which bends is pushed along the mean of two normals: that of the path on which it came,
+/// and that of this step's path. So what it loses in speed along the first it gains along the second. Its depth at the end stays
+/// that below the surface.
+void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& row)
+{
+    const double depth_t1 = row.law.depth_t0 + step.dt * row.law.normal.dot(row.velocity);
+    const Vec3 path = normal_of_path(contact.sliding_normal, row.law.normal, row.velocity);
+    row.law.normal = (contact.sliding_normal + path).normalized();
+    row.law.depth_t0 = depth_t1 - step.dt * row.law.normal.dot(row.velocity);
+}
+//! [push_between_paths]
+
+/// Sets a row to where the bodies move now.
+/// @return  the pair's depth at the start of the step [m]
+double look_at(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
 {
     if (row.turns)
         row.law.normal = normal_of(pair_step(world, contact), step.centre);
     const Vec3 start = apart(world, contact, 0), end = apart(world, contact, 1);
-    row.law.depth_t0 = row.law.normal.dot(start) - contact.slack;
+    const double depth_t0 = row.law.normal.dot(start);
+    row.law.depth_t0 = depth_t0 - contact.slack;
     row.velocity = (end - start) / step.dt;
     row.acting = contact.impulse + contact.friction;
+    if (!contact.sliding_normal.isZero(0))
+        push_between_paths(contact, step, row);
+    return depth_t0;
 }
 //! [pair_motion]
 
@@ -164,7 +192,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
             continue;
         PairRow row;
         add_parts(world, contact, step, row);
-        look_at(world, contact, step_law, row);
+        const double depth_t0 = look_at(world, contact, step_law, row);
         row.turns = contact.kind != ContactKind::edge_edge || !are_nearly_parallel(pair_step(world, contact));
         if (row.part_count == 0 || row.law.normal.isZero(0))
             continue;
@@ -172,7 +200,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         if (first || contact.stiffness == 0) {
             const bool asks = contact.load > own.depth() * contact.stiffness;
             const double mass = contact.stiffness == 0 || asks ? mass_of(row, step.problem) : 0;
-            adapt_stiffness(contact, row.law.depth_t0 + contact.slack, mass, own, step_law.dt, most);
+            adapt_stiffness(contact, depth_t0, mass, own, step_law.dt, most);
         }
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;

@@ -1,6 +1,8 @@
 #include "chapters/08_speculative_contacts/contact_search.hpp"
 
+#include "chapters/08_speculative_contacts/sliding_normal.hpp"
 #include "chapters/08_speculative_contacts/vertex_walls.hpp"
+#include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +48,11 @@ SurfaceStep surface_of(const World& world, int body)
 
 //! [vertex_pairs]
 void append_vertex_pairs(const World& world, const CandidateSearch& search, const KnownPairs& known,
-                         double margin, Contacts& contacts)
+                         double margin, double dt, Contacts& contacts)
 {
     const auto all = vertex_candidates(search);
     std::vector<FaceMeeting> meetings;
+    Ground ground;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto [body_a, vertex, body_b, face] = all[i];
         const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
@@ -61,6 +64,7 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
                 meeting->cost -= 1e-2 * search_parts.hysteresis * reach.inside / search_parts.inside;
             meetings.push_back({face, *meeting});
         }
+        ground.look_at(a, vertex, b, face);
         const bool last = i + 1 == all.size() ||
                           !std::equal(all[i].begin(), all[i].begin() + 3, all[i + 1].begin());
         if (!last)
@@ -70,9 +74,12 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
             pair.feature_b = chosen.face;
             pair.vertices = {vertex, f0, f1, f2};
             pair.weights = chosen.meeting.weights;
+            pair.sliding_normal = sliding_normal(ground.normal, contact_geometry(world, pair, 1).normal,
+                                                 motion_without_gravity(world, pair, dt));
             contacts.push_back(pair);
         }
         meetings.clear();
+        ground = {};
     }
 }
 //! [vertex_pairs]
@@ -142,7 +149,7 @@ Contacts ContactSearch::find(const World& world, const Contacts& known, double d
     const KnownPairs known_pairs(known);
     Contacts found;
     append_plane_pairs(world, margin_, found);
-    append_vertex_pairs(world, *this, known_pairs, margin_, found);
+    append_vertex_pairs(world, *this, known_pairs, margin_, dt, found);
     append_edge_pairs(world, *this, known_pairs, margin_, found);
     for (Contact& contact : found)
         contact.category = ContactCategory::regular;

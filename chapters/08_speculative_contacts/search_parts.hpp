@@ -23,18 +23,16 @@ struct SearchParts {
     /// sine by which a neighbour may pass the plane of a pair: a body that comes down on a side has all of its corners
     /// in play before it lies flat.
     double cone_sine = 0.2;
-    /// sine of the angle from which an edge counts as convex.
+    /// sine of the angle from which an edge counts as convex, and two faces as two walls of a vertex.
     double least_fold = 1e-4;
     /// sine of the angle of two edges from which their cross product tells a normal.
     double edge_sine = 1e-4;
-    /// cosine of the angle of two faces from which they count as one wall of a vertex.
-    double one_wall = 0.9999;
     /// of an edge: by how much a pair that is remembered may pass its end, or its rim.
     double hysteresis = 1e-3;
     /// as stiff as chapter 7's pairs: nothing is lost where a spring is so stiff that depth says nothing about where a
     /// feature came in, so impacts may end less deep.
     double stiffer = 5;
-    /// cosine of the angle up to which a vertex hands what it remembers on to another face.
+    /// cosine of the angle up to which a vertex hands what it remembers on to another face, and slides from one face to another.
     double hand_on = 0.7;
 };
 inline constexpr SearchParts search_parts;

@@ -22,8 +22,10 @@ bool stands_before(const SurfaceMoment& surface, int face, int other)
 
 bool are_one_wall(const SurfaceMoment& surface, int face, int other)
 {
-    return surface.face_normal(face).stableNormalized().dot(surface.face_normal(other).stableNormalized()) >
-           search_parts.one_wall;
+    return surface.face_normal(face)
+               .stableNormalized()
+               .cross(surface.face_normal(other).stableNormalized())
+               .norm() < search_parts.least_fold;
 }
 
 }  // namespace

@@ -44,6 +44,8 @@ struct Contact {
     double stiffness = 0;          ///< k of a pair that is given its own [N/m]; 0 before that
     double slack = 0;              ///< depth at which the spring of such a pair is slack [m]
     double load = 0;               ///< normal force that such a pair carried at the end of the last step [N]
+    /// normal of the path on which the pair's vertex came along a surface that bends in this step; zero where it did not
+    Vec3 sliding_normal = Vec3::Zero();
     ContactCategory category = ContactCategory::unknown;
     ContactState state = ContactState::waiting;
     /// separated in this step, whatever its state: seen by the probes, gone with the next

@@ -130,3 +130,40 @@ TEST_CASE("step problem: how fast a pair slips is its speed along the surface")
     find_slip(step);
     CHECK(edges.contacts[0].slip == doctest::Approx(1).epsilon(1e-12));
 }
+
+TEST_CASE(
+    "step problem: what slides round a bend is pushed along the mean of two paths' normals, and is as deep at the end as without")
+{
+    for (const double bend : {0.02, 0.3}) {
+        CAPTURE(bend);
+        const auto row_with = [](const Vec3& sliding_normal) {
+            CrossingEdges edges(1.2);
+            Body& cube = *edges.world.bodies[1];
+            edges.turn(Vec3::UnitY(), 0.1);
+            cube.commit(dt);
+            cube.predict(Vec3::Zero(), dt);  // turns on, so that levers change in the step
+            cube.apply_impulse(0, {900, -400, 0});
+            cube.update_prediction(dt);
+            edges.contacts[0].sliding_normal = sliding_normal;
+            StepProblem step = set_up(edges.world, edges.contacts, {}, {}, {1, dt}, true);
+            update_kinematics(edges.world, step);
+            const Eigen::MatrixXd middle = 0.5 * (cube.contact_motion(step.vertices[1], 0, 0.5).rate +
+                                                  cube.contact_motion(step.vertices[1], 1, 0.5).rate);
+            return std::pair(step.problem.rows.at(0), middle);
+        };
+        const auto [plain, middle] = row_with(Vec3::Zero());
+        const Vec3 came = Eigen::AngleAxisd(bend, Vec3::UnitZ()) * plain.law.normal;
+        const PairRow row = row_with(came).first;
+        REQUIRE(row.part_count == 1);
+        CHECK((row.parts[0].rate - middle).norm() < 1e-12);
+        CHECK((plain.parts[0].rate - middle).norm() > 1e-3);
+
+        // the other side of the mean is the normal of this step's path
+        const Vec3 path = 2 * row.law.normal.dot(came) * row.law.normal - came;
+        const double a = came.dot(row.velocity), b = plain.law.normal.dot(row.velocity);
+        const double over = std::clamp(a / (a - b), 0.0, 1.0);
+        CHECK((path - (came + over * (plain.law.normal - came)).normalized()).norm() < 1e-9);
+        CHECK(row.law.depth_t0 + dt * row.law.normal.dot(row.velocity) ==
+              doctest::Approx(plain.law.depth_t0 + dt * plain.law.normal.dot(plain.velocity)).epsilon(1e-9));
+    }
+}

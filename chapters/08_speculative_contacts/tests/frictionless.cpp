@@ -8,18 +8,17 @@ using namespace enduring;
 using namespace enduring::chapter08;
 
 TEST_CASE(
-    "frictionless: with short steps a block in a half pipe keeps what an inelastic body keeps, to 3 percent, over coarse and fine facets")
+    "frictionless: a block in a half pipe keeps what an inelastic body keeps, to 2 percent, over coarse and fine facets, with long and short steps")
 {
     for (const int facets : {60, 480})
-        for (const double dt : {0.0025, 0.001}) {
+        for (const double dt : {0.01, 0.005, 0.0025}) {
             CAPTURE(facets);
             CAPTURE(dt);
             Swing swing = block_in_pipe(facets, dt);
             const SwingOutcome outcome = watch_swing(swing);
-            // 2.3 percent with 60 facets and 2.5 ms
-            CHECK(outcome.kept == doctest::Approx(inelastic_bound(swing)).epsilon(0.03));
+            CHECK(outcome.kept == doctest::Approx(inelastic_bound(swing)).epsilon(0.02));
             CHECK(outcome.period_s == doctest::Approx(pendulum_period(swing, 0.6)).epsilon(0.01));
-            CHECK(outcome.deepest_mm < 100 * dt);
+            CHECK(outcome.deepest_mm < 0.3);
         }
 }
 
@@ -40,10 +39,15 @@ TEST_CASE("frictionless: a soft cube slides over triangles as on a plane, to a t
     }
 }
 
-TEST_CASE("frictionless: with short steps a bolt falls through its nut as its energy says, to a tenth")
+TEST_CASE(
+    "frictionless: a bolt falls through its nut as its energy says, to 4 percent with short steps and 8 with long ones")
 {
-    const BoltFall fall = drop_bolt({.dt = 0.0025});
-    CHECK(fall.fallen_mm == doctest::Approx(fall.by_energy_mm).epsilon(0.1));  // 8.1 mm of 8.9 mm
-    CHECK(fall.aside_mm < 0.05);
-    CHECK(fall.solves.unconverged == 0);
+    for (const auto& [dt, most] : {std::pair(0.0025, 0.04), {0.01, 0.08}}) {
+        CAPTURE(dt);
+        const BoltFall fall = drop_bolt({.dt = dt});
+        CHECK(fall.fallen_mm == doctest::Approx(fall.by_energy_mm).epsilon(most));
+        CHECK(fall.aside_mm < 0.05);
+        CHECK(fall.energy_gain_j == 0);
+        CHECK(fall.solves.unconverged == 0);
+    }
 }
