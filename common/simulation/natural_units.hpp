@@ -10,8 +10,7 @@ namespace enduring {
 /// and what a tenth of it does, and ten times as much.
 struct ScaleParts {
     /// Of the length: how deep the load that a pair carries may press it. Nobody sees it. A tenth: springs
-    /// are ten times as stiff where loads decide. Ten times: a stack is low by ten thousandths, and a
-    /// corner that leans over a rim goes on ten times as far.
+    /// are ten times as stiff where loads decide. Ten times: a stack is low by ten thousandths.
     double wanted_depth = 1e-5;
     /// Of the speed: the fastest at which a slack fades under a solver that lets nothing out. A tenth: what
     /// is deep comes up ten times as slowly. Ten times: it arrives so fast that it jumps by a third of its
@@ -21,17 +20,10 @@ struct ScaleParts {
     /// square, 0.6 % of the length. A tenth: it takes ten times as long. Ten times: it jumps by half of its
     /// size.
     double leaving_speed = 0.11;
-    /// Of the time: in which a stiffness whose depth is a goal falls to 1/e. A tenth: it falls within a
-    /// swing, and takes less from it. Ten times: what was loaded once stays stiff as long.
-    double forgets_in = 3;
     /// Of the time: in which a stiffness that follows a load from step to step doubles at most. A tenth: every
     /// impact makes its pairs stiff for good. Ten times: a load that grows has pressed its pair ten times as deep
     /// before it is followed.
     double doubles_in = 0.0313;
-    /// Of the length: how much deeper a vertex may be below another face than it was far from its own. More
-    /// than loads press a body in, less than it is thick. A tenth: a pair ends where a landing presses a
-    /// body in. Ten times: springs go on at the far side of thin bodies.
-    double other_face = 1e-3;
     /// Of the largest length, in a step: the change of velocity that counts as an answer at all. A
     /// coordinate is rounded by 1e-16 of the size. A spring of 100 m / dt^2 answers this with 1e-14 in a
     /// step, and ten times that is the tolerance of a millionth. A tenth: rounding is solved for, in vain.

@@ -53,6 +53,11 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
         if (limits.stop && limits.stop(scene.world, result.contacts))
             break;
     }
+    if (const long badly = scene.world.ended_badly; badly > 0)
+        warn_once(scene.name + ", " + solver.name + ": " + std::to_string(badly) +
+                  (badly == 1 ? " step or part of one was" : " steps or parts of steps were") +
+                  " not solved, turned a body too far or gained energy, and could not be halved once more; " +
+                  std::to_string(scene.world.thrown_away) + " attempts were taken again in halves");
     return result;
 }
 

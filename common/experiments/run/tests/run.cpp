@@ -74,6 +74,30 @@ TEST_CASE("run: duration / dt steps despite rounding, and one more when it is no
     CHECK(step_count(scene) == 6);
 }
 
+TEST_CASE("run: steps that end badly even in their shortest parts are told, with their number")
+{
+    for (const bool pushed : {false, true}) {
+        Scene scene = two_sheets();
+        scene.name = pushed ? "pushed sheets" : "sheets";
+        Solver solver;
+        solver.name = "halving";
+        solver.most_halvings = 1;
+        solver.append(StepStage::refresh, "push", [pushed](World& world, Contacts&, double) {
+            if (pushed && world.step == 1)
+                world.attempt.trouble = StepTrouble::unsolved;
+        });
+        std::ostringstream told;
+        std::streambuf* const before = std::cerr.rdbuf(told.rdbuf());
+        run(scene, solver, {});
+        std::cerr.rdbuf(before);
+        const bool warned = told.str().find(
+                                "pushed sheets, halving: 2 steps or parts of steps were not solved, "
+                                "turned a body too far or gained energy, and could not be halved "
+                                "once more; 1 attempts were taken again") != std::string::npos;
+        CHECK(warned == pushed);
+    }
+}
+
 TEST_CASE("run: a limit or a stop ends it early")
 {
     Scene scene = two_sheets();
