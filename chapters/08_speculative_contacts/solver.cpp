@@ -45,6 +45,7 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
     solver.name = "chapter 8";
     solver.most_halvings = most_halvings;
     solver.finds_stiffness = true;
+    solver.can_resume = true;
     solver.append(StepStage::refresh, "find pairs", [search](World& world, Contacts& contacts, double dt) {
         renew_pairs(*search, world, dt, contacts);
     });

@@ -89,6 +89,7 @@ public:
     /// The furthest that a body may turn in a step that may be halved [rad].
     double most_turn = 0.5;
     bool finds_stiffness = false;  ///< of each pair: a scene's has no effect
+    bool can_resume = false;       ///< all that lasts from step to step stands in the world and its pairs
 
     Solver() = default;
     Solver(std::string of_solver, const std::vector<Pass>& refresh, const std::vector<Pass>& detect,

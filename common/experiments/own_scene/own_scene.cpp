@@ -4,6 +4,7 @@
 #include "common/experiments/render/run_pictures.hpp"
 #include "common/experiments/run/contact_census.hpp"
 #include "common/experiments/run/run.hpp"
+#include "common/experiments/run/saved_run.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
 
@@ -19,6 +20,7 @@
 namespace enduring {
 namespace {
 
+constexpr const char* state_file = "state.json";
 constexpr const char* failure_note = "failed.txt";  // lies beside tables that end early, and says why
 
 /// time_s, body, x_m ... vz_m_per_s: what MotionProbe says, of every body that moves.
@@ -44,6 +46,38 @@ public:
 private:
     std::vector<std::pair<std::string, MotionProbe>> moving_;
 };
+
+/// Saves where the run stands, every so many steps.
+class SaveProbe final : public Probe {
+public:
+    SaveProbe(World& world, int every, std::filesystem::path file)
+        : world_(world), every_(every), file_(std::move(file))
+    {}
+    void observe(const World& world, const Contacts& contacts, double) override
+    {
+        if (world.step % every_ == 0)
+            save_run(file_, world_, contacts);
+    }
+
+private:
+    World& world_;  ///< the one that is watched: a state is read and written by one function
+    int every_;
+    std::filesystem::path file_;
+};
+
+/// @throws InputError  what is asked for cannot be done
+void check(const OwnSceneOptions& choice, const Solver& solver, const Report& report)
+{
+    if ((choice.save > 0 || !choice.resume.empty()) && !solver.can_resume)
+        throw InputError("--save and --resume: the solver of " + solver.name +
+                         " remembers more than world and pairs hold; those of chapters 8 and 9 do not");
+    if (!choice.resume.empty() &&
+        std::filesystem::weakly_canonical(std::filesystem::path(choice.resume).parent_path()) ==
+            std::filesystem::weakly_canonical(report.folder()))
+        throw InputError(
+            "--resume: '" + choice.resume +
+            "' lies beside the tables of its run, which would be written over; name another folder with --out");
+}
 
 /// Everything that watches the run, and what becomes of it.
 class Observers {
@@ -145,6 +179,16 @@ ChapterProgram with_own_scenes(ChapterProgram program, MakeSolver make)
             ->check(CLI::PositiveNumber)
             ->capture_default_str()
             ->needs(paraview);
+        app.add_option("--save", choice->save,
+                       "steps after which the state is saved again, as state.json in the results")
+            ->check(CLI::PositiveNumber)
+            ->needs(app.get_option("--scene"))
+            ->excludes(app.get_option("experiments"));
+        app.add_option("--resume", choice->resume,
+                       "a state.json of the same scene, from which the run goes on")
+            ->type_name("FILE")
+            ->needs(app.get_option("--scene"))
+            ->excludes(app.get_option("experiments"));
     };
     return program;
 }
@@ -159,11 +203,19 @@ void own_scene(const RunOptions& options, Report& report, const MakeSolver& make
 {
     Scene scene = load_scene(options.scene.value());
     const Solver solver = make(scene.contact);
+    check(choice, solver, report);
+    RunLimits limits;
+    if (!choice.resume.empty())
+        limits.contacts = resume_run(choice.resume, scene.world);
     Observers observers(scene, options, choice, report);
+    std::vector<Probe*> probes = observers.probes();
+    std::optional<SaveProbe> save;
+    if (choice.save > 0)
+        probes.push_back(&save.emplace(scene.world, choice.save, report.folder() / state_file));
     std::exception_ptr failure;
     std::filesystem::remove(report.folder() / failure_note);
     try {
-        const RunResult result = run(scene, solver, observers.probes());
+        const RunResult result = run(scene, solver, probes, limits);
         std::cerr << "real-time factor " << readable(scene.world.time / result.timings.total(), 3)
                   << ", without pictures and files\n";
     } catch (const std::runtime_error& broken) {

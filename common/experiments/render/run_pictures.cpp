@@ -34,15 +34,16 @@ void add_finite(std::vector<Vec3>& points, const std::vector<Vec3>& more)
 }  // namespace
 
 RunPictures::RunPictures(const Scene& scene, Shown shown)
-    : scene_(scene), shown_(std::move(shown)),
-      frame_time_(std::max({1.0 / frames_per_second, scene.dt, scene.duration / (most_frames - 1)}))
+    : scene_(scene), shown_(std::move(shown)), begin_(scene.world.time),
+      frame_time_(
+          std::max({1.0 / frames_per_second, scene.dt, (scene.duration - begin_) / (most_frames - 1)}))
 {}
 
 void RunPictures::observe(const World& world, const Contacts& contacts, double dt)
 {
-    const double next_picture = scene_.duration * static_cast<double>(moments_.size()) /
-                                std::max(1, shown_.pictures - 1),
-                 next_frame = frame_time_ * static_cast<double>(frames_.size());
+    const double next_picture = begin_ + (scene_.duration - begin_) * static_cast<double>(moments_.size()) /
+                                             std::max(1, shown_.pictures - 1),
+                 next_frame = begin_ + frame_time_ * static_cast<double>(frames_.size());
     if (static_cast<int>(moments_.size()) < shown_.pictures && world.time >= next_picture - dt / 2) {
         moments_.push_back({world.time, stage_of(world, scene_)});
         shown_.mark(moments_.back().stage, world, contacts);

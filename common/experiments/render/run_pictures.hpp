@@ -42,6 +42,7 @@ private:
 
     const Scene& scene_;
     Shown shown_;
+    double begin_;       ///< of the run [s]
     double frame_time_;  ///< of the run, from one frame to the next [s]
     std::vector<Moment> moments_;
     std::vector<Positions> frames_;

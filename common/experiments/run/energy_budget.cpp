@@ -37,12 +37,12 @@ const Body& fastest_body(const World& world)
 
 }  // namespace
 
-EnergyBudget::EnergyBudget(const Scene& scene)
+EnergyBudget::EnergyBudget(const Scene& scene, const Contacts& contacts)
     : dt_(scene.dt), slack_(slack_of(scene)), parameters_(scene.contact),
       springs_(scene.world, scene.contact.stiffness, scene.contact.leaving_speed)
 {
     const Energy energy = total_energy(scene.world);
-    start_ = energy.total();
+    start_ = energy.total() + spring_energy(contacts);
     lowest_ = energy.gravitational;
     last_held_.fill(start_ - lowest_);
 }

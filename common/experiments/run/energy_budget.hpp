@@ -19,8 +19,9 @@ namespace enduring {
 /// another (see SpringAccounts). Nothing else drives a scene, and its gravity does not turn.
 class EnergyBudget {
 public:
-    /// @param scene  before its first step
-    explicit EnergyBudget(const Scene& scene);
+    /// @param scene     before its first step
+    /// @param contacts  pairs that live on from a run that is resumed
+    explicit EnergyBudget(const Scene& scene, const Contacts& contacts = {});
 
     /// To be asked after each step.
     /// @param contacts  those alive after it

@@ -19,6 +19,7 @@ int step_count(const Scene& scene)
 RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& probes, const RunLimits& limits)
 {
     RunResult result;
+    result.contacts = limits.contacts;
     const PassObserver lap = [&result](const std::string& pass) { result.timings.lap(pass); };
     const auto observe = [&] {
         for (Probe* probe : probes)
@@ -31,8 +32,8 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
         if (scene.stiffness_warning && !solver.finds_stiffness)
             warn_once(*scene.stiffness_warning);
     }
-    EnergyBudget budget(scene);
-    const int steps = limits.steps.value_or(step_count(scene));
+    EnergyBudget budget(scene, result.contacts);
+    const int steps = limits.steps.value_or(step_count(scene) - scene.world.step);
     Progress progress(scene.name + ", " + solver.name, steps);
     observe();
     while (result.steps < steps) {

@@ -19,6 +19,7 @@ struct RunLimits {
     std::function<bool(const World&, const Contacts&)> stop = {};
     /// for what shows a failure on purpose: a gain of energy is told on stderr, and the run goes on
     bool may_gain_energy = false;
+    Contacts contacts = {};  ///< pairs that live on from a run that is resumed
 };
 
 /// A limit of a run that shows on purpose how energy grows.

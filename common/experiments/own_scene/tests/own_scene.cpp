@@ -123,3 +123,50 @@ TEST_CASE("own scene: without pictures there are the same tables under their nam
     if (pictures_are_on)
         CHECK(std::filesystem::exists(with / "scene.png"));
 }
+
+TEST_CASE(
+    "own scene: a run that is saved and goes on writes the rows that it would have written, to the byte")
+{
+    const TemporaryFolder folder;
+    const std::string scene = (folder.path / "scene.json").string();
+    write_file(folder.path / "scene.json", falling_ball(0.2));
+    std::ostringstream said;
+    auto* const real_out = std::cout.rdbuf(said.rdbuf());
+    auto* const real_err = std::cerr.rdbuf(said.rdbuf());
+    const auto run_with = [&](std::vector<std::string> words, const std::string& out,
+                              bool can_resume = true) {
+        words.insert(words.begin(),
+                     {"chapter99", "--no-pictures", "--scene", scene, "--out", (folder.path / out).string()});
+        std::vector<char*> argv;
+        for (std::string& word : words)
+            argv.push_back(word.data());
+        return run_chapter(static_cast<int>(argv.size()), argv.data(), {"99_trial", "A trial", {}},
+                           [can_resume](const ContactParameters&) {
+                               Solver solver("nobody", {}, {}, {});
+                               solver.can_resume = can_resume;
+                               return solver;
+                           });
+    };
+    CHECK(run_with({"--save", "8"}, "whole") == 0);
+    const std::string state = (folder.path / "whole" / "state.json").string();
+    CHECK(run_with({"--resume", state}, "rest") == 0);
+    CHECK(run_with({"--resume", state}, "whole") == 2);  // beside its own tables
+    CHECK(run_with({"--resume", scene}, "other") == 2);
+    CHECK(run_with({"--save", "0"}, "other") == 2);
+    CHECK(run_with({"--save", "8"}, "other", false) == 2);
+    want_pictures(true);
+    std::cout.rdbuf(real_out);
+    std::cerr.rdbuf(real_err);
+    CAPTURE(said.str());
+    CHECK(said.str().find("lies beside the tables of its run") != std::string::npos);
+    CHECK(said.str().find("the solver of nobody remembers more than world and pairs hold") !=
+          std::string::npos);
+    for (const std::string table : {"motion.csv", "energy.csv", "contacts.csv"}) {
+        CAPTURE(table);
+        const auto whole = rows(folder.path / "whole" / table), rest = rows(folder.path / "rest" / table);
+        REQUIRE(whole.size() == 21);
+        REQUIRE(rest.size() == 5);  // saved last after 16 of 20 steps
+        for (std::size_t i = 0; i < rest.size(); ++i)
+            CHECK(rest[i] == whole[16 + i]);
+    }
+}

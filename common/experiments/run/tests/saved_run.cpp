@@ -1,0 +1,125 @@
+#include "common/experiments/run/saved_run.hpp"
+#include "common/experiments/report/report.hpp"
+#include "common/experiments/report/tests/temporary_folder.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/json_document.hpp"
+#include "common/simulation/contact_state.hpp"
+#include "common/simulation/rigid_body.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace enduring;
+
+namespace {
+
+World boxes(const std::vector<std::string>& names)
+{
+    World world;
+    for (const std::string& name : names) {
+        const SurfaceMesh mesh = box(Vec3(1, 0.5, 0.25));
+        world.bodies.push_back(
+            std::make_unique<RigidBody>(name, mesh, mass_properties(mesh, 3), Vec3(1, 2, 3), Vec3(-3, 1, 2)));
+    }
+    return world;
+}
+
+/// Each of its numbers is another one.
+Contact full_contact()
+{
+    Contact contact{ContactKind::edge_edge, 1, 2, 3, 4, {5, 6, 7, 8}, {1.0 / 3, -2.0 / 7, 0.1, -0.4}};
+    contact.orientation = -1;
+    contact.start = 0.7;
+    contact.impulse = Vec3(1e-300, 0.1, 3);
+    contact.friction = Vec3(0.2, -5, 1e17 / 3);
+    contact.stretch = Vec3(1, -1.1, 1.2);
+    contact.slip = 0.3;
+    contact.stiffness = 4e9 / 7;
+    contact.slack = -0.011;
+    contact.load = 99.9;
+    contact.sliding_normal = Vec3(0.6, 0.8, -0.0);
+    contact.category = ContactCategory::hooked;
+    contact.state = ContactState::held;
+    contact.resolved = true;
+    return contact;
+}
+
+std::vector<double> numbers_of(Contact contact)
+{
+    StateArchive archive;
+    visit_state(archive, contact);
+    return archive.numbers();
+}
+
+/// What is complained of when a world of these bodies goes on from a file.
+std::string refusal(const std::filesystem::path& file, const std::vector<std::string>& names)
+{
+    World world = boxes(names);
+    try {
+        resume_run(file, world);
+    } catch (const InputError& mistake) {
+        CHECK(world.step == 0);
+        return mistake.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("saved run: bodies, pairs, time and step come back to the last bit")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "state.json";
+    World world = boxes({"one", "two"});
+    Contacts contacts;
+    for (int step = 0; step < 3; ++step)
+        advance(world, contacts, Solver(), 1.0 / 300);
+    contacts = {full_contact(), Contact()};
+    save_run(file, world, contacts);
+
+    World other = boxes({"one", "two"});
+    const Contacts pairs = resume_run(file, other);
+    CHECK(other.time == world.time);
+    CHECK(other.step == 3);
+    REQUIRE(pairs.size() == 2);
+    CHECK(numbers_of(pairs[0]) == numbers_of(full_contact()));
+    CHECK(numbers_of(pairs[1]) == numbers_of(Contact()));
+    CHECK(pairs[0].kind == ContactKind::edge_edge);
+    CHECK(pairs[0].sliding_normal == full_contact().sliding_normal);
+    CHECK(pairs[0].held());
+    for (const double dt : {0.01, 0.003}) {
+        Contacts none;
+        advance(world, none, Solver(), dt);
+        advance(other, none, Solver(), dt);
+        for (std::size_t body = 0; body < 2; ++body)
+            for (std::size_t v = 0; v < 8; ++v)
+                CHECK(other.bodies[body]->positions_t0()[v] == world.bodies[body]->positions_t0()[v]);
+    }
+}
+
+TEST_CASE(
+    "saved run: a file that does not fit is refused with its name and what differs, and changes nothing")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "state.json";
+    World world = boxes({"one", "two"});
+    save_run(file, world, {full_contact()});
+    const std::string name = file.string(), text = read_text_file(file);
+    CHECK(refusal(file, {"one", "two"}).empty());
+    CHECK(refusal(file, {"one"}) == name + ": has 2 bodies, and the scene has 1");
+    CHECK(refusal(file, {"one", "three"}) == name + ": /bodies/1 is 'two', and the scene has 'three' there");
+    const auto with = [&](const std::string& what, const std::string& other) {
+        std::string changed = text;
+        changed.replace(changed.find(what), what.size(), other);
+        write_file(file, changed);
+        return refusal(file, {"one", "two"});
+    };
+    CHECK(with("\"step\"", "\"stop\"") ==
+          name + ": /step is missing, or is not what the state of a run has there");
+    CHECK(with("\"time\":0.0", "\"time\":\"now\"").find(name + ": /time is missing, or is not") == 0);
+    CHECK(with("run, 1", "run, 7").find(name + ": /format: expected") == 0);
+    CHECK(with("\"pairs\":[[", "\"pairs\":[[1.0,").find(name + ": /pairs/0 has ") == 0);
+    CHECK(with("[\"one\",[", "[\"one\",[1.0,").find(name + ": /bodies/0 ('one') has ") == 0);
+    CHECK(with("{", "").find(name) == 0);
+    CHECK(refusal(folder.path / "nothing.json", {"one", "two"}).find("nothing.json") != std::string::npos);
+}

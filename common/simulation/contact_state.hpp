@@ -1,0 +1,34 @@
+#pragma once
+
+#include "common/simulation/contact.hpp"
+#include "common/simulation/state_archive.hpp"
+
+namespace enduring {
+
+/// All that a pair holds, written or read.
+inline void visit_state(StateArchive& archive, Contact& contact)
+{
+    archive.whole(contact.kind);
+    for (int* index : {&contact.body_a, &contact.body_b, &contact.feature_a, &contact.feature_b})
+        archive.whole(*index);
+    for (int& vertex : contact.vertices)
+        archive.whole(vertex);
+    for (double& weight : contact.weights)
+        archive(weight);
+    archive(contact.orientation);
+    archive(contact.start);
+    archive(contact.impulse);
+    archive(contact.friction);
+    archive(contact.stretch);
+    archive(contact.slip);
+    archive(contact.stiffness);
+    archive(contact.slack);
+    archive(contact.load);
+    archive(contact.sliding_normal);
+    archive.whole(contact.category);
+    archive.whole(contact.state);
+    archive.whole(contact.resolved);
+    static_assert(sizeof(Contact) == 224, "a field that is new in Contact has its line here, too");
+}
+
+}  // namespace enduring
