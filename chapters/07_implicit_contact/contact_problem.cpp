@@ -40,7 +40,7 @@ Answers answers_to(const ContactProblem& problem, const VectorXd& change)
         const Vec3 impulse = pushed(row.law, row.velocity_after(change), problem.step).total();
         answers.impulses.segment<3>(3 * i) = impulse;
         row.add_impulse(impulse, answers.total);
-        row.add_impulse(impulse - row.acting, answers.missing);
+        row.add_impulse(impulse - row.acting, answers.unbalanced);
     }
     return answers;
 }
@@ -127,21 +127,22 @@ ProblemSolution unchanged(const ContactProblem& problem)
 double residual_of(const ContactProblem& problem, const VectorXd& change, double least_speed)
 {
     const Answers answers = answers_to(problem, change);
-    return residual_from(problem, times_mass(problem, change) - answers.missing, answers.total, least_speed);
+    return residual_from(problem, times_mass(problem, change) - answers.unbalanced, answers.total,
+                         least_speed);
 }
 
 double true_residual(const ContactProblem& problem, const VectorXd& change, double least_speed)
 {
-    VectorXd total = VectorXd::Zero(problem.size), missing = VectorXd::Zero(problem.size);
+    VectorXd total = VectorXd::Zero(problem.size), unbalanced = VectorXd::Zero(problem.size);
     for (const PairRow& row : problem.rows) {
         const Vec3 velocity = row.velocity_after(change);
         PairLaw law = row.law;
         law.lagged_normal_impulse = normal_impulse(law, velocity, problem.step);
         const Vec3 impulse = pushed(law, velocity, problem.step).total();
         row.add_impulse(impulse, total);
-        row.add_impulse(impulse - row.acting, missing);
+        row.add_impulse(impulse - row.acting, unbalanced);
     }
-    return residual_from(problem, times_mass(problem, change) - missing, total, least_speed);
+    return residual_from(problem, times_mass(problem, change) - unbalanced, total, least_speed);
 }
 
 }  // namespace enduring

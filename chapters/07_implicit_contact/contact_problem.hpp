@@ -86,8 +86,8 @@ Eigen::VectorXd times_response(const ContactProblem& problem, const Eigen::Vecto
 
 /// What the pairs answer to a change.
 struct Answers {
-    Eigen::VectorXd impulses;        ///< three numbers for each pair
-    Eigen::VectorXd total, missing;  ///< all as momentum of the coordinates; without what acts already
+    Eigen::VectorXd impulses;           ///< three numbers for each pair
+    Eigen::VectorXd total, unbalanced;  ///< all as momentum of the coordinates; without what acts already
 };
 Answers answers_to(const ContactProblem& problem, const Eigen::VectorXd& change);
 

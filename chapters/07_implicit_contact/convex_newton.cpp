@@ -67,7 +67,7 @@ ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix
     DualFriction friction(problem);
     for (;; ++solution.newton_steps) {
         const Answers answers = answers_to(problem, solution.change);
-        const VectorXd gradient = times_mass(problem, solution.change) - answers.missing;
+        const VectorXd gradient = times_mass(problem, solution.change) - answers.unbalanced;
         solution.residual = residual_from(problem, gradient, answers.total, least_speed);
         solution.converged = solution.residual <= tolerance;
         if (solution.converged || solution.newton_steps == most_steps)

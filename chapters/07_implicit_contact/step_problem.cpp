@@ -77,7 +77,7 @@ Vec3 normal_of(const PairStep& step, double tau)
 }
 
 /// p - q at tau, for a plane from any of its points [m].
-Vec3 apart(const World& world, const Contact& contact, double tau)
+Vec3 relative_position(const World& world, const Contact& contact, double tau)
 {
     if (contact.kind == ContactKind::vertex_plane)
         return contact_vertex(world, contact, 0, tau) -
@@ -121,11 +121,11 @@ void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& ro
 
 /// Sets a row to where the bodies move now.
 /// @return  the pair's depth at the start of the step [m]
-double look_at(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
+double update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
 {
     if (row.turns)
         row.law.normal = normal_of(pair_step(world, contact), step.centre);
-    const Vec3 start = apart(world, contact, 0), end = apart(world, contact, 1);
+    const Vec3 start = relative_position(world, contact, 0), end = relative_position(world, contact, 1);
     const double depth_t0 = row.law.normal.dot(start);
     row.law.depth_t0 = depth_t0 - contact.slack;
     row.velocity = (end - start) / step.dt;
@@ -192,7 +192,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
             continue;
         PairRow row;
         add_parts(world, contact, step, row);
-        const double depth_t0 = look_at(world, contact, step_law, row);
+        const double depth_t0 = update_row(world, contact, step_law, row);
         row.turns = contact.kind != ContactKind::edge_edge || !are_nearly_parallel(pair_step(world, contact));
         if (row.part_count == 0 || row.law.normal.isZero(0))
             continue;
@@ -216,7 +216,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
 void update_kinematics(const World& world, StepProblem& step)
 {
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
-        look_at(world, *step.of_row[i], step.problem.step, step.problem.rows[i]);
+        update_row(world, *step.of_row[i], step.problem.step, step.problem.rows[i]);
         step.problem.rows[i].law.lagged_normal_impulse = std::max(
             0.0, step.problem.rows[i].law.normal.dot(step.of_row[i]->impulse));
     }
@@ -225,7 +225,7 @@ void update_kinematics(const World& world, StepProblem& step)
 namespace {
 
 /// The bodies take what their pairs' impulses have become.
-void bring(World& world, const StepProblem& step, const Eigen::VectorXd& momentum)
+void apply_generalized_impulse(World& world, const StepProblem& step, const Eigen::VectorXd& momentum)
 {
     for (std::size_t body = 0; body < world.bodies.size(); ++body) {
         if (step.block[body] < 0)
@@ -264,7 +264,7 @@ void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impu
         contact.impulse = row.law.normal.dot(impulse) * row.law.normal;
         contact.friction = impulse - contact.impulse;
     }
-    bring(world, step, momentum);
+    apply_generalized_impulse(world, step, momentum);
 }
 //! [apply_impulses]
 
