@@ -43,6 +43,18 @@ double springs_at_start(const World& world, const StepProblem& step)
     return sum;
 }
 
+/// How far a spring is pressed at the end of the step, over the size of its smaller body; the most of all.
+double largest_compression(const World& world, const StepProblem& step)
+{
+    double most = 0;
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        const PairRow& row = step.problem.rows[i];
+        const double depth = row.law.depth_t0 + step.problem.step.dt * row.law.normal.dot(row.velocity);
+        most = std::max(most, -depth / natural_length(world, *step.of_row[i]));
+    }
+    return most;
+}
+
 /// Residual to which the convex problem of a round is solved. Its normals, its limits and its soft masses are those of the last
 /// motion, so a round seldom takes away more than a thousandth of what is left on the bodies. In a jam the limits are wrong by
 /// more than the convex problem is: then a tenth of its own residual is taken away.
@@ -102,6 +114,8 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
     }
     if (!(record.residual <= settings.kept_residual))
         world.attempt.trouble = StepTrouble::unsolved;
+    else if (largest_compression(world, step) > settings.kept_depth)
+        world.attempt.trouble = StepTrouble::too_deep;
     find_slip(step);
     for (Contact& contact : contacts)
         if (contact.waiting())

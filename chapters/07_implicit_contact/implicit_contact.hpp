@@ -35,6 +35,9 @@ struct ImplicitSettings {
     /// The largest residual with which a step is kept; else it is taken in halves. A tenth: landing soft bodies are halved for
     /// an error that nobody sees. Ten times: impulses that do not belong to their motion gain energy.
     double kept_residual = 1e-2;
+    /// Of the smaller body's size: the furthest that an impact may press a spring; else the step is taken in halves. Geometry tells the
+    /// side of a pair by where it is. A tenth: a fall of some metres is halved. Ten times: what flies by fifty sizes in a step comes through a plate.
+    double kept_depth = 5e-3;
     /// Of Newton's method in a step, over all its responses and rounds, each of which counts as one more; what is not solved then is told, or the step is taken in
     /// halves. A tenth of it would cut landing soft bodies off; ten times as many cost ten seconds where a heap jams.
     int most_newton_steps = 500;

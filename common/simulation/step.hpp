@@ -24,7 +24,7 @@ struct Plane {
 };
 
 /// Why a step is thrown away.
-enum class StepTrouble : std::uint8_t { none, turns_too_far, unsolved, gains_energy, not_finite };
+enum class StepTrouble : std::uint8_t { none, turns_too_far, unsolved, too_deep, gains_energy, not_finite };
 
 /// An impulse on a vertex of a body [N s] that no other body has given.
 struct OutsideImpulse {
@@ -83,7 +83,7 @@ enum class StepStage {
 class Solver {
 public:
     std::string name;
-    /// How often a step may be halved that does not end well: that turns a body too far, that is not solved, that gains energy,
+    /// How often a step may be halved that does not end well: that turns a body too far, that is not solved, that presses a spring too far, that gains energy,
     /// or whose numbers are not finite. None: every step is taken as it comes.
     int most_halvings = 0;
     /// The furthest that a body may turn in a step that may be halved [rad].
