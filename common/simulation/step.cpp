@@ -1,11 +1,11 @@
 #include "common/simulation/step.hpp"
 
-#include "common/input/number_text.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 #include "common/simulation/step_attempt.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace enduring {
@@ -276,9 +276,12 @@ bool begins_too_long(const World& world, double most_turn, double dt)
     constexpr double most_parts = 1024;
     for (const auto& body : world.bodies) {
         const double turn = dt * body->turning_speed();
-        if (turn > most_parts * most_turn)
-            throw std::runtime_error("step " + std::to_string(world.step + 1) + ": body '" + body->name() +
-                                     "' turns by " + readable(turn, 4) + " rad in a step; make dt shorter");
+        if (turn > most_parts * most_turn) {
+            std::ostringstream why;
+            why << "step " << world.step + 1 << ": body '" << body->name() << "' turns by " << turn
+                << " rad in a step; make dt shorter";
+            throw std::runtime_error(why.str());
+        }
         if (turn > most_turn)
             return true;
     }
