@@ -77,7 +77,8 @@ Numbers crossing(bool bar, double x, double y, double z, double turn_deg, double
     append_inside(b, flood_regions(crossed.piercings, a.still(), b.still(), false), result);
     Numbers ways;
     for (const Overlap& overlap : find_overlaps(a.still(), b.still()))
-        ways.insert(ways.end(), {overlap.way_out.x(), overlap.way_out.y(), overlap.way_out.z()});
+        ways.insert(ways.end(), {overlap.separation_direction.x(), overlap.separation_direction.y(),
+                                 overlap.separation_direction.z()});
     append(result, ways, static_cast<double>(ways.size()) / 3);
     result.push_back(static_cast<double>(crossed.curves.size()));
     for (const IntersectionCurve& curve : crossed.curves) {

@@ -24,7 +24,7 @@ Crossing crossing_at(const VertexFaceStep& step, double time);
 Crossing crossing_at(const EdgeEdgeStep& step, double time);
 
 /// A cubic has three roots, so a pair crosses at most three times in a step.
-constexpr int most_crossings = 3;
+constexpr int max_crossings = 3;
 
 //! [find_entry]
 /// The first crossing that leads from outside to inside. One that leads out is passed over: the query is
@@ -35,7 +35,7 @@ template <class Step, class Enters>
 std::optional<Crossing> find_entry(const Step& step, const Enters& enters)
 {
     std::optional<double> touch = time_of_impact(step);
-    for (int i = 0; i < most_crossings && touch; ++i) {
+    for (int i = 0; i < max_crossings && touch; ++i) {
         const Crossing crossing = crossing_at(step, *touch);
         if (enters(crossing))
             return crossing;

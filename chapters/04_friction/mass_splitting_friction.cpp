@@ -7,7 +7,7 @@
 namespace enduring {
 namespace {
 
-constexpr int most_rounds = 30;
+constexpr int max_rounds = 30;
 constexpr double small_change = 1e-3;  ///< of what the pairs can hold
 
 /// A pair at work.
@@ -129,7 +129,7 @@ bool worth_another(const std::vector<double>& changes)
 {
     const std::size_t rounds = changes.size();
     const bool stalls = rounds > 10 && changes.back() > 0.8 * changes[rounds - 5];
-    return changes.back() > small_change && !stalls && rounds < most_rounds;
+    return changes.back() > small_change && !stalls && rounds < max_rounds;
 }
 
 }  // namespace

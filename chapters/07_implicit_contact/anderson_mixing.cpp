@@ -28,7 +28,7 @@ Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::Vect
             errors_.clear();
         }
     }
-    if (images_.size() > most_rounds) {
+    if (images_.size() > max_rounds) {
         images_.erase(images_.begin());
         errors_.erase(errors_.begin());
     }

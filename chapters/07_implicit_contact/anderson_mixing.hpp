@@ -19,7 +19,7 @@ public:
     Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& image);
 
 private:
-    static constexpr std::size_t most_rounds = 8;  ///< that it looks back
+    static constexpr std::size_t max_rounds = 8;  ///< that it looks back
 
     Eigen::VectorXd last_image_, last_error_;
     std::vector<Eigen::VectorXd> images_, errors_;  ///< how both changed from one round to the next

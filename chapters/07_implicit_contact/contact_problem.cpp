@@ -31,18 +31,30 @@ VectorXd times_response(const ContactProblem& problem, const VectorXd& momentum)
     return times(problem, &BodyBlock::response, momentum);
 }
 
-Answers answers_to(const ContactProblem& problem, const VectorXd& change)
+namespace {
+
+/// @param law_of  PairLaw(row, velocity after the change)
+template <class LawOf>
+Answers answers_by(const ContactProblem& problem, const VectorXd& change, const LawOf& law_of)
 {
     const auto pairs = static_cast<Eigen::Index>(problem.rows.size());
     Answers answers{VectorXd(3 * pairs), VectorXd::Zero(problem.size), VectorXd::Zero(problem.size)};
     for (Eigen::Index i = 0; i < pairs; ++i) {
         const PairRow& row = problem.rows[static_cast<std::size_t>(i)];
-        const Vec3 impulse = pushed(row.law, row.velocity_after(change), problem.step).total();
+        const Vec3 velocity = row.velocity_after(change);
+        const Vec3 impulse = pushed(law_of(row, velocity), velocity, problem.step).total();
         answers.impulses.segment<3>(3 * i) = impulse;
         row.add_impulse(impulse, answers.total);
         row.add_impulse(impulse - row.acting, answers.unbalanced);
     }
     return answers;
+}
+
+}  // namespace
+
+Answers answers_to(const ContactProblem& problem, const VectorXd& change)
+{
+    return answers_by(problem, change, [](const PairRow& row, const Vec3&) { return row.law; });
 }
 
 namespace {
@@ -124,25 +136,30 @@ ProblemSolution unchanged(const ContactProblem& problem)
     return {VectorXd::Zero(problem.size), impulses_acting(problem)};
 }
 
-double residual_of(const ContactProblem& problem, const VectorXd& change, double least_speed)
+namespace {
+
+double residual_of(const ContactProblem& problem, const VectorXd& change, const Answers& answers,
+                   double least_speed)
 {
-    const Answers answers = answers_to(problem, change);
     return residual_from(problem, times_mass(problem, change) - answers.unbalanced, answers.total,
                          least_speed);
 }
 
+}  // namespace
+
+double residual_of(const ContactProblem& problem, const VectorXd& change, double least_speed)
+{
+    return residual_of(problem, change, answers_to(problem, change), least_speed);
+}
+
 double true_residual(const ContactProblem& problem, const VectorXd& change, double least_speed)
 {
-    VectorXd total = VectorXd::Zero(problem.size), unbalanced = VectorXd::Zero(problem.size);
-    for (const PairRow& row : problem.rows) {
-        const Vec3 velocity = row.velocity_after(change);
+    const Answers answers = answers_by(problem, change, [&](const PairRow& row, const Vec3& velocity) {
         PairLaw law = row.law;
         law.lagged_normal_impulse = normal_impulse(law, velocity, problem.step);
-        const Vec3 impulse = pushed(law, velocity, problem.step).total();
-        row.add_impulse(impulse, total);
-        row.add_impulse(impulse - row.acting, unbalanced);
-    }
-    return residual_from(problem, times_mass(problem, change) - unbalanced, total, least_speed);
+        return law;
+    });
+    return residual_of(problem, change, answers, least_speed);
 }
 
 }  // namespace enduring

@@ -110,7 +110,7 @@ Eigen::VectorXd impulses_acting(const ContactProblem& problem);
 ProblemSolution unchanged(const ContactProblem& problem);
 
 /// A convex problem that takes more of Newton's steps is stuck by rounding; a hundred random ones take 25.
-constexpr int most_convex_steps = 100;
+constexpr int max_convex_steps = 100;
 
 /// Newton's method with a line search, with limits of friction that are lagged and a guess
 /// of each pair's friction beside the velocities.
@@ -120,6 +120,6 @@ constexpr int most_convex_steps = 100;
 /// @param least_speed  sqrt(kg) m/s: what counts as a momentum at all
 ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
                              const ProblemSolution& begin, double tolerance, double least_speed,
-                             int most_steps = most_convex_steps);
+                             int max_steps = max_convex_steps);
 
 }  // namespace enduring

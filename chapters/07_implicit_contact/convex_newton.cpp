@@ -61,7 +61,7 @@ double step_length(const ContactProblem& problem, const VectorXd& change, const 
 //! [solve_convex]
 ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
                              const ProblemSolution& begin, double tolerance, double least_speed,
-                             int most_steps)
+                             int max_steps)
 {
     ProblemSolution solution{begin.change, begin.impulses};
     DualFriction friction(problem);
@@ -70,9 +70,9 @@ ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix
         const VectorXd gradient = times_mass(problem, solution.change) - answers.unbalanced;
         solution.residual = residual_from(problem, gradient, answers.total, least_speed);
         solution.converged = solution.residual <= tolerance;
-        if (solution.converged || solution.newton_steps == most_steps)
+        if (solution.converged || solution.newton_steps == max_steps)
             return solution;
-        const VectorXd direction = matrix.solve(problem, friction.stiffenings(solution.change), -gradient);
+        const VectorXd direction = matrix.solve(problem, friction.hessians(solution.change), -gradient);
         friction.follow(solution.change, direction);
         const double part = step_length(problem, solution.change, direction);
         solution.change += part * direction;

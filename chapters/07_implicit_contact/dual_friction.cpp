@@ -19,14 +19,14 @@ Mat3 missing_stiffness(const PairRow& row, const Vec3& spring, const Vec3& guess
 
 }  // namespace
 
-std::vector<Mat3> DualFriction::stiffenings(const VectorXd& change) const
+std::vector<Mat3> DualFriction::hessians(const VectorXd& change) const
 {
     std::vector<Mat3> all;
     for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
         const PairRow& row = problem_.rows[i];
         const Vec3 velocity = row.velocity_after(change);
         const PairAnswer made = answer(row.law, velocity, problem_.step);
-        all.push_back(made.stiffening);
+        all.push_back(made.hessian);
         if (made.slips)
             all.back() += missing_stiffness(row, spring_impulse(row.law, velocity, problem_.step),
                                             guesses_[i], problem_.step);

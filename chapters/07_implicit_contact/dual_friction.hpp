@@ -21,7 +21,7 @@ public:
     {}
 
     /// Of each pair at these velocities: minus the derivative of its impulse, friction by the equation above.
-    std::vector<Mat3> stiffenings(const Eigen::VectorXd& change) const;
+    std::vector<Mat3> hessians(const Eigen::VectorXd& change) const;
     /// Brings the guesses to where the equation's tangent has them behind a Newton step, within the limits.
     void follow(const Eigen::VectorXd& change, const Eigen::VectorXd& direction);
 

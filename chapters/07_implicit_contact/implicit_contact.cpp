@@ -37,7 +37,8 @@ double springs_at_start(const World& world, const StepProblem& step)
 {
     double sum = 0;
     for (const Contact* contact : step.of_row) {
-        const double compression = std::min(0.0, contact_geometry(world, *contact, 0).depth - contact->slack);
+        const double compression = std::min(
+            0.0, contact_geometry(world, *contact, 0).depth - contact->rest_offset);
         sum += contact->stiffness / 2 * (compression * compression + contact->stretch.squaredNorm());
     }
     return sum;
@@ -99,14 +100,14 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
             mixing = {};
             continue;
         }
-        const int steps_left = settings.most_newton_steps - matrix.solves() - record.rounds;
+        const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds;
         if (record.converged || steps_left <= 0)
             break;
         const double of_round = residual_of(step.problem, begin.change, least);
         const double sharp = sharp_enough(record.residual, of_round, settings.tolerance);
         const ProblemSolution solution = record.rounds < settings.rounds_before_search
                                              ? solve_convex(step.problem, matrix, begin, sharp, least,
-                                                            std::min(steps_left, most_convex_steps))
+                                                            std::min(steps_left, max_convex_steps))
                                              : solve_with_limit_search(step.problem, matrix, begin, sharp,
                                                                        least, steps_left);
         record.newton_steps += solution.newton_steps;

@@ -23,7 +23,7 @@ void tell_unconverged(const SolveRecord& record);
 
 /// Into how short a part of a step a solver goes that takes an unsolved one in halves, as a power of two: 1/32. Shorter, what
 /// one part misses is no larger than what a step of a fast body misses anyway.
-inline constexpr int most_halvings = 5;
+inline constexpr int max_halvings = 5;
 
 //! [settings]
 /// The same for all scenes but for the coefficients of friction, which are the scene's.
@@ -40,7 +40,7 @@ struct ImplicitSettings {
     double kept_depth = 5e-3;
     /// Of Newton's method in a step, over all its responses and rounds, each of which counts as one more; what is not solved then is told, or the step is taken in
     /// halves. A tenth of it would cut landing soft bodies off; ten times as many cost ten seconds where a heap jams.
-    int most_newton_steps = 500;
+    int max_newton_steps = 500;
     /// Where bodies jam, limits that are taken from the last round come back enlarged: from this round on, each round looks for
     /// its limits (LimitSearch). A tenth: the search is tried where the rounds would have ended by themselves. Ten times:
     /// jams take most of the steps of Newton's method that there are.

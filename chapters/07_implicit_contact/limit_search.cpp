@@ -13,8 +13,8 @@ Eigen::VectorXd errors_of(const ContactProblem& problem, const Eigen::VectorXd& 
     Eigen::VectorXd errors(static_cast<Eigen::Index>(problem.rows.size()));
     for (Eigen::Index i = 0; i < errors.size(); ++i) {
         const PairRow& row = problem.rows[static_cast<std::size_t>(i)];
-        const PairAnswer made = answer(row.law, row.velocity_after(change), problem.step);
-        errors[i] = made.normal_impulse.norm() - row.law.lagged_normal_impulse;
+        errors[i] = normal_impulse(row.law, row.velocity_after(change), problem.step) -
+                    row.law.lagged_normal_impulse;
     }
     return errors;
 }
@@ -41,11 +41,11 @@ void LimitSearch::advance(ContactProblem& problem, const Eigen::VectorXd& change
 //! [search]
 ProblemSolution solve_with_limit_search(ContactProblem problem, NewtonMatrix& matrix,
                                         const ProblemSolution& begin, double tolerance, double least_speed,
-                                        int most_steps)
+                                        int max_steps)
 {
     ProblemSolution solution = begin;
     LimitSearch limits;
-    for (int steps = 0; steps < most_steps; ++steps) {
+    for (int steps = 0; steps < max_steps; ++steps) {
         const double left = true_residual(problem, solution.change, least_speed);
         if (left <= tolerance)
             break;
@@ -53,7 +53,7 @@ ProblemSolution solve_with_limit_search(ContactProblem problem, NewtonMatrix& ma
             limits.advance(problem, solution.change);
         const int before = solution.newton_steps;
         solution = solve_convex(problem, matrix, solution, std::max(tolerance, 0.1 * left), least_speed,
-                                std::min(most_convex_steps, most_steps - steps));
+                                std::min(max_convex_steps, max_steps - steps));
         steps += solution.newton_steps;
         solution.newton_steps += before;
     }

@@ -27,9 +27,9 @@ private:
 /// limits a search brings nearer.
 /// @param problem     its rows hold the limits to begin with
 /// @param tolerance   of the true residual
-/// @param most_steps  of Newton's method, over all convex problems, each of which counts as one more
+/// @param max_steps  of Newton's method, over all convex problems, each of which counts as one more
 ProblemSolution solve_with_limit_search(ContactProblem problem, NewtonMatrix& matrix,
                                         const ProblemSolution& begin, double tolerance, double least_speed,
-                                        int most_steps);
+                                        int max_steps);
 
 }  // namespace enduring

@@ -30,7 +30,7 @@ int main(int argc, char** argv)
                 {"free_collision",
                  "two free blocks slide along each other: what they gain in momentum together",
                  chapter07::free_collision},
-                {"same_bytes", "the same boxes in another order in their scene", chapter07::same_bytes},
+                {"determinism", "the same boxes in another order in their scene", chapter07::determinism},
             },
         },
         [](const ContactParameters& parameters) { return chapter07_solver(parameters); });

@@ -11,19 +11,19 @@ using Eigen::VectorXd;
 /// Adds A + J^T S J to a matrix of zeros. `at(row, column)` is where its blocks are. It is symmetric, and above its diagonal
 /// it is left empty.
 template <class At>
-void assemble(const ContactProblem& problem, const std::vector<Mat3>& stiffenings, const At& at)
+void assemble(const ContactProblem& problem, const std::vector<Mat3>& hessians, const At& at)
 {
     for (const BodyBlock& body : problem.blocks) {
         const int size = static_cast<int>(body.mass.rows());
         at(body.first, body.first).template block<Eigen::Dynamic, Eigen::Dynamic>(size, size) += body.mass;
     }
     for (std::size_t pair = 0; pair < problem.rows.size(); ++pair) {
-        const Mat3& stiffening = stiffenings[pair];
-        if (stiffening.isZero(0))
+        const Mat3& hessian = hessians[pair];
+        if (hessian.isZero(0))
             continue;
         for (const VertexMotion& other : problem.rows[pair].moving())
             with_fixed_size(other, [&]<class Other>(int column, const Other& other_rate) {
-                const auto force = (stiffening * other_rate).eval();
+                const auto force = (hessian * other_rate).eval();
                 for (const VertexMotion& one : problem.rows[pair].moving())
                     with_fixed_size(one, [&]<class One>(int row, const One& rate) {
                         constexpr int rows = One::ColsAtCompileTime, columns = Other::ColsAtCompileTime;
@@ -45,11 +45,11 @@ bool is_dense(const ContactProblem& problem)
     return 8 * filled > static_cast<double>(problem.size) * problem.size;
 }
 
-std::vector<int> stiff_coordinates(const ContactProblem& problem, const std::vector<Mat3>& stiffenings)
+std::vector<int> stiff_coordinates(const ContactProblem& problem, const std::vector<Mat3>& hessians)
 {
     std::vector<char> is_stiff(static_cast<std::size_t>(problem.size), 0);
     for (std::size_t pair = 0; pair < problem.rows.size(); ++pair)
-        if (!stiffenings[pair].isZero(0))
+        if (!hessians[pair].isZero(0))
             for (const VertexMotion& part : problem.rows[pair].moving())
                 std::fill_n(is_stiff.begin() + part.first, part.rate.cols(), 1);
     std::vector<int> stiff;
@@ -78,11 +78,11 @@ Eigen::MatrixXd response_among(const ContactProblem& problem, const std::vector<
 
 }  // namespace
 
-bool NewtonMatrix::fits(const std::vector<Mat3>& stiffenings) const
+bool NewtonMatrix::fits(const std::vector<Mat3>& hessians) const
 {
     // A matrix that is wrong by a thousandth leaves a thousandth of the error in each step.
-    return kind_ != Kind::none && stiffenings.size() == stiffenings_.size() &&
-           std::equal(stiffenings.begin(), stiffenings.end(), stiffenings_.begin(),
+    return kind_ != Kind::none && hessians.size() == hessians_.size() &&
+           std::equal(hessians.begin(), hessians.end(), hessians_.begin(),
                       [](const Mat3& one, const Mat3& other) {
                           return (one - other).squaredNorm() <= 1e-6 * other.squaredNorm();
                       });
@@ -101,7 +101,7 @@ void NewtonMatrix::factor_sparse(const ContactProblem& problem)
 {
     // where a factor is there, its step is the same, and so is its pattern
     const bool is_other_pattern = blocks_.reset(problem);
-    assemble(problem, stiffenings_, [&](int row, int column) { return blocks_.at(row, column); });
+    assemble(problem, hessians_, [&](int row, int column) { return blocks_.at(row, column); });
     if (is_other_pattern)
         sparse_.analyzePattern(blocks_.matrix());
     sparse_.factorize(blocks_.matrix());
@@ -115,7 +115,7 @@ void NewtonMatrix::factor_sparse(const ContactProblem& problem)
 void NewtonMatrix::factor_dense(const ContactProblem& problem)
 {
     kind_ = Kind::dense;
-    stiff_ = stiff_coordinates(problem, stiffenings_);
+    stiff_ = stiff_coordinates(problem, hessians_);
     const Eigen::MatrixXd response = response_among(problem, stiff_);
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(response.rows(), response.cols());
     const auto place = [&](int coordinate) {
@@ -123,12 +123,12 @@ void NewtonMatrix::factor_dense(const ContactProblem& problem)
     };
     Eigen::Matrix3Xd force(3, response.cols());  // of a pair, for a unit momentum of each coordinate
     for (std::size_t pair = 0; pair < problem.rows.size(); ++pair) {
-        if (stiffenings_[pair].isZero(0))
+        if (hessians_[pair].isZero(0))
             continue;
         force.setZero();
         for (const VertexMotion& part : problem.rows[pair].moving())
             with_fixed_size(part, [&]<class Motion>(int first, const Motion& motion) {
-                const auto stiff = (stiffenings_[pair] * motion).eval();
+                const auto stiff = (hessians_[pair] * motion).eval();
                 for (Eigen::Index column = 0, row = place(first); column < force.cols(); ++column)
                     force.col(column).noalias() +=
                         stiff * response.col(column).template segment<Motion::ColsAtCompileTime>(row);
@@ -148,9 +148,9 @@ VectorXd NewtonMatrix::solve_dense(const ContactProblem& problem, const VectorXd
     const VectorXd without = times_response(problem, b);
     VectorXd pushed = VectorXd::Zero(b.size());  // by the pairs' stiffness, for x of no pairs
     for (std::size_t pair = 0; pair < problem.rows.size(); ++pair)
-        if (!stiffenings_[pair].isZero(0)) {
+        if (!hessians_[pair].isZero(0)) {
             const PairRow& row = problem.rows[pair];
-            row.add_impulse(-(stiffenings_[pair] * row.rate_of(without)), pushed);
+            row.add_impulse(-(hessians_[pair] * row.rate_of(without)), pushed);
         }
     VectorXd momentum = b;
     momentum(stiff_) += dense_lu_.solve(pushed(stiff_));
@@ -176,18 +176,18 @@ VectorXd NewtonMatrix::tangent(const ContactProblem& problem, VectorXd impulses,
                                const VectorXd& direction) const
 {
     for (std::size_t i = 0; i < problem.rows.size(); ++i)
-        if (!stiffenings_[i].isZero(0))
-            impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) -= stiffenings_[i] *
+        if (!hessians_[i].isZero(0))
+            impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) -= hessians_[i] *
                                                                      problem.rows[i].rate_of(direction);
     return impulses;
 }
 //! [tangent]
 
-VectorXd NewtonMatrix::solve(const ContactProblem& problem, const std::vector<Mat3>& stiffenings,
+VectorXd NewtonMatrix::solve(const ContactProblem& problem, const std::vector<Mat3>& hessians,
                              const VectorXd& b)
 {
-    if (!fits(stiffenings)) {
-        stiffenings_ = stiffenings;
+    if (!fits(hessians)) {
+        hessians_ = hessians;
         factor(problem);
     }
     ++solves_;

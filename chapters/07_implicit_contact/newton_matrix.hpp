@@ -27,8 +27,8 @@ public:
 
     /// x of (A + J^T S J) x = b; zero where the matrix cannot be factored.
     /// @param problem      of the same step as in the calls before: masses and levers are the same
-    /// @param stiffenings  S of each pair
-    Eigen::VectorXd solve(const ContactProblem& problem, const std::vector<Mat3>& stiffenings,
+    /// @param hessians  S of each pair
+    Eigen::VectorXd solve(const ContactProblem& problem, const std::vector<Mat3>& hessians,
                           const Eigen::VectorXd& b);
 
     /// What the pairs would push if they answered a change of the velocities as straight as the last solve() took
@@ -41,7 +41,7 @@ private:
     /// Which factor is the present one.
     enum class Kind { none, dense, sparse };
 
-    bool fits(const std::vector<Mat3>& stiffenings) const;
+    bool fits(const std::vector<Mat3>& hessians) const;
     void factor(const ContactProblem& problem);
     void factor_dense(const ContactProblem& problem);
     void factor_sparse(const ContactProblem& problem);
@@ -49,9 +49,9 @@ private:
     Eigen::VectorXd solve_with_factor(const ContactProblem& problem, const Eigen::VectorXd& b) const;
 
     Kind kind_ = Kind::none;
-    int solves_ = 0;                 ///< in this step
-    std::vector<Mat3> stiffenings_;  ///< of each pair, when it was factored
-    std::vector<int> stiff_;         ///< coordinates that a stiff pair moves, ascending
+    int solves_ = 0;              ///< in this step
+    std::vector<Mat3> hessians_;  ///< of each pair, when it was factored
+    std::vector<int> stiff_;      ///< coordinates that a stiff pair moves, ascending
     Eigen::PartialPivLU<Eigen::MatrixXd> dense_lu_;
     BlockMatrix blocks_;
     Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> sparse_;  ///< ordered for the present pattern

@@ -67,11 +67,11 @@ PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step
         return result;
     const Mat3 along = Mat3::Identity() - n * n.transpose();
     if (!push.slips) {
-        result.stiffening += k * dt * dt * along;
+        result.hessian += k * dt * dt * along;
         return result;
     }
     const Vec3 direction = push.friction / limit;
-    result.stiffening += limit / wanted * k * dt * dt * (along - direction * direction.transpose());
+    result.hessian += limit / wanted * k * dt * dt * (along - direction * direction.transpose());
     return result;
 }
 //! [answer]

@@ -31,7 +31,7 @@ struct PairPush {
 
 struct PairAnswer : PairPush {
     /// minus the derivative of the total by the velocity [kg]; symmetric, never negative
-    Mat3 stiffening;
+    Mat3 hessian;
 };
 
 /// What the spring along the surface would push if it never gave [N s].

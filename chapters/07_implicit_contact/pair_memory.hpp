@@ -12,19 +12,19 @@ namespace enduring {
 
 /// What decides a pair's stiffness, the same for all scenes.
 struct StiffnessChoice {
-    double of_its_mass = 100;  ///< h = k dt^2 / m of a pair with the mass that it feels itself
+    double k_dt2_over_m = 100;  ///< h = k dt^2 / m of a pair with the mass that it feels itself
     /// The same, at most, whatever its load asks for: a mass is added to k dt^2, and the sum is rounded. A tenth: a die
     /// of a gram under 100 kg is pressed as many times deeper. Ten times: such solves come to no end.
-    double most_of_its_mass = 1e7;
+    double max_k_dt2_over_m = 1e7;
     /// how deep the load that a pair carries may press it [m]; without it, a part of the pair's size
     std::optional<double> wanted_depth{};
     double keep = 0.9;  ///< part of a spring's slack that a step keeps
     /// how many wanted depths the spring of a pair that began inside may still be slack when friction sets in
-    double rubbing_slack = INFINITY;
+    double rubbing_offset = INFINITY;
     /// time in which a stiffness doubles at most, from step to step [s]; of a metre, see of_pair()
     double doubles_in = scale_parts.doubles_in * NaturalUnits{}.time();
     /// the fastest at which a slack fades [m/s]; of a metre, see of_pair()
-    double leaving_speed = scale_parts.fading_speed * NaturalUnits{}.speed;
+    double max_depenetration_velocity = scale_parts.fading_speed * NaturalUnits{}.speed;
 
     /// The wanted depth of a pair of this length [m].
     double depth(double length = NaturalUnits{}.length) const
@@ -48,8 +48,8 @@ void stiffen(Contact& contact, double depth_t0, double stiffness);
 /// one that comes from outside has none.
 /// @param depth_t0   at the start of the step [m], negative inside
 /// @param mass       as above; asked for a new pair, and where the load asks for more than the pair has
-/// @param most_load  that others can bring upon a pair [N]
+/// @param max_load  that others can bring upon a pair [N]
 void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
-                     double most_load = std::numeric_limits<double>::infinity());
+                     double max_load = std::numeric_limits<double>::infinity());
 
 }  // namespace enduring

@@ -35,13 +35,13 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         PairLaw& law = step.problem.rows[i].law;
         const double load = law.normal.dot(step.problem.rows[i].acting) / dt;
         const double depth = choice.of_pair(natural_units(world, contact, dt)).depth();
-        const double wanted = std::min(choice.of_its_mass * masses[i] / (dt * dt), load / depth);
+        const double wanted = std::min(choice.k_dt2_over_m * masses[i] / (dt * dt), load / depth);
         if (wanted < enough * contact.stiffness)
             continue;
-        const double most = choice.most_of_its_mass * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
+        const double most = choice.max_k_dt2_over_m * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
         if (most < enough * contact.stiffness)
             continue;
-        stiffen(contact, law.depth_t0 + contact.slack, std::min(wanted, most));
+        stiffen(contact, law.depth_t0 + contact.rest_offset, std::min(wanted, most));
         law.stiffness = contact.stiffness;
         law.stretch = contact.stretch;
         any = true;

@@ -16,7 +16,7 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     frictionless.friction = NoFriction{};
     Solver solver = chapter06_solver(frictionless);
     solver.name = "chapter 7";
-    solver.most_halvings = most_halvings;
+    solver.max_halvings = max_halvings;
     solver.replace(
         "impulses", "solve contacts",
         [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {

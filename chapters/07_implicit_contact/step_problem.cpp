@@ -127,7 +127,7 @@ double update_row(const World& world, const Contact& contact, const StepLaw& ste
         row.law.normal = normal_of(pair_step(world, contact), step.centre);
     const Vec3 start = relative_position(world, contact, 0), end = relative_position(world, contact, 1);
     const double depth_t0 = row.law.normal.dot(start);
-    row.law.depth_t0 = depth_t0 - contact.slack;
+    row.law.depth_t0 = depth_t0 - contact.rest_offset;
     row.velocity = (end - start) / step.dt;
     row.acting = contact.impulse + contact.friction;
     if (!contact.sliding_normal.isZero(0))
@@ -152,10 +152,10 @@ bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem&
 bool rubs(const Contact& contact, const PairRow& row, const ContactProblem& problem,
           const StiffnessChoice& choice)
 {
-    if (contact.slack >= -choice.rubbing_slack * choice.depth())
+    if (contact.rest_offset >= -choice.rubbing_offset * choice.depth())
         return true;
     const double first = wanted_stiffness(mass_of(row, problem), 0, choice, problem.step.dt);
-    return -contact.slack * first <= contact.load;
+    return -contact.rest_offset * first <= contact.load;
 }
 //! [rubs]
 
@@ -167,8 +167,8 @@ double mass_of(const PairRow& row, const ContactProblem& problem)
     return response > 0 ? 1 / response : 0;
 }
 
-//! [most_load]
-double most_load(const World& world, double dt)
+//! [max_load]
+double max_load(const World& world, double dt)
 {
     constexpr double lever = 10;
     double load = 0;
@@ -176,7 +176,7 @@ double most_load(const World& world, double dt)
         load += body->mass() * (lever * world.gravity.norm() + body->mean_velocity().norm() / dt);
     return load;
 }
-//! [most_load]
+//! [max_load]
 
 StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step_law, bool first)
@@ -186,7 +186,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
     step.vertices = touched_vertices(world, contacts);
     add_blocks(world, step);
     step.problem.rows.reserve(contacts.size());
-    const double most = most_load(world, step_law.dt);
+    const double most = max_load(world, step_law.dt);
     for (Contact& contact : contacts) {
         if (!takes_part(contact))
             continue;

@@ -27,7 +27,7 @@ double mass_of(const PairRow& row, const ContactProblem& problem);
 
 /// What weight and motion of all bodies can bring upon a pair, with a lever as a wedge has it [N]. What
 /// presses harder than this comes from the pairs themselves.
-double most_load(const World& world, double dt);
+double max_load(const World& world, double dt);
 
 /// Brings normals, velocities and acting impulses of all rows to the present prediction. Friction's limits are taken from the
 /// normal impulses that act, not from what the pairs answer to the motion: this enlarges an error of the motion by h.

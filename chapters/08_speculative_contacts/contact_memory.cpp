@@ -18,7 +18,7 @@ void take_over(const Contact& last, Contact& contact)
 {
     contact.stiffness = last.stiffness;
     contact.load = last.load;
-    contact.slack = last.slack;
+    contact.rest_offset = last.rest_offset;
     contact.stretch = last.stretch;
     contact.slip = last.slip;
 }
@@ -37,7 +37,7 @@ bool hand_on(const World& world, const Contact& last, Contact& contact)
     if (before.normal.dot(now.normal) < search_parts.hand_on)
         return false;
     take_over(last, contact);
-    contact.slack = std::min(0.0, now.depth - std::min(0.0, before.depth - last.slack));
+    contact.rest_offset = std::min(0.0, now.depth - std::min(0.0, before.depth - last.rest_offset));
     contact.stretch = shortest_turn(before.normal, now.normal) * last.stretch;
     return true;
 }

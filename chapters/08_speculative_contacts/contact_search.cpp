@@ -52,8 +52,7 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
 {
     const auto all = vertex_candidates(search);
     std::vector<FaceMeeting> meetings;
-    Ground ground;
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t i = 0, first = 0; i < all.size(); ++i) {
         const auto [body_a, vertex, body_b, face] = all[i];
         const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
         const Reach reach = reach_of(world, body_a, body_b, margin);
@@ -64,11 +63,14 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
                 meeting->cost -= 1e-2 * search_parts.hysteresis * reach.inside / search_parts.inside;
             meetings.push_back({face, *meeting});
         }
-        ground.look_at(a, vertex, b, face);
         const bool last = i + 1 == all.size() ||
                           !std::equal(all[i].begin(), all[i].begin() + 3, all[i + 1].begin());
         if (!last)
             continue;
+        Ground ground;
+        for (; first <= i; ++first)
+            if (!meetings.empty())
+                ground.look_at(a, vertex, b, all[first][3]);
         for (const FaceMeeting& chosen : choose_walls(b, std::move(meetings))) {
             const auto [f0, f1, f2] = b.face(chosen.face);
             pair.feature_b = chosen.face;
@@ -79,7 +81,6 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
             contacts.push_back(pair);
         }
         meetings.clear();
-        ground = {};
     }
 }
 //! [vertex_pairs]

@@ -40,10 +40,10 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
     settings.friction = coefficients_of(parameters.friction);
     if (parameters.wanted_depth)
         settings.stiffness.wanted_depth = parameters.wanted_depth;
-    settings.stiffness.of_its_mass *= search_parts.stiffer;
+    settings.stiffness.k_dt2_over_m *= search_parts.stiffer;
     Solver solver;
     solver.name = "chapter 8";
-    solver.most_halvings = most_halvings;
+    solver.max_halvings = max_halvings;
     solver.finds_stiffness = true;
     solver.can_resume = true;
     solver.append(StepStage::refresh, "find pairs", [search](World& world, Contacts& contacts, double dt) {

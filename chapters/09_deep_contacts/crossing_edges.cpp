@@ -11,7 +11,7 @@ namespace enduring {
 namespace {
 
 /// Two edges that cross are neighbours on the curve, but for the upright edges that it may pass at their corners.
-constexpr std::size_t most_ahead = 4;
+constexpr std::size_t max_ahead = 4;
 
 //! [near_on_the_curve]
 /// Edges of A with edges of B that a curve passes soon after each other.
@@ -19,7 +19,7 @@ std::set<FeaturePair> near_on_the_curve(const std::vector<Piercing>& curve)
 {
     std::set<FeaturePair> near;
     for (std::size_t i = 0; i < curve.size(); ++i)
-        for (std::size_t ahead = 1; ahead <= most_ahead; ++ahead) {
+        for (std::size_t ahead = 1; ahead <= max_ahead; ++ahead) {
             const Piercing &one = curve[i], &next = curve[(i + ahead) % curve.size()];
             if (one.edge_of_a != next.edge_of_a)
                 near.insert(one.edge_of_a ? FeaturePair{one.edge, next.edge}
@@ -31,13 +31,14 @@ std::set<FeaturePair> near_on_the_curve(const std::vector<Piercing>& curve)
 
 //! [pushes_out]
 /// Lets a pair act at its feet, if these lie on the edges and it pushes along the way out.
-bool pushes_out(const World& world, const Vec3& way_out, Contact& pair)
+bool pushes_out(const World& world, const Vec3& separation_direction, Contact& pair)
 {
     const PairSurfaces surfaces(world, pair, 0);
     const PairVertices x = edge_vertices(surfaces, pair.feature_a, pair.feature_b);
-    pair.orientation = (x[1] - x[0]).cross(x[3] - x[2]).dot(way_out) < 0 ? -1 : 1;
+    pair.orientation = (x[1] - x[0]).cross(x[3] - x[2]).dot(separation_direction) < 0 ? -1 : 1;
     const std::optional<EdgeFeet> feet = feet_of_edges(x, pair.orientation, smallest_edge_sine);
-    if (!feet || feet->depth >= 0 || !feet->overlap(0) || !is_within_45_degrees(feet->normal, way_out) ||
+    if (!feet || feet->depth >= 0 || !feet->overlap(0) ||
+        !is_within_45_degrees(feet->normal, separation_direction) ||
         is_hooked_edge_pair(surfaces.a, pair.feature_a, surfaces.b, pair.feature_b, feet->normal))
         return false;
     put_at(pair, *feet);
@@ -57,7 +58,7 @@ void append_crossing_edges(const World& world, int body_a, int body_b, const Ove
             const auto [b0, b1] = world.bodies[body_b]->surface().edges()[edge_b];
             Contact pair{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b, {a0, a1, b0, b1}};
             pair.category = ContactCategory::regular;
-            if (!known.contain(pair) && pushes_out(world, overlap.way_out, pair))
+            if (!known.contain(pair) && pushes_out(world, overlap.separation_direction, pair))
                 contacts.push_back(pair);
         }
 }

@@ -40,10 +40,10 @@ StillSurface still(const Body& body, const FaceTree& tree)
 
 }  // namespace
 
-std::vector<Vec3> shared_way_out(const StillSurface&, const std::vector<int>& vertices, const StillSurface&,
-                                 const Vec3& way_out)
+std::vector<Vec3> overlap_direction(const StillSurface&, const std::vector<int>& vertices,
+                                    const StillSurface&, const Vec3& separation_direction)
 {
-    return std::vector<Vec3>(vertices.size(), way_out);
+    return std::vector<Vec3>(vertices.size(), separation_direction);
 }
 
 void InsidePairs::fit_trees(const World& world)
@@ -93,8 +93,8 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
         for (const Overlap& overlap : overlaps) {
             const auto &of_a = overlap.vertices_of_a, &of_b = overlap.vertices_of_b;
             const StillSurface a = still(*bodies_[i], trees_[i]), b = still(*bodies_[j], trees_[j]);
-            const std::vector<Vec3> ways_a = ways_(a, of_a, b, overlap.way_out),
-                                    ways_b = ways_(b, of_b, a, -overlap.way_out);
+            const std::vector<Vec3> ways_a = ways_(a, of_a, b, overlap.separation_direction),
+                                    ways_b = ways_(b, of_b, a, -overlap.separation_direction);
             append_pairs_of(i, a, of_a, j, b, ways_a, in_contact, contacts);
             append_pairs_of(j, b, of_b, i, a, ways_b, in_contact, contacts);
             append_crossing_edges(world, i, j, overlap, contacts);
@@ -103,12 +103,12 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
         }
 }
 
-//! [fade_slack]
-void fade_slack(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most)
+//! [fade_rest_offset]
+void fade_rest_offset(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most)
 {
     for (Contact& contact : contacts)
-        if (contact.slack < 0)
-            contact.slack = std::min(keep * contact.slack, contact.slack + most(contact));
+        if (contact.rest_offset < 0)
+            contact.rest_offset = std::min(keep * contact.rest_offset, contact.rest_offset + most(contact));
 }
 
 double InsidePairs::part_along_the_way(const World& world, const Contact& contact) const
@@ -124,6 +124,6 @@ double InsidePairs::part_along_the_way(const World& world, const Contact& contac
     }
     return 1;
 }
-//! [fade_slack]
+//! [fade_rest_offset]
 
 }  // namespace enduring

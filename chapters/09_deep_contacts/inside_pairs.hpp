@@ -11,13 +11,14 @@
 namespace enduring {
 
 /// The way out of each of some vertices that lie in another body, unit length; zero for none.
-/// @param way_out  of the overlap that they belong to
-using WaysOut = std::function<std::vector<Vec3>(const StillSurface& inner, const std::vector<int>& vertices,
-                                                const StillSurface& outer, const Vec3& way_out)>;
+/// @param separation_direction  of the overlap that they belong to
+using SeparationMethod =
+    std::function<std::vector<Vec3>(const StillSurface& inner, const std::vector<int>& vertices,
+                                    const StillSurface& outer, const Vec3& separation_direction)>;
 
 /// All vertices share the way of their overlap.
-std::vector<Vec3> shared_way_out(const StillSurface& inner, const std::vector<int>& vertices,
-                                 const StillSurface& outer, const Vec3& way_out);
+std::vector<Vec3> overlap_direction(const StillSurface& inner, const std::vector<int>& vertices,
+                                    const StillSurface& outer, const Vec3& separation_direction);
 
 /// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
 /// which the way out of their overlap leads; and the edges that cross on its border without one. It needs no
@@ -26,7 +27,7 @@ std::vector<Vec3> shared_way_out(const StillSurface& inner, const std::vector<in
 /// The trees are shaped once, so it belongs to one world.
 class InsidePairs {
 public:
-    explicit InsidePairs(WaysOut ways = shared_way_out) : ways_(std::move(ways)) {}
+    explicit InsidePairs(SeparationMethod method = overlap_direction) : ways_(std::move(method)) {}
 
     /// Finds where bodies overlap at the start of the step.
     void trace(const World& world);
@@ -55,7 +56,7 @@ private:
     void note_ways(int body_a, const std::vector<int>& vertices, int body_b, const std::vector<Vec3>& ways);
 
     using Key = std::tuple<int, int, int>;  ///< body_a, vertex, body_b
-    WaysOut ways_;
+    SeparationMethod ways_;
     std::map<Key, Vec3> way_of_vertex_;   ///< of this step
     std::vector<BodyOverlaps> overlaps_;  ///< of this step
     std::vector<const Body*> bodies_;     ///< whose trees these are
@@ -66,6 +67,6 @@ private:
 /// may be let out. So a spring that is born deep inside brings no energy, and throws nothing.
 /// @param keep  part of its slack that a spring keeps in a step at least
 /// @param most  by how much a pair's slack may fade in the step [m], not negative
-void fade_slack(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most);
+void fade_rest_offset(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most);
 
 }  // namespace enduring

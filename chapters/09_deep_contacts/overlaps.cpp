@@ -174,11 +174,11 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
     for (auto& [volume, sum] : sums) {
         Overlap& overlap = sum.overlap;
         if (sum.area.norm() > cancelled_area * sum.size)
-            overlap.way_out = -sum.area.normalized();
+            overlap.separation_direction = -sum.area.normalized();
         else if (!overlap.vertices_of_a.empty())
-            overlap.way_out = shortest_way(a, overlap.vertices_of_a, b);
+            overlap.separation_direction = shortest_way(a, overlap.vertices_of_a, b);
         else if (!overlap.vertices_of_b.empty())
-            overlap.way_out = -shortest_way(b, overlap.vertices_of_b, a);
+            overlap.separation_direction = -shortest_way(b, overlap.vertices_of_b, a);
         overlaps.push_back(std::move(overlap));
     }
     return overlaps;

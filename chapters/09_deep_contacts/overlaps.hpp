@@ -7,7 +7,8 @@ namespace enduring {
 /// A volume that two bodies share: the vertices of each that lie in it, and the way out of it.
 struct Overlap {
     std::vector<int> vertices_of_a, vertices_of_b;
-    Vec3 way_out = Vec3::Zero();  ///< unit length: A leaves B along it, and B leaves A against it
+    Vec3 separation_direction =
+        Vec3::Zero();  ///< unit length: A leaves B along it, and B leaves A against it
     std::vector<std::vector<Piercing>> curves;  ///< around it, the piercings of each in their order
 };
 

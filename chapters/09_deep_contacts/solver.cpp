@@ -10,12 +10,13 @@
 namespace enduring {
 
 //! [solver]
-Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings, WaysOut ways)
+Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,
+                        SeparationMethod method)
 {
     const double keep = std::exchange(settings.stiffness.keep, 1);  // slack fades here, not there
-    settings.stiffness.rubbing_slack = 100;                         // what is let out does not rub
+    settings.stiffness.rubbing_offset = 100;                        // what is let out does not rub
     const auto search = std::make_shared<SelfSearch>();
-    const auto inside = std::make_shared<InsidePairs>(std::move(ways));
+    const auto inside = std::make_shared<InsidePairs>(std::move(method));
     Solver solver = chapter08_solver(parameters, settings, search);
     solver.name = "chapter 9";
     solver.insert_before("find pairs", "trace overlaps",
@@ -24,17 +25,17 @@ Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings se
         renew_pairs(*search, world, dt, contacts,
                     [&](Contacts& found) { inside->append_pairs(world, found); });
     });
-    solver.append(
-        StepStage::refresh, "let out",
-        [inside, keep, speed = parameters.leaving_speed](World& world, Contacts& contacts, double dt) {
-            const double most = most_load(world, dt);
-            fade_slack(contacts, keep, [&](const Contact& contact) {
-                // what carries more than others can bring upon it does not move out, and is not wound up
-                return contact.load > most ? 0
-                                           : leaving_speed(world, contact, speed, dt) * dt *
-                                                 inside->part_along_the_way(world, contact);
-            });
-        });
+    solver.append(StepStage::refresh, "let out",
+                  [inside, keep, speed = parameters.max_depenetration_velocity](
+                      World& world, Contacts& contacts, double dt) {
+                      const double most = max_load(world, dt);
+                      fade_rest_offset(contacts, keep, [&](const Contact& contact) {
+                          // what carries more than others can bring upon it does not move out, and is not wound up
+                          return contact.load > most ? 0
+                                                     : max_depenetration_velocity(world, contact, speed, dt) *
+                                                           dt * inside->part_along_the_way(world, contact);
+                      });
+                  });
     return solver;
 }
 //! [solver]

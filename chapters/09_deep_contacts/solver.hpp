@@ -12,6 +12,6 @@ namespace enduring {
 Solver chapter09_solver(const ContactParameters& parameters);
 /// The same with settings of one's own, and another choice of the ways out.
 Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,
-                        WaysOut ways = shared_way_out);
+                        SeparationMethod method = overlap_direction);
 
 }  // namespace enduring

@@ -28,7 +28,7 @@ void below_ground(Value& value, const World& world, const Contacts&, double)
             value = std::max(value.value_or(-1e9), -1000 * x.y());
 }
 
-void most_pairs(Value& value, const World&, const Contacts& contacts, double)
+void max_pairs(Value& value, const World&, const Contacts& contacts, double)
 {
     const auto pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) {
         return contact.kind != ContactKind::vertex_plane;

@@ -14,7 +14,7 @@ using Value = std::optional<double>;
 void below_ground(Value& value, const World& world, const Contacts&, double dt);
 
 /// Most pairs of features that were in the list after a step.
-void most_pairs(Value& value, const World&, const Contacts& contacts, double dt);
+void max_pairs(Value& value, const World&, const Contacts& contacts, double dt);
 
 /// Height of a body's middle at the end [m].
 Gauge::Reading height_of(const std::string& body);

@@ -163,7 +163,7 @@ std::string scaled(const std::string& text, const SceneScale& scale)
     multiply(scene, "duration", root);
     if (scene.contains("contact")) {
         multiply(scene["contact"], "stiffness", s * s * scale.density);
-        multiply(scene["contact"], "leaving_speed", root);
+        multiply(scene["contact"], "max_depenetration_velocity", root);
         multiply(scene["contact"], "wanted_depth", s);
     }
     if (scene.contains("planes"))

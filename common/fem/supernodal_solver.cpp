@@ -152,9 +152,9 @@ void SupernodalSolver::solve(Eigen::VectorXd& b) const
 
 void SupernodalSolver::solve(Eigen::MatrixXd& b) const
 {
-    constexpr Eigen::Index most_columns = 48;  // at once: they and a large block fit a cache
-    for (Eigen::Index first = 0; first < b.cols(); first += most_columns) {
-        const Eigen::Index count = std::min(most_columns, b.cols() - first);
+    constexpr Eigen::Index max_columns = 48;  // at once: they and a large block fit a cache
+    for (Eigen::Index first = 0; first < b.cols(); first += max_columns) {
+        const Eigen::Index count = std::min(max_columns, b.cols() - first);
         Eigen::MatrixXf x(b.rows(), count);
         for (Eigen::Index i = 0; i < b.rows(); ++i)
             x.row(i) = b.row(order_[i]).segment(first, count).cast<float>();

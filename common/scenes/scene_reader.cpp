@@ -16,12 +16,12 @@
 namespace enduring {
 namespace {
 
-constexpr std::size_t most_planes = 100;
+constexpr std::size_t max_planes = 100;
 const NumberRange stiffness_range{0, 1e12, false, true, "N/m"};
 
 ContactParameters read_contact(const JsonValue& value)
 {
-    value.require_keys({"method", "stiffness", "friction", "leaving_speed", "wanted_depth"});
+    value.require_keys({"method", "stiffness", "friction", "max_depenetration_velocity", "wanted_depth"});
     ContactParameters contact;
     Mistakes mistakes;
     mistakes.gather([&] {
@@ -36,7 +36,8 @@ ContactParameters read_contact(const JsonValue& value)
                 number = given->number(range);
         });
     };
-    read_if_given("leaving_speed", {0, 10, false, true, "m/s"}, contact.leaving_speed);
+    read_if_given("max_depenetration_velocity", {0, 10, false, true, "m/s"},
+                  contact.max_depenetration_velocity);
     read_if_given("wanted_depth", {0, 1, false, true, "m"}, contact.wanted_depth);
     mistakes.gather([&] {
         if (const std::optional<JsonValue> friction = value.find("friction"))
@@ -95,7 +96,7 @@ void read_planes(const JsonValue& root, std::set<std::string>& names, Scene& sce
     const std::optional<JsonValue> planes = root.find("planes");
     if (!planes)
         return;
-    for (const JsonValue& entry : planes->items(0, most_planes))
+    for (const JsonValue& entry : planes->items(0, max_planes))
         mistakes.gather([&] {
             require_new_name(entry, names);
             scene.world.planes.push_back(read_plane(entry));

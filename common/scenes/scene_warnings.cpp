@@ -11,12 +11,13 @@ namespace enduring {
 namespace {
 
 /// Solvers differ in what becomes of such a body: the scene does not say which of them will run it.
-std::string sentence(const StartOverlap& overlap, double leaving_speed)
+std::string sentence(const StartOverlap& overlap, double max_depenetration_velocity)
 {
     const std::string place = "'" + overlap.inner + "' begins " + (overlap.whole ? "wholly " : "") +
                               "inside '" + overlap.outer + "', " + readable(overlap.depth, 3) + " m deep",
                       let_out = ": a solver that traces intersections lets it out at " +
-                                readable(leaving_speed, 3) + " m/s (/contact/leaving_speed), ";
+                                readable(max_depenetration_velocity, 3) +
+                                " m/s (/contact/max_depenetration_velocity), ";
     if (overlap.in_plane)
         return place + let_out +
                "one that does not throws it out, since all weight of the scene would not press it so far";
@@ -37,7 +38,7 @@ double speed_of(const StartOverlap& overlap, const Scene& scene)
     Contact pair{overlap.in_plane ? ContactKind::vertex_plane : ContactKind::vertex_face,
                  body(overlap.inner)};
     pair.body_b = overlap.in_plane ? 0 : body(overlap.outer);
-    return leaving_speed(scene.world, pair, scene.contact.leaving_speed, scene.dt);
+    return max_depenetration_velocity(scene.world, pair, scene.contact.max_depenetration_velocity, scene.dt);
 }
 
 std::string sentence(const StartSelfOverlap& overlap)

@@ -16,7 +16,7 @@ namespace enduring {
 namespace {
 
 const NumberRange length{0, 1e4, false, true, "m"};
-constexpr int most_cells = 2000;  // along one side; the product has its own limit
+constexpr int max_cells = 2000;  // along one side; the product has its own limit
 
 template <std::size_t n>
 std::array<int, n> read_cells(const JsonValue& value, const std::array<int, n>& otherwise)
@@ -27,7 +27,7 @@ std::array<int, n> read_cells(const JsonValue& value, const std::array<int, n>& 
     std::array<int, n> cells{};
     const std::vector<JsonValue> items = list->items(n, n);
     std::transform(items.begin(), items.end(), cells.begin(),
-                   [](const JsonValue& item) { return item.integer(1, most_cells); });
+                   [](const JsonValue& item) { return item.integer(1, max_cells); });
     return cells;
 }
 
@@ -113,7 +113,7 @@ Shape read_bowl(const JsonValue& value, const SceneLimits& limits)
                         "segments_along", "segments_rim"});
     const auto segments = [&](const std::string& key, int low, int otherwise) {
         const std::optional<JsonValue> count = value.find(key);
-        return count ? count->integer(low, most_cells) : otherwise;
+        return count ? count->integer(low, max_cells) : otherwise;
     };
     BowlShape shape;
     shape.inner_radius = value.at("inner_radius").number(length);

@@ -16,6 +16,19 @@ private:
 
 }  // namespace
 
+std::vector<double> state_of(Body& body)
+{
+    StateArchive writer;
+    body.visit_state(writer);
+    return writer.numbers();
+}
+
+void restore_state(Body& body, const std::vector<double>& numbers)
+{
+    StateArchive reader(numbers);
+    body.visit_state(reader);
+}
+
 Vec3 Body::centre() const
 {
     Vec3 sum = Vec3::Zero();

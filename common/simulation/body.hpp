@@ -134,4 +134,8 @@ private:
     double size_ = 0;
 };
 
+/// What visit_state() writes, and the same read back.
+std::vector<double> state_of(Body& body);
+void restore_state(Body& body, const std::vector<double>& numbers);
+
 }  // namespace enduring

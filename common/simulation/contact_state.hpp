@@ -22,7 +22,7 @@ inline void visit_state(StateArchive& archive, Contact& contact)
     archive(contact.stretch);
     archive(contact.slip);
     archive(contact.stiffness);
-    archive(contact.slack);
+    archive(contact.rest_offset);
     archive(contact.load);
     archive(contact.sliding_normal);
     archive.whole(contact.category);

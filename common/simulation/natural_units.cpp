@@ -27,9 +27,11 @@ NaturalUnits natural_units(const World& world, const Contact& contact, double dt
 }
 //! [natural_units]
 
-double leaving_speed(const World& world, const Contact& contact, std::optional<double> of_scene, double dt)
+double max_depenetration_velocity(const World& world, const Contact& contact, std::optional<double> of_scene,
+                                  double dt)
 {
-    return of_scene ? *of_scene : scale_parts.leaving_speed * natural_units(world, contact, dt).speed;
+    return of_scene ? *of_scene
+                    : scale_parts.max_depenetration_velocity * natural_units(world, contact, dt).speed;
 }
 
 }  // namespace enduring

@@ -19,7 +19,7 @@ struct ScaleParts {
     /// Of the speed: at which a body is let out of another one. When it is free it rises by half the
     /// square, 0.6 % of the length. A tenth: it takes ten times as long. Ten times: it jumps by half of its
     /// size.
-    double leaving_speed = 0.11;
+    double max_depenetration_velocity = 0.11;
     /// Of the time: in which a stiffness that follows a load from step to step doubles at most. A tenth: every
     /// impact makes its pairs stiff for good. Ten times: a load that grows has pressed its pair ten times as deep
     /// before it is followed.
@@ -61,6 +61,7 @@ NaturalUnits natural_units(const World& world, const Contact& contact, double dt
 
 /// At which a pair's bodies are let out of each other [m/s].
 /// @param of_scene  if it gives one, for all pairs
-double leaving_speed(const World& world, const Contact& contact, std::optional<double> of_scene, double dt);
+double max_depenetration_velocity(const World& world, const Contact& contact, std::optional<double> of_scene,
+                                  double dt);
 
 }  // namespace enduring

@@ -11,7 +11,7 @@ namespace {
 
 /// A way along the edges is longer than the straight one. In a cell of a grid, whose corners are at most its
 /// diagonal apart, it is by less than a half.
-constexpr double most_detour = 2;
+constexpr double max_detour = 2;
 
 using Bonds = std::vector<std::vector<std::pair<int, double>>>;  ///< of each node: the others, and how far
 
@@ -68,7 +68,7 @@ RestNeighbours::RestNeighbours(const SurfaceTopology& surface, std::span<const V
     std::vector<double> way(rest.size(), std::numeric_limits<double>::infinity());
     //! [vertices]
     for (int u = 0; u < surface.vertex_count(); ++u)
-        for (const int v : within(of_nodes, u, most_detour * largest, way))
+        for (const int v : within(of_nodes, u, max_detour * largest, way))
             if (u < v && v < surface.vertex_count() &&
                 (rest[u] - rest[v]).norm() <= std::max(reach[u], reach[v]))
                 near_[u].push_back(v);

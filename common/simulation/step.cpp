@@ -1,7 +1,6 @@
 #include "common/simulation/step.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/energy.hpp"
 #include "common/simulation/step_attempt.hpp"
 
 #include <algorithm>
@@ -86,11 +85,11 @@ std::vector<double> turns(const World& world, double dt)
 
 /// Whether impulses turn a body so far that its vertices leave their straight lines. An answer that turns a body by radians may
 /// end beside what pressed it: that solves the equation, too, with any energy.
-bool turns_too_far(const World& world, const std::vector<double>& before, double most_turn, double dt)
+bool turns_too_far(const World& world, const std::vector<double>& before, double max_turn, double dt)
 {
     const std::vector<double> now = turns(world, dt);
     return !std::equal(now.begin(), now.end(), before.begin(), before.end(),
-                       [&](double one, double other) { return one <= other + most_turn; });
+                       [&](double one, double other) { return one <= other + max_turn; });
 }
 //! [turns_too_far]
 
@@ -236,7 +235,7 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
         done("apply impulses");
         update_predictions(world, dt);
         done("update prediction");
-        if (turns_too_far(world, free_turns, solver.most_turn, dt))
+        if (turns_too_far(world, free_turns, solver.max_turn, dt))
             world.attempt.trouble = StepTrouble::turns_too_far;
         if (is_given_up(world))
             return;
@@ -244,7 +243,7 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     }
 
     run_passes(solver.passes(StepStage::finish), world, contacts, dt, done);
-    if (solver.most_halvings > 0)
+    if (solver.max_halvings > 0)
         world.attempt.put_in += driven_work(world, contacts, dt);
     commit(world, dt);
     done("commit");
@@ -256,8 +255,8 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
 void try_step(World& world, Contacts& contacts, const Solver& solver, double dt, bool may_be_halved,
               const PassObserver& done)
 {
-    world.attempt = {may_be_halved, StepTrouble::none, spring_energy(contacts)};
     const HeldEnergy before = held_energy(world, contacts);
+    world.attempt = {may_be_halved, StepTrouble::none, before.springs};
     try {
         take_step(world, contacts, solver, dt, done);
     } catch (const std::runtime_error&) {  // a number is not finite
@@ -271,18 +270,18 @@ void try_step(World& world, Contacts& contacts, const Solver& solver, double dt,
 }
 
 /// Whether a body that nothing touches turns so far in a step that it has to be taken in halves from the first.
-bool begins_too_long(const World& world, double most_turn, double dt)
+bool begins_too_long(const World& world, double max_turn, double dt)
 {
-    constexpr double most_parts = 1024;
+    constexpr double max_parts = 1024;
     for (const auto& body : world.bodies) {
         const double turn = dt * body->turning_speed();
-        if (turn > most_parts * most_turn) {
+        if (turn > max_parts * max_turn) {
             std::ostringstream why;
             why << "step " << world.step + 1 << ": body '" << body->name() << "' turns by " << turn
                 << " rad in a step; make dt shorter";
             throw std::runtime_error(why.str());
         }
-        if (turn > most_turn)
+        if (turn > max_turn)
             return true;
     }
     return false;
@@ -303,12 +302,12 @@ void advance_both_halves(World& world, Contacts& contacts, const Solver& solver,
 void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, double dt, int halvings,
                        const PassObserver& done)
 {
-    if (begins_too_long(world, solver.most_turn, dt)) {
+    if (begins_too_long(world, solver.max_turn, dt)) {
         advance_both_halves(world, contacts, solver, dt, halvings, done);
         return;
     }
     const SavedState before(world, contacts);
-    try_step(world, contacts, solver, dt, halvings < solver.most_halvings, done);
+    try_step(world, contacts, solver, dt, halvings < solver.max_halvings, done);
     if (world.attempt.trouble == StepTrouble::none)
         return;
     if (!world.attempt.may_be_halved) {
@@ -325,7 +324,7 @@ void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, d
 
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
 {
-    if (solver.most_halvings > 0) {
+    if (solver.max_halvings > 0) {
         advance_in_halves(world, contacts, solver, dt, 0, done);
     } else {
         world.attempt = {};

@@ -83,11 +83,10 @@ enum class StepStage {
 class Solver {
 public:
     std::string name;
-    /// How often a step may be halved that does not end well: that turns a body too far, that is not solved, that presses a spring too far, that gains energy,
-    /// or whose numbers are not finite. None: every step is taken as it comes.
-    int most_halvings = 0;
+    /// How often a step may be halved that does not end well (StepTrouble). None: every step is taken as it comes.
+    int max_halvings = 0;
     /// The furthest that a body may turn in a step that may be halved [rad].
-    double most_turn = 0.5;
+    double max_turn = 0.5;
     bool finds_stiffness = false;  ///< of each pair: a scene's has no effect
     bool can_resume = false;       ///< all that lasts from step to step stands in the world and its pairs
 
@@ -135,14 +134,15 @@ void apply_impulses(World& world, Contacts& contacts);
 ///   appears; finish; commit velocities, then positions. Pairs found by the
 ///   last detection stay, waiting, for the next step.
 /// A step that does not end well is thrown away and taken in halves, each of them a step of its own with half of dt, as far
-/// as the solver's most_halvings goes; the pairs then tell their impulses of the last part.
+/// as the solver's max_halvings goes; the pairs then tell their impulses of the last part.
 ///
 /// @param world     bodies, changed in place
 /// @param contacts  pairs that live on from the last step; on return those alive after this one
 /// @param dt        length of the step [s], positive
 /// @param done      is told of each pass, and of "predict", "apply
 ///     impulses", "update prediction" and "commit"
-/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex
+/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex; or a body turns a
+///     thousand times too far for a solver that takes halves: names step and body
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
              const PassObserver& done = nobody_observes);
 

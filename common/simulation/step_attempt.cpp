@@ -11,19 +11,14 @@ namespace enduring {
 SavedState::SavedState(World& world, const Contacts& contacts) : contacts_(contacts), time_(world.time)
 {
     bodies_.reserve(world.bodies.size());
-    for (const auto& body : world.bodies) {
-        StateArchive writer;
-        body->visit_state(writer);
-        bodies_.push_back(writer.numbers());
-    }
+    for (const auto& body : world.bodies)
+        bodies_.push_back(state_of(*body));
 }
 
 void SavedState::restore(World& world, Contacts& contacts) const
 {
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        StateArchive reader(bodies_[i]);
-        world.bodies[i]->visit_state(reader);
-    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        restore_state(*world.bodies[i], bodies_[i]);
     contacts = contacts_;
     world.time = time_;
 }
@@ -33,7 +28,7 @@ HeldEnergy held_energy(const World& world, const Contacts& contacts)
 {
     const Energy energy = total_energy(world);
     const double springs = spring_energy(contacts);
-    return {energy.total() + springs, energy.kinetic + springs};
+    return {energy.total() + springs, energy.kinetic + springs, springs};
 }
 
 double driven_work(const World& world, const Contacts& contacts, double dt)

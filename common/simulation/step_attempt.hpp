@@ -5,7 +5,7 @@
 namespace enduring {
 
 //! [attempt_limits]
-/// When a step does not end well. Only solvers that take such a step in halves look (Solver::most_halvings).
+/// When a step does not end well. Only solvers that take such a step in halves look (Solver::max_halvings).
 struct AttemptLimits {
     /// Of the kinetic energy and that of the springs at the start: what a step may gain. The equation of a step with normals
     /// that stand still gains nothing; normals that turn with their bodies gain by the square of the turn. A tenth: sound
@@ -35,6 +35,7 @@ private:
 struct HeldEnergy {
     double total = 0;   ///< of all kinds, springs included
     double moving = 0;  ///< kinetic, and of springs
+    double springs = 0;
 };
 HeldEnergy held_energy(const World& world, const Contacts& contacts);
 

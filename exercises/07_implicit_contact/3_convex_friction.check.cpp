@@ -146,7 +146,7 @@ Vec3 velocity_after_step(const PairLaw& pair, const Vec3& free)
     for (int i = 0; i < 50; ++i) {
         const ConvexAnswer made = convex_answer(pair, velocity, dt);
         const Vec3 gradient = velocity - free - made.impulse;
-        const Vec3 direction = -(Mat3::Identity() + made.stiffening).inverse() * gradient;
+        const Vec3 direction = -(Mat3::Identity() + made.hessian).inverse() * gradient;
         double part = 1;
         while (part > 1e-6 && objective(velocity + part * direction) > objective(velocity))
             part /= 2;
@@ -284,7 +284,7 @@ TEST_CASE("answer: while it holds it is the chapter's pair at the end of the ste
         if (!agrees(told(situation), "impulse", made.impulse,
                     Vec3(chapters.normal_impulse + chapters.friction), 1e-9 * mass * situation.speed,
                     "N s") ||
-            !agrees(told(situation), "stiffening", made.stiffening, chapters.stiffening, 1e-9 * mass, "kg"))
+            !agrees(told(situation), "stiffening", made.hessian, chapters.hessian, 1e-9 * mass, "kg"))
             return;
     }
     expect_that("more than 100 of 450 pairs hold", holding > 100);
@@ -307,10 +307,10 @@ TEST_CASE(
             change.col(axis) = (before.impulse - after.impulse) / (2 * by);
         }
         if (near_a_border({wanted, pair.normal, pair.mu, wanted.norm()}))
-            change = made.stiffening;
+            change = made.hessian;
         const std::string input = told({pair, velocity, speed});
         if (!agrees(input, "slope of the potential", slope, made.impulse, 1e-4 * mass * speed, "N s") ||
-            !agrees(input, "stiffening", made.stiffening, change, 1e-4 * mass, "kg"))
+            !agrees(input, "stiffening", made.hessian, change, 1e-4 * mass, "kg"))
             return;
     }
 }

@@ -18,14 +18,14 @@ Mat3 cone_derivative(const Vec3& wanted, const Vec3& normal, double mu);
 
 struct ConvexAnswer {
     Vec3 impulse;      ///< on p, normal and friction together [N s]
-    Mat3 stiffening;   ///< minus its derivative by the velocity [kg]
+    Mat3 hessian;      ///< minus its derivative by the velocity [kg]
     double potential;  ///< convex, and minus its slope by the velocity is the impulse [J]
 };
 
 /// What a pair answers whose normal impulse and friction are one spring, cut to the cone. The spring is
 /// stretched from p's anchor to where p ends the step:
 ///   wanted = -k dt (depth_t0 normal + stretch + dt velocity).
-/// @param pair  its `pressing` is not used
+/// @param pair  its `lagged_normal_impulse` is not used
 ConvexAnswer convex_answer(const PairLaw& pair, const Vec3& velocity, double dt);
 
 /// The depth, negative inside, at which such a pair slides with a constant velocity along the surface, while

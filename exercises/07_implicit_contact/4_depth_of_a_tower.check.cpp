@@ -131,7 +131,7 @@ TEST_CASE("measurement: a piece alone comes to rest at g dt^2 / 100 times what i
 TEST_CASE("measurement: it takes the choice of stiffness that it is given")
 {
     StiffnessChoice soft = wanting(1e-3);
-    soft.of_its_mass = 25;
+    soft.k_dt2_over_m = 25;
     given(told(single), " h 25, wanted depth 1 mm, dt 0.01 s, 2 s");
     expect_depths("depths [um]", measured_depths(single, soft, 0.01, 2),
                   {tower_gravity * 1e-4 / 25 * 5.8 / 3}, 1e-3);

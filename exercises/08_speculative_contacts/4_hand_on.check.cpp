@@ -84,15 +84,15 @@ TEST_CASE("turn: as Eigen's shortest turn, and nothing happens between equal nor
 TEST_CASE("handed on: compression, stiffness and the size of the force stay")
 {
     for (const double degrees : {-40.0, -10.0, 0.0, 20.0, 40.0})
-        for (const double slack : {0.0, -0.001, -0.01}) {
+        for (const double rest_offset : {0.0, -0.001, -0.01}) {
             const FacePlane from = leaning(0), to = leaning(degrees);
             // As deep below one as below the other.
             const Vec3 between = (from.normal + to.normal).normalized();
             const Vec3 vertex = -0.003 / between.dot(from.normal) * between;
-            const PairSpring spring{5e4, slack, {1e-4, 0, 2e-4}};
+            const PairSpring spring{5e4, rest_offset, {1e-4, 0, 2e-4}};
             const auto next = handed_on(spring, from, to, vertex, 0.7);
-            given("to a face that leans by ", degrees, " degrees, 3 mm below both, slack ", 1000 * slack,
-                  " mm");
+            given("to a face that leans by ", degrees, " degrees, 3 mm below both, slack ",
+                  1000 * rest_offset, " mm");
             expect_that("it is handed on", next.has_value());
             if (!next)
                 continue;
@@ -103,7 +103,7 @@ TEST_CASE("handed on: compression, stiffness and the size of the force stay")
                    force_of(spring, from, vertex).norm(), 1e-6, "N");
             expect("stretch across its new face", next->stretch.dot(to.normal), 0, 1e-12, "m");
             expect("length of the stretch", next->stretch.norm(), spring.stretch.norm(), 1e-12, "m");
-            expect_that("the slack is not positive", next->slack <= 0);
+            expect_that("the slack is not positive", next->rest_offset <= 0);
         }
 }
 
@@ -117,8 +117,8 @@ TEST_CASE(
     given("2 mm below one face, 12 mm below the other one, slack 0");
     expect_that("it is handed on", up.has_value() && down.has_value());
     if (up && down) {
-        expect("slack, from 2 mm to 12 mm", up->slack, -0.01, 1e-12, "m");
-        expect("slack, from 12 mm to 2 mm", down->slack, 0, 1e-12, "m");
+        expect("slack, from 2 mm to 12 mm", up->rest_offset, -0.01, 1e-12, "m");
+        expect("slack, from 12 mm to 2 mm", down->rest_offset, 0, 1e-12, "m");
     }
     const PairSpring loose{1e4, -0.005, {0, 0, 0}};
     const auto still_loose = handed_on(loose, low, high, {0, -0.002, 0}, 0.7);
@@ -153,7 +153,7 @@ TEST_CASE("tour: once around a wheel the spring comes back as it was")
         if (!back)
             continue;
         expect("stiffness", back->stiffness, 3e4, 0, "N/m");
-        expect("slack", back->slack, -0.001, 1e-9, "m");
+        expect("slack", back->rest_offset, -0.001, 1e-9, "m");
         expect("stretch", back->stretch, spring.stretch, 1e-9, "m");
     }
     const Wheel coarse = wheel(7, 0.004);

@@ -14,9 +14,9 @@ struct FacePlane {
 
 /// What a pair of a vertex and a face remembers.
 struct PairSpring {
-    double stiffness;  ///< [N/m]
-    double slack;      ///< depth at which it is slack, not positive [m]
-    Vec3 stretch;      ///< of friction, along the face [m]
+    double stiffness;    ///< [N/m]
+    double rest_offset;  ///< depth at which it is slack, not positive [m]
+    Vec3 stretch;        ///< of friction, along the face [m]
 };
 
 /// Depth of a vertex: negative inside [m].

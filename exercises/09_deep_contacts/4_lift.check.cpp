@@ -20,7 +20,7 @@ ImplicitParticle particle_of(double mass, double stiffness, double dt, PositionU
 /// With the spring of the slack; `energy` knows the spring of a ground at 0 only.
 double energy_of(const LettingOut& out, const ImplicitParticle& particle)
 {
-    const double compression = std::min(0.0, out.state.height - out.slack);
+    const double compression = std::min(0.0, out.state.height - out.rest_offset);
     return particle.mass *
                (out.state.velocity * out.state.velocity / 2 + particle.gravity * out.state.height) +
            particle.stiffness * compression * compression / 2;
@@ -28,11 +28,11 @@ double energy_of(const LettingOut& out, const ImplicitParticle& particle)
 
 std::string told(const Fade& fade) { return in_words("keep ", fade.keep, ", speed ", fade.speed, " m/s"); }
 
-int steps_one_by_one(double slack, double left, const Fade& fade, double dt)
+int steps_one_by_one(double rest_offset, double left, const Fade& fade, double dt)
 {
     int steps = 0;
-    for (; slack <= -left; ++steps)
-        slack = faded(slack, fade, dt);
+    for (; rest_offset <= -left; ++steps)
+        rest_offset = faded(rest_offset, fade, dt);
     return steps;
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("let out: at first it lies where it began, and nothing has been done")
     const LettingOut out = let_out(0.5, {}, {}, 0);
     expect("height", out.state.height, -0.5, 0, "m");
     expect("velocity", out.state.velocity, 0.0, 0, "m/s");
-    expect("slack", out.slack, -0.5, 0, "m");
+    expect("slack", out.rest_offset, -0.5, 0, "m");
     expect("work", out.work, 0.0, 0, "J");
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("let out: the first step is an implicit step, seen from a ground that 
     given("0.5 m deep, m 2 kg, k 10 000 N/m, dt 0.01 s, one step");
     const LettingOut out = let_out(0.5, particle, {}, 1);
     const ParticleState seen = step({0, -0.25}, particle);
-    expect("slack", out.slack, -0.4975, 1e-15, "m");
+    expect("slack", out.rest_offset, -0.4975, 1e-15, "m");
     expect("height", out.state.height, seen.height - 0.4975, 1e-14, "m");
     expect("velocity", out.state.velocity, seen.velocity + 0.25, 1e-12, "m/s");
     expect("work", out.work, 2 * (seen.velocity + 0.25 + 0.0981) * 0.25, 1e-12, "J");

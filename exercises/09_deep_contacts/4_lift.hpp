@@ -13,9 +13,9 @@ struct Fade {
 /// What a particle does that begins inside the ground, after some steps.
 struct LettingOut {
     ParticleState state;
-    double slack;    ///< of its spring, not positive [m]
-    double fastest;  ///< its largest velocity upwards after any step [m/s]
-    double work;     ///< what the rising ground has done [J]
+    double rest_offset;  ///< of its spring, not positive [m]
+    double fastest;      ///< its largest velocity upwards after any step [m/s]
+    double work;         ///< what the rising ground has done [J]
 };
 
 /// Your prediction: the seconds until a particle that begins half a metre deep has less than a millimetre to go, with
@@ -23,12 +23,12 @@ struct LettingOut {
 double predicted_seconds();
 
 /// The slack after one step: `keep` times what it was, but never faded faster than `speed`.
-/// @param slack  not positive [m]
-double faded(double slack, const Fade& fade, double dt);
+/// @param rest_offset  not positive [m]
+double faded(double rest_offset, const Fade& fade, double dt);
 
 /// The number of steps until a slack is larger than -left, from formulas and not by trying them all.
-/// @param slack, left  the first not positive, the second positive [m]
-int steps_to_fade(double slack, double left, const Fade& fade, double dt);
+/// @param rest_offset, left  the first not positive, the second positive [m]
+int steps_to_fade(double rest_offset, double left, const Fade& fade, double dt);
 
 /// What a ground does that rises by `rise` in one step while it pushes the particle from one state to the next: its
 /// impulse, which the change of the velocity tells, times its speed [J].

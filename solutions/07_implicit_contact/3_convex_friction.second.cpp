@@ -57,7 +57,7 @@ ConvexAnswer convex_answer(const PairLaw& pair, const Vec3& velocity, double dt)
     const Vec3 wanted = -mass * (velocity + (pair.depth_t0 * pair.normal + pair.stretch) / dt);
     ConvexAnswer made;
     made.impulse = nearest_in_cone(wanted, pair.normal, pair.mu);
-    made.stiffening = mass * cone_derivative(wanted, pair.normal, pair.mu);
+    made.hessian = mass * cone_derivative(wanted, pair.normal, pair.mu);
     made.potential = 0.5 * made.impulse.dot(made.impulse) / mass;
     return made;
 }

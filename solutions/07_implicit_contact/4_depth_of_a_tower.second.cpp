@@ -55,7 +55,7 @@ std::vector<double> law_of_depths(const Tower& tower, const StiffnessChoice& cho
     std::vector<double> depths = loads_of(tower);
     for (std::size_t joint = 0; joint < depths.size(); ++joint) {
         const double by_mass = depths[joint] / 3 * dt * dt /
-                               (choice.of_its_mass * mass_of_pair(tower, joint));
+                               (choice.k_dt2_over_m * mass_of_pair(tower, joint));
         depths[joint] = std::min(by_mass, choice.depth());
     }
     return depths;

@@ -8,7 +8,7 @@ double depth_of(const FacePlane& face, const Vec3& vertex) { return face.normal.
 
 double compression_of(const PairSpring& spring, const FacePlane& face, const Vec3& vertex)
 {
-    return std::min(0.0, depth_of(face, vertex) - spring.slack);
+    return std::min(0.0, depth_of(face, vertex) - spring.rest_offset);
 }
 
 Vec3 force_of(const PairSpring& spring, const FacePlane& face, const Vec3& vertex)
@@ -29,7 +29,7 @@ std::optional<PairSpring> handed_on(const PairSpring& spring, const FacePlane& f
     if (from.normal.dot(to.normal) < least_cosine)
         return std::nullopt;
     PairSpring next = spring;
-    next.slack = std::min(0.0, depth_of(to, vertex) - compression_of(spring, from, vertex));
+    next.rest_offset = std::min(0.0, depth_of(to, vertex) - compression_of(spring, from, vertex));
     next.stretch = turned_along(from.normal, to.normal, spring.stretch);
     return next;
 }

@@ -12,7 +12,7 @@ double depth_of(const FacePlane& face, const Vec3& vertex)
 double compression_of(const PairSpring& spring, const FacePlane& face, const Vec3& vertex)
 {
     const double depth = depth_of(face, vertex);
-    return depth < spring.slack ? depth - spring.slack : 0;
+    return depth < spring.rest_offset ? depth - spring.rest_offset : 0;
 }
 
 Vec3 force_of(const PairSpring& spring, const FacePlane& face, const Vec3& vertex)
@@ -34,8 +34,8 @@ std::optional<PairSpring> handed_on(const PairSpring& spring, const FacePlane& f
 {
     if (to.normal.dot(from.normal) < least_cosine)
         return std::nullopt;
-    const double slack = depth_of(to, vertex) - compression_of(spring, from, vertex);
-    return PairSpring{spring.stiffness, slack > 0 ? 0 : slack,
+    const double rest_offset = depth_of(to, vertex) - compression_of(spring, from, vertex);
+    return PairSpring{spring.stiffness, rest_offset > 0 ? 0 : rest_offset,
                       turned_along(from.normal, to.normal, spring.stretch)};
 }
 

@@ -7,15 +7,15 @@ namespace enduring {
 
 double predicted_seconds() { return 2; }
 
-double faded(double slack, const Fade& fade, double dt)
+double faded(double rest_offset, const Fade& fade, double dt)
 {
-    return std::min(fade.keep * slack, slack + fade.speed * dt);
+    return std::min(fade.keep * rest_offset, rest_offset + fade.speed * dt);
 }
 
-int steps_to_fade(double slack, double left, const Fade& fade, double dt)
+int steps_to_fade(double rest_offset, double left, const Fade& fade, double dt)
 {
     const double stride = fade.speed * dt, bend = stride / (1 - fade.keep);
-    double to_go = -slack;
+    double to_go = -rest_offset;
     int steps = 0;
     if (to_go > std::max(bend, left)) {
         steps = static_cast<int>(std::ceil((to_go - std::max(bend, left)) / stride));
@@ -39,13 +39,15 @@ LettingOut let_out(double depth, const ImplicitParticle& particle, const Fade& f
 {
     LettingOut out{{-depth, 0}, -depth, 0, 0};
     for (int i = 0; i < steps; ++i) {
-        const double slack = faded(out.slack, fade, particle.dt), rise = slack - out.slack;
+        const double rest_offset = faded(out.rest_offset, fade, particle.dt),
+                     rise = rest_offset - out.rest_offset;
         const double speed = rise / particle.dt;
-        const ParticleState seen = step({out.state.height - out.slack, out.state.velocity - speed}, particle);
-        const ParticleState end{seen.height + slack, seen.velocity + speed};
+        const ParticleState seen = step({out.state.height - out.rest_offset, out.state.velocity - speed},
+                                        particle);
+        const ParticleState end{seen.height + rest_offset, seen.velocity + speed};
         out.work += work_of_rising(out.state, end, rise, particle);
         out.state = end;
-        out.slack = slack;
+        out.rest_offset = rest_offset;
         out.fastest = std::max(out.fastest, end.velocity);
     }
     return out;

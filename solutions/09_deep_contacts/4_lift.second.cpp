@@ -7,15 +7,15 @@ namespace enduring {
 double predicted_seconds() { return 2; }
 
 // By how much it fades: a part of what is there, or a stride.
-double faded(double slack, const Fade& fade, double dt)
+double faded(double rest_offset, const Fade& fade, double dt)
 {
-    return slack + std::min((1 - fade.keep) * -slack, fade.speed * dt);
+    return rest_offset + std::min((1 - fade.keep) * -rest_offset, fade.speed * dt);
 }
 
 // Halves an interval of steps: how much is left after n of them has a formula.
-int steps_to_fade(double slack, double left, const Fade& fade, double dt)
+int steps_to_fade(double rest_offset, double left, const Fade& fade, double dt)
 {
-    const double stride = fade.speed * dt, bend = stride / (1 - fade.keep), deep = -slack;
+    const double stride = fade.speed * dt, bend = stride / (1 - fade.keep), deep = -rest_offset;
     const double strides = std::max(0.0, std::ceil((deep - bend) / stride));
     const auto to_go = [&](double steps) {
         return steps <= strides ? deep - steps * stride
@@ -41,20 +41,21 @@ double work_of_rising(const ParticleState& before, const ParticleState& after, d
 
 LettingOut let_out(double depth, const ImplicitParticle& particle, const Fade& fade, int steps)
 {
-    double slack = -depth, fastest = 0, work = 0;
+    double rest_offset = -depth, fastest = 0, work = 0;
     ParticleState state{-depth, 0};
     while (steps-- > 0) {
-        const double rise = faded(slack, fade, particle.dt) - slack;
-        ParticleState next = step({state.height - slack, state.velocity - rise / particle.dt}, particle);
-        slack += rise;
-        next.height += slack;
+        const double rise = faded(rest_offset, fade, particle.dt) - rest_offset;
+        ParticleState next = step({state.height - rest_offset, state.velocity - rise / particle.dt},
+                                  particle);
+        rest_offset += rise;
+        next.height += rest_offset;
         next.velocity += rise / particle.dt;
         work += work_of_rising(state, next, rise, particle);
         state = next;
         if (state.velocity > fastest)
             fastest = state.velocity;
     }
-    return {state, slack, fastest, work};
+    return {state, rest_offset, fastest, work};
 }
 
 }  // namespace enduring

@@ -59,7 +59,7 @@ struct Tally {
 
 struct Way {
     std::string name;
-    int most_subdivisions, most_if_quick;
+    int max_subdivisions, max_if_quick;
     void (*visit)(Balls&, Tally&);
 };
 
@@ -115,9 +115,7 @@ void pruning(const RunOptions& options, Report& report)
     Table table({"faces", "method", "pairs", "touching", "time_ms"});
     std::vector<std::vector<std::optional<Outcome>>> outcomes(ways.size());
     const auto faces_at = [](int subdivisions) { return 20L << (2 * subdivisions); };
-    const auto most = [&](const Way& way) {
-        return options.quick ? way.most_if_quick : way.most_subdivisions;
-    };
+    const auto most = [&](const Way& way) { return options.quick ? way.max_if_quick : way.max_subdivisions; };
     const int largest = most(ways.back());
     for (std::size_t w = 0; w < ways.size(); ++w) {
         for (int subdivisions = 1; subdivisions <= most(ways[w]); ++subdivisions) {

@@ -137,7 +137,7 @@ NineDrops drop_nine_times(const std::filesystem::path& file, BarDrop drop, bool 
     const auto [least, most] = std::minmax_element(jitters.begin(), jitters.end());
     return {.jitter = median(jitters),
             .least_jitter = *least,
-            .most_jitter = *most,
+            .max_jitter = *most,
             .depth = median(depths),
             .pairs = median(pairs),
             .smooth = std::count_if(jitters.begin(), jitters.end(), [](double j) { return j < 0.01; }),

@@ -59,9 +59,9 @@ double depth_in_contact(const BarRecord& record);
 
 /// What the drops of nine turns came to at rest: medians, but for the least and the most.
 struct NineDrops {
-    double jitter, least_jitter, most_jitter;  ///< as a share of the weight
-    double depth, pairs;                       ///< summed depth [m]
-    long smooth, drops;                        ///< how many had a jitter below 1 %, of how many
+    double jitter, least_jitter, max_jitter;  ///< as a share of the weight
+    double depth, pairs;                      ///< summed depth [m]
+    long smooth, drops;                       ///< how many had a jitter below 1 %, of how many
 };
 /// Which pairs meet first depends on the last digit of everything, so one drop alone measures luck.
 /// @param drop   its own turn does not count

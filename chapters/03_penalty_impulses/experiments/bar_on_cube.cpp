@@ -82,7 +82,7 @@ std::vector<SweepPoint> jitter_over_step(const RunOptions& options, const std::f
         const BarDrop& drop = drops[i];
         const NineDrops& of = (*outcomes)[i];
         table.add({drop.basis, short_name(drop.method), drop.dt, 100 * of.jitter, 100 * of.least_jitter,
-                   100 * of.most_jitter, of.smooth, of.drops, of.pairs, 1000 * of.depth});
+                   100 * of.max_jitter, of.smooth, of.drops, of.pairs, 1000 * of.depth});
         points.push_back({drop.basis, drop.method, drop.dt, of.jitter});
     }
     report.table("bar_jitter", table);

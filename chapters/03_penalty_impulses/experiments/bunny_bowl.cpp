@@ -47,7 +47,7 @@ public:
         if (world.step == 0)
             first_energy_ = energy.total();
         highest_energy_ = std::max(highest_energy_, energy.total() / first_energy_);
-        most_inverted_ = std::max(most_inverted_, inverted);
+        max_inverted_ = std::max(max_inverted_, inverted);
         steps_with_inverted_ += inverted > 0;
         kinetic_ = energy.kinetic;
         deepest_in_ground_ = std::max(deepest_in_ground_, std::get<double>(depths[8]));
@@ -55,7 +55,7 @@ public:
     }
 
     double highest_energy() const { return highest_energy_; }  ///< over that at the start
-    int most_inverted() const { return most_inverted_; }       ///< elements in one step
+    int max_inverted() const { return max_inverted_; }         ///< elements in one step
     int steps_with_inverted() const { return steps_with_inverted_; }
     double kinetic() const { return kinetic_; }                      ///< at the end [J]
     double deepest_in_ground() const { return deepest_in_ground_; }  ///< of all steps [m]
@@ -76,7 +76,7 @@ private:
     PenetrationProbe penetration_;
     double turned_ = 0, pushed_ = 1e-300;
     double first_energy_ = 1, highest_energy_ = 0, kinetic_ = 0, deepest_in_ground_ = 0;
-    int most_inverted_ = 0, steps_with_inverted_ = 0;
+    int max_inverted_ = 0, steps_with_inverted_ = 0;
 };
 
 nlohmann::json with_elements(int elements)
@@ -149,7 +149,7 @@ void add_cost(Table& costs, int elements, const RunResult& result, double dt, co
                per_step * timings.of("update prediction"), per_step * timings.of("broad phase"),
                per_step * timings.of("queries"), per_step * timings.of("impulses"), per_step * contact,
                per_step * timings.total(), result.steps * dt / timings.total(),
-               static_cast<long>(probe.most_inverted())});
+               static_cast<long>(probe.max_inverted())});
 }
 
 struct ResponseCase {
@@ -185,7 +185,7 @@ void compare_responses(const RunOptions& options, const std::filesystem::path& f
             failure_on_purpose(until_it_explodes(probe, 1.5, c.dt)));
         const bool exploded = probe.highest_energy() > 10;
         table.add({c.basis, c.response, c.dt, stiffness, exploded ? "explodes" : "bounces",
-                   probe.highest_energy(), static_cast<long>(probe.most_inverted()),
+                   probe.highest_energy(), static_cast<long>(probe.max_inverted()),
                    static_cast<long>(probe.steps_with_inverted()),
                    exploded ? Cell("-") : Cell(1000 * std::get<double>(probe.table().rows().back()[3]))});
     }
@@ -229,7 +229,7 @@ void bunny_bowl(const RunOptions& options, Report& report, int elements)
         report.page_table("bunny_passes", passes, 3);
         report.fact("bunny_bowl", "real_time_factor", result.steps * scene.dt / result.timings.total(), 2);
         report.fact("bunny_bowl", "step_ms", 1000 * result.timings.total() / result.steps, 2);
-        report.fact("bunny_bowl", "most_inverted", probe.most_inverted());
+        report.fact("bunny_bowl", "max_inverted", probe.max_inverted());
         report.fact("bunny_bowl", "kinetic_at_end", probe.kinetic(), 2);
         tell_masses(scene, "together", report);
         report.fact("bunny_bowl", "elements", elements_of(scene.world, "bunny"));

@@ -24,7 +24,7 @@ struct Later {
     Scene scene;
     RunResult result;
     double highest_energy = 0, first_energy = 0;
-    int most_inverted = 0;
+    int max_inverted = 0;
 };
 
 Later later(const std::string& name, double time, const std::string& patch = "")
@@ -40,7 +40,7 @@ Later later(const std::string& name, double time, const std::string& patch = "")
         if (world.step == 0)
             it.first_energy = energy;
         it.highest_energy = std::max(it.highest_energy, energy);
-        it.most_inverted = std::max(it.most_inverted, inverted);
+        it.max_inverted = std::max(it.max_inverted, inverted);
     });
     RunLimits limits = failure_on_purpose();  // the lumped bunny explodes, and a test says so
     limits.steps = static_cast<int>(time / it.scene.dt + 0.5);
@@ -156,7 +156,7 @@ TEST_CASE("bunny in the bowl: it falls in, adds no energy and inverts no element
 {
     const Later it = later("bunny_bowl", 1.0);
     CHECK(it.highest_energy <= 1.001 * it.first_energy);
-    CHECK(it.most_inverted == 0);
+    CHECK(it.max_inverted == 0);
     const Body &bowl = body_named(it.scene.world, "bowl"), &bunny = body_named(it.scene.world, "bunny");
     const auto higher = [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); };
     const auto rim = std::max_element(bowl.positions_t0().begin(), bowl.positions_t0().end(), higher)->y();

@@ -42,7 +42,7 @@ public:
         if (impact_ == 0 || last_share_ >= rest_share)
             rest_since_ = world.time;
         const int inverted = count_inverted(world);
-        most_inverted_ = std::max(most_inverted_, inverted);
+        max_inverted_ = std::max(max_inverted_, inverted);
         steps_with_inverted_ += inverted > 0;
         if (world.step == 0)
             first_energy_ = energy.total();
@@ -60,7 +60,7 @@ public:
     /// last time at which more than rest_share was left [s]
     double rest_since() const { return rest_since_; }
     double highest_energy() const { return highest_energy_; }  ///< over that at the start
-    int most_inverted() const { return most_inverted_; }
+    int max_inverted() const { return max_inverted_; }
     int steps_with_inverted() const { return steps_with_inverted_; }
     /// pair or vertex in the ground, at the end [m]
     double deepest() const { return deepest_; }
@@ -73,7 +73,7 @@ private:
     double deepest_ = 0, in_ground_ = 0, deepest_in_ground_ = 0;
     double impact_ = 0, last_kinetic_ = 0, last_share_ = 0, rest_since_ = 0, first_energy_ = 1,
            highest_energy_ = 0;
-    int most_inverted_ = 0, steps_with_inverted_ = 0;
+    int max_inverted_ = 0, steps_with_inverted_ = 0;
 };
 
 /// The bowl's vertices in the ground would hide the pairs of bunny and bowl.
@@ -115,7 +115,7 @@ void add_size(Table& sizes, int elements, const Scene& scene, const RunResult& r
                    "drop dismissed pairs", "resolve vertices", "edge pairs of exits", "resolve edges"}),
          per_step({"impulses", "friction", "apply impulses", "move friction anchors"}),
          1000 * timings.total() / result.steps, result.steps * scene.dt / timings.total(),
-         100 * probe.share(), static_cast<long>(probe.most_inverted())});
+         100 * probe.share(), static_cast<long>(probe.max_inverted())});
 }
 
 Table sizes_table()
@@ -144,7 +144,7 @@ void come_to_rest(const RunOptions& options, const std::filesystem::path& file, 
     report.fact("bunny_bowl", "impact_j", rest.impact());
     report.fact("bunny_bowl", "left_percent", 100 * rest.share(), 2);
     report.fact("bunny_bowl", "rest_since_s", rest.rest_since(), 2);
-    report.fact("bunny_bowl", "most_inverted", rest.most_inverted());
+    report.fact("bunny_bowl", "max_inverted", rest.max_inverted());
     report.fact("bunny_bowl", "steps_with_inverted", rest.steps_with_inverted());
     report.fact("bunny_bowl", "real_time_factor", result.steps * scene.dt / result.timings.total(), 2);
     report.fact("bunny_bowl", "deepest_at_end_mm", 1000 * rest.deepest(), 2);
@@ -208,7 +208,7 @@ void count_inversions(const RunOptions& options, const std::filesystem::path& fi
         limits.steps = static_cast<int>(c.duration / c.dt + 0.5);
         limits.stop = [&rest](const World&, const Contacts&) { return rest.highest_energy() > 10; };
         const RunResult result = run(scene, chapter06_solver(scene.contact), {&rest, &watch}, limits);
-        table.add({c.response, c.dt, c.stiffness, static_cast<long>(rest.most_inverted()),
+        table.add({c.response, c.dt, c.stiffness, static_cast<long>(rest.max_inverted()),
                    100.0 * rest.steps_with_inverted() / result.steps, rest.highest_energy()});
         if (pictured && most > 0) {
             Renderer renderer(960, 640);

@@ -80,7 +80,7 @@ void laid_block(const RunOptions& options, Report& report)
             }
         table.add({gap, placements, missed, most});
         if (gap == 0)
-            report.fact("laid_block", "most_j", most, 2);
+            report.fact("laid_block", "max_j", most, 2);
     }
     report.table("laid_block", table);
     report.page_table("laid_block", table, 2);

@@ -153,7 +153,7 @@ void roll_down(bool quick, Report& report)
             }
     report.table("rolling", table);
     report.page_table("rolling", table, 4);
-    report.fact("rolling", "most_lost_percent", 100 * worst, 2);
+    report.fact("rolling", "max_lost_percent", 100 * worst, 2);
     report.fact("rolling", "least_lost_percent", 100 * slowest, 2);
     report.fact("rolling", "farthest_from_formula_percent", 100 * farthest, 2);
 }

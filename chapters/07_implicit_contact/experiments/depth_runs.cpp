@@ -17,7 +17,7 @@ void DepthOutcome::add(const DepthOutcome& other)
     gain = std::max(gain, other.gain);
     unsolved += other.unsolved;
     solves += other.solves;
-    most_newton_steps = std::max(most_newton_steps, other.most_newton_steps);
+    max_newton_steps = std::max(max_newton_steps, other.max_newton_steps);
 }
 
 DepthOutcome measure_depths(Scene& scene, double duration, MakeSolver make)
@@ -46,7 +46,7 @@ DepthOutcome measure_depths(Scene& scene, double duration, MakeSolver make)
     }
     outcome.unsolved = solved.unconverged;
     outcome.solves = solved.solves;
-    outcome.most_newton_steps = solved.most_newton_steps;
+    outcome.max_newton_steps = solved.max_newton_steps;
     return outcome;
 }
 

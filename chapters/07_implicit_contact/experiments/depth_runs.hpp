@@ -12,7 +12,7 @@ struct DepthOutcome {
     double size_m = 0;     ///< of the smallest body that moves
     double gain = 0;       ///< the most energy that a step brings, over what the scene began with
     long unsolved = 0, solves = 0;
-    int most_newton_steps = 0;
+    int max_newton_steps = 0;
 
     void add(const DepthOutcome& other);
 };

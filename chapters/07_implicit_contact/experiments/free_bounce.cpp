@@ -101,7 +101,7 @@ void add_heights(Table& table, const char* method, const auto& problem)
 void free_bounce(const RunOptions& options, Report& report)
 {
     const int steps = options.quick ? 10000 : 100000;
-    Table energies({"h", "energy_error", "contact_steps", "most_newton_steps", "mean_newton_steps"});
+    Table energies({"h", "energy_error", "contact_steps", "max_newton_steps", "mean_newton_steps"});
     Table bounces({"h", "explicit_least_percent", "explicit_most_percent", "end_least_percent",
                    "end_most_percent", "mean_least_percent", "mean_most_percent"});
     double worst = 0;

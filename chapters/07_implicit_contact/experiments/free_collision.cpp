@@ -34,7 +34,7 @@ void free_collision(const RunOptions&, Report& report)
             }
     report.table("free_collision", table);
     report.page_table("free_collision", table, 2);
-    report.fact("free_collision", "most_over_dt", most, 2);
+    report.fact("free_collision", "max_over_dt", most, 2);
     report.fact("free_collision", "linear", linear, 1);
     report.fact("free_collision", "apart_percent", 100 * apart, 2);
 }

@@ -93,7 +93,7 @@ void SolveStatistics::add(const SolveRecord& record)
 {
     ++solves;
     unconverged += !record.converged;
-    most_newton_steps = std::max(most_newton_steps, record.newton_steps);
+    max_newton_steps = std::max(max_newton_steps, record.newton_steps);
     worst_residual = std::max(worst_residual, record.residual);
 }
 

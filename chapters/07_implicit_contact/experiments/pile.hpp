@@ -38,7 +38,7 @@ std::vector<Box> loose_cubes(int n, int side, unsigned seed);
 /// How well the steps of a run were solved.
 struct SolveStatistics {
     long solves = 0, unconverged = 0;
-    int most_newton_steps = 0;
+    int max_newton_steps = 0;
     double worst_residual = 0;
 
     void add(const SolveRecord& record);

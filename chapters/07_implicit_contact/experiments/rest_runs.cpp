@@ -16,7 +16,7 @@ RestRuns::RestRuns(Report& report, const std::string& experiment, MakeSolver mak
     : make_(make),
       table_(report, experiment,
              {"scene", "dt_s", "at_rest", "deepest_mm", "deepest_ever_mm", "moved_mm", "drift_um_per_s",
-              "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"},
+              "energy_gain_j", "max_newton_steps", "newton_steps_at_rest", "unconverged", "solves"},
              count)
 {}
 
@@ -38,7 +38,7 @@ void RestRuns::add(const Case& c, const PileOutcome& outcome)
     const bool rests = is_at_rest(outcome) && outcome.moved_mm < c.kept_mm;
     table_.add({c.name, c.scene.dt, rests ? "yes" : "no", outcome.deepest_mm, outcome.deepest_ever_mm,
                 outcome.moved_mm, outcome.drift_um_per_s, outcome.energy_gain_j,
-                static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,
+                static_cast<long>(outcome.solves.max_newton_steps), outcome.newton_steps_at_rest,
                 outcome.solves.unconverged, outcome.solves.solves});
     at_rest_ += rests;
     if (rests) {

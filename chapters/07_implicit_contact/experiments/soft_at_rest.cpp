@@ -77,9 +77,9 @@ std::vector<Bunnies> all_bunnies(bool quick)
 
 void bowls(RestRuns& runs, const RunOptions& options, Report& report)
 {
-    Table table({"scene", "most_inverted", "deepest_mm", "force_changes_percent", "energy_gain_j"});
+    Table table({"scene", "max_inverted", "deepest_mm", "force_changes_percent", "energy_gain_j"});
     long steady = 0;
-    int most_inverted = 0;
+    int max_inverted = 0;
     for (const Bunnies& bunnies : all_bunnies(options.quick)) {
         const std::string name = in_words(bunnies);
         RestRuns::Case c{name, bunnies_in_bowl(bunnies, 0.01),
@@ -99,14 +99,14 @@ void bowls(RestRuns& runs, const RunOptions& options, Report& report)
         const PileOutcome outcome = runs.run(c, &all);
         const double changes = steadiness.changes_percent();
         table.add({name, static_cast<long>(inverted), outcome.deepest_mm, changes, outcome.energy_gain_j});
-        most_inverted = std::max(most_inverted, inverted);
+        max_inverted = std::max(max_inverted, inverted);
         steady += changes < 1;
     }
     report.table("bowls_at_rest", table);
     report.page_table("bowls_at_rest", table, 2);
     report.fact("soft_at_rest", "bowls", static_cast<double>(table.rows().size()));
     report.fact("soft_at_rest", "steady_bowls", static_cast<double>(steady));
-    report.fact("soft_at_rest", "most_inverted", most_inverted);
+    report.fact("soft_at_rest", "max_inverted", max_inverted);
 }
 
 }  // namespace

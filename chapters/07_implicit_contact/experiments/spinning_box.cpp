@@ -23,12 +23,12 @@ Scene spinning_box(double turn, double dt, unsigned seed)
     return scene_of({below, spinning}, dt, 0, 0.5, 0.5);
 }
 
-double most_energy(Scene scene, MakeSolver make, double most_turn, SolveStatistics& solves)
+double max_energy(Scene scene, MakeSolver make, double max_turn, SolveStatistics& solves)
 {
     Solver solver = counting_solver(make, solves)(scene.contact);
-    solver.most_turn = most_turn;
-    if (std::isinf(most_turn))
-        solver.most_halvings = 0;  // every step as it comes
+    solver.max_turn = max_turn;
+    if (std::isinf(max_turn))
+        solver.max_halvings = 0;  // every step as it comes
     Contacts contacts;
     const double first = total_energy(scene.world).total();
     double most = 0;

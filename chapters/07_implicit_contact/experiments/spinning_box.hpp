@@ -9,8 +9,8 @@ namespace enduring::chapter07 {
 Scene spinning_box(double turn, double dt, unsigned seed);
 
 /// The most energy in 50 steps, over that at first.
-/// @param most_turn  of the solver [rad]
+/// @param max_turn  of the solver [rad]
 /// @param solves     its solves are added
-double most_energy(Scene scene, MakeSolver make, double most_turn, SolveStatistics& solves);
+double max_energy(Scene scene, MakeSolver make, double max_turn, SolveStatistics& solves);
 
 }  // namespace enduring::chapter07

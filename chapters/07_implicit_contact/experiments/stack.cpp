@@ -54,7 +54,7 @@ StripPicture picture_of(const Scene& scene, const std::string& caption)
 void stack(const RunOptions& options, Report& report)
 {
     GrowingTable table(report, "stack",
-                       {"stack", "dt_s", "deepest_mm", "drift_um_per_s", "energy_gain_j", "most_newton_steps",
+                       {"stack", "dt_s", "deepest_mm", "drift_um_per_s", "energy_gain_j", "max_newton_steps",
                         "newton_steps_at_rest", "unconverged", "solves"},
                        all_cases().size());
     std::vector<StripPicture> pictures;
@@ -69,7 +69,7 @@ void stack(const RunOptions& options, Report& report)
         if (drawn)
             pictures.push_back(picture_of(scene, "this chapter"));
         table.add({c.name, c.dt, outcome.deepest_mm, outcome.drift_um_per_s, outcome.energy_gain_j,
-                   static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,
+                   static_cast<long>(outcome.solves.max_newton_steps), outcome.newton_steps_at_rest,
                    outcome.solves.unconverged, outcome.solves.solves});
         deepest = std::max(deepest, outcome.deepest_mm);
         drift = std::max(drift, outcome.drift_um_per_s);

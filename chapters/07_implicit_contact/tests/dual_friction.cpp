@@ -38,7 +38,7 @@ ContactProblem slipping_particles()
 Mat3 own_stiffening(const ContactProblem& problem, std::size_t pair)
 {
     const PairRow& row = problem.rows[pair];
-    return answer(row.law, row.velocity, problem.step).stiffening;
+    return answer(row.law, row.velocity, problem.step).hessian;
 }
 
 double least_eigenvalue(const Mat3& matrix)
@@ -53,9 +53,9 @@ TEST_CASE("dual friction: a guess that fits has the stiffening of the law, and o
     const ContactProblem problem = slipping_particles();
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(problem.size);
     DualFriction friction(problem);
-    const std::vector<Mat3> of_zero = friction.stiffenings(nothing);
+    const std::vector<Mat3> of_zero = friction.hessians(nothing);
     friction.follow(nothing, nothing);
-    const std::vector<Mat3> of_fitting = friction.stiffenings(nothing);
+    const std::vector<Mat3> of_fitting = friction.hessians(nothing);
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
         const Mat3 own = own_stiffening(problem, i);
         CHECK((of_fitting[i] - own).norm() <= 1e-12 * own.norm());
@@ -75,9 +75,9 @@ TEST_CASE("dual friction: wherever the guesses have been led, the stiffening is 
     DualFriction friction(problem);
     for (int step = 0; step < 10; ++step) {
         const Eigen::VectorXd change = vector();
-        for (const Mat3& stiffening : friction.stiffenings(change)) {
-            CHECK((stiffening - stiffening.transpose()).norm() <= 1e-12 * stiffening.norm());
-            CHECK(least_eigenvalue(stiffening) >= -1e-9);
+        for (const Mat3& hessian : friction.hessians(change)) {
+            CHECK((hessian - hessian.transpose()).norm() <= 1e-12 * hessian.norm());
+            CHECK(least_eigenvalue(hessian) >= -1e-9);
         }
         friction.follow(change, vector());
     }

@@ -50,18 +50,18 @@ struct Counted {
     }
 };
 
-Counted count(int most_newton_steps, int steps)
+Counted count(int max_newton_steps, int steps)
 {
     Counted counted;
     ImplicitSettings settings;
-    settings.most_newton_steps = most_newton_steps;
+    settings.max_newton_steps = max_newton_steps;
     settings.record = [&](const SolveRecord& record) {
         counted.newton_steps[record.step] += record.newton_steps;
         counted.unconverged += !record.converged;
     };
     Scene scene = balls_in_a_pit(3, 3, 1);
     Solver solver = chapter07_solver(scene.contact, settings);
-    solver.most_halvings = 0;  // every step as it comes
+    solver.max_halvings = 0;  // every step as it comes
     Contacts contacts;
     const double first = total_energy(scene.world).total();
     for (int i = 0; i < steps; ++i) {

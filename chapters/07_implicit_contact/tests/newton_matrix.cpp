@@ -42,7 +42,7 @@ public:
 
     const ContactProblem& problem() const { return problem_; }
 
-    std::vector<Mat3> stiffenings()
+    std::vector<Mat3> hessians()
     {
         std::vector<Mat3> all;
         for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
@@ -96,7 +96,7 @@ RandomProblem soft_among_rigid(unsigned seed, int vertices)
 }
 
 /// A + J^T S J by the matrices that the formula names.
-Eigen::MatrixXd reference(const ContactProblem& problem, const std::vector<Mat3>& stiffenings)
+Eigen::MatrixXd reference(const ContactProblem& problem, const std::vector<Mat3>& hessians)
 {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.size, problem.size);
     for (const BodyBlock& body : problem.blocks)
@@ -105,7 +105,7 @@ Eigen::MatrixXd reference(const ContactProblem& problem, const std::vector<Mat3>
         Eigen::MatrixXd j = Eigen::MatrixXd::Zero(3, problem.size);
         for (const VertexMotion& part : problem.rows[pair].moving())
             j.middleCols(part.first, part.rate.cols()) += part.rate;
-        sum += j.transpose() * stiffenings[pair] * j;
+        sum += j.transpose() * hessians[pair] * j;
     }
     return sum;
 }
@@ -113,11 +113,11 @@ Eigen::MatrixXd reference(const ContactProblem& problem, const std::vector<Mat3>
 void check_solution(NewtonMatrix& matrix, RandomProblem& of)
 {
     const ContactProblem& problem = of.problem();
-    const std::vector<Mat3> stiffenings = of.stiffenings();
+    const std::vector<Mat3> hessians = of.hessians();
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(problem.size, -1, 1),
-                          x = matrix.solve(problem, stiffenings, b);
+                          x = matrix.solve(problem, hessians, b);
     CAPTURE(problem.size);
-    CHECK((reference(problem, stiffenings) * x - b).norm() <= 1e-9 * b.norm());
+    CHECK((reference(problem, hessians) * x - b).norm() <= 1e-9 * b.norm());
 }
 
 }  // namespace

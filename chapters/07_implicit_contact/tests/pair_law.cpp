@@ -51,9 +51,9 @@ TEST_CASE("pair law: the stiffening is minus the derivative of the impulse, symm
             measured.col(axis) = (impulse(answer(pair, velocity - by * Vec3::Unit(axis), step)) -
                                   impulse(answer(pair, velocity + by * Vec3::Unit(axis), step))) /
                                  (2 * by);
-        CHECK((measured - made.stiffening).norm() <= 1e-6);
-        CHECK((made.stiffening - made.stiffening.transpose()).norm() <= 1e-12);
-        CHECK(Eigen::SelfAdjointEigenSolver<Mat3>(made.stiffening).eigenvalues().minCoeff() >= -1e-12);
+        CHECK((measured - made.hessian).norm() <= 1e-6);
+        CHECK((made.hessian - made.hessian.transpose()).norm() <= 1e-12);
+        CHECK(Eigen::SelfAdjointEigenSolver<Mat3>(made.hessian).eigenvalues().minCoeff() >= -1e-12);
     }
 }
 

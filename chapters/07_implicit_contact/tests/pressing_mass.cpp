@@ -79,9 +79,9 @@ TEST_CASE(
         choice.wanted_depth = wanted_depth;
         StoppedPoints points({1, 1000}, world.gravity, 0);
         CHECK(stiffen_where_pressed(world, points.step, choice));
-        const double of_mass = choice.of_its_mass * 1001 / (dt * dt), of_load = 1001 * 9.81 / wanted_depth;
+        const double of_mass = choice.k_dt2_over_m * 1001 / (dt * dt), of_load = 1001 * 9.81 / wanted_depth;
         CHECK(points.contacts[0].stiffness == doctest::Approx(std::min(of_mass, of_load)).epsilon(1e-3));
-        CHECK(points.contacts[0].slack == 0);
+        CHECK(points.contacts[0].rest_offset == 0);
         CHECK(points.step.problem.rows[1].law.stiffness == points.contacts[0].stiffness);
         CHECK_FALSE(stiffen_where_pressed(world, points.step, choice));
     }

@@ -11,17 +11,17 @@ using namespace enduring::chapter07;
 
 TEST_CASE("spinning: boxes that turn by radians in a step land and gain nothing; in whole steps they do")
 {
-    const double most_turn = chapter07_solver(ContactParameters{}).most_turn;
+    const double max_turn = chapter07_solver(ContactParameters{}).max_turn;
     int whole_steps_gain = 0;
     for (unsigned seed = 1; seed <= 5; ++seed)
         for (const double turn : {1.0, 3.0, 6.0}) {
             CAPTURE(seed);
             CAPTURE(turn);
             SolveStatistics solves;
-            CHECK(most_energy(spinning_box(turn, 0.01, seed), chapter07_solver, most_turn, solves) <= 1);
+            CHECK(max_energy(spinning_box(turn, 0.01, seed), chapter07_solver, max_turn, solves) <= 1);
             CHECK(solves.unconverged == 0);
-            whole_steps_gain += most_energy(spinning_box(turn, 0.01, seed), chapter07_solver, INFINITY,
-                                            solves) > 1.001;
+            whole_steps_gain += max_energy(spinning_box(turn, 0.01, seed), chapter07_solver, INFINITY,
+                                           solves) > 1.001;
         }
     CHECK(whole_steps_gain > 5);
 }

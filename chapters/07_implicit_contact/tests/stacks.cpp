@@ -58,21 +58,21 @@ TEST_CASE("pair memory: a stiffness that changes changes no force, and its slack
     Contact contact;
     adapt_stiffness(contact, 0.01, 2, choice, 0.01);
     CHECK(contact.stiffness == doctest::Approx(100 * 2 / 1e-4));
-    CHECK(contact.slack == 0);
+    CHECK(contact.rest_offset == 0);
     const double before = contact.stiffness, depth = -1e-3, force = -before * depth;
     contact.load = force;
     adapt_stiffness(contact, depth, 2, StiffnessChoice{.wanted_depth = 1e-5, .keep = 1}, 0.01);
     CHECK(contact.stiffness > before);
-    CHECK(-contact.stiffness * (depth - contact.slack) == doctest::Approx(force));
-    const double slack = contact.slack;
+    CHECK(-contact.stiffness * (depth - contact.rest_offset) == doctest::Approx(force));
+    const double rest_offset = contact.rest_offset;
     for (int i = 0; i < 50; ++i)
         adapt_stiffness(contact, 1e-6, 2, choice, 0.01);
-    CHECK(std::abs(contact.slack) < 0.01 * std::abs(slack));
+    CHECK(std::abs(contact.rest_offset) < 0.01 * std::abs(rest_offset));
 }
 
 TEST_CASE("pair memory: a mass and a load each ask for a stiffness, and the larger one counts")
 {
-    const StiffnessChoice choice{.of_its_mass = 25, .wanted_depth = 1e-3};
+    const StiffnessChoice choice{.k_dt2_over_m = 25, .wanted_depth = 1e-3};
     CHECK(wanted_stiffness(3, 10, choice, 0.02) == doctest::Approx(25 * 3 / (0.02 * 0.02)));
     CHECK(wanted_stiffness(3, 1e6, choice, 0.02) == doctest::Approx(1e9));
 }
@@ -87,16 +87,16 @@ TEST_CASE("pair memory: a slack fades no faster than at a part of the natural sp
 {
     Contact deep;
     adapt_stiffness(deep, -0.2, 1, {}, 0.01);
-    REQUIRE(deep.slack == -0.2);
+    REQUIRE(deep.rest_offset == -0.2);
     adapt_stiffness(deep, -0.2, 1, {}, 0.01);
-    CHECK(deep.slack == doctest::Approx(-0.2 + 0.25 * 0.01).epsilon(1e-4));
-    double before = deep.slack;
+    CHECK(deep.rest_offset == doctest::Approx(-0.2 + 0.25 * 0.01).epsilon(1e-4));
+    double before = deep.rest_offset;
     adapt_stiffness(deep, before, 1, {}, 0.002);  // at rest where its spring is slack
-    CHECK(deep.slack == doctest::Approx(before + 0.25 * 0.002).epsilon(1e-4));
-    before = deep.slack;
+    CHECK(deep.rest_offset == doctest::Approx(before + 0.25 * 0.002).epsilon(1e-4));
+    before = deep.rest_offset;
     const NaturalUnits of_a_hundredth{0.01, 0.313};
     adapt_stiffness(deep, before, 1, StiffnessChoice{}.of_pair(of_a_hundredth), 0.01);
-    CHECK(deep.slack == doctest::Approx(before + 0.025 * 0.01).epsilon(1e-4));
+    CHECK(deep.rest_offset == doctest::Approx(before + 0.025 * 0.01).epsilon(1e-4));
 }
 
 TEST_CASE(
@@ -127,7 +127,7 @@ TEST_CASE("pair memory: a spring that is not compressed stays slack at its depth
     contact.stretch = Vec3(1e-5, 0, 0);
     adapt_stiffness(contact, 1e-3, 2, {}, 0.01);
     CHECK(contact.stiffness > 1.9 * before);
-    CHECK(contact.slack == 0);
+    CHECK(contact.rest_offset == 0);
     CHECK(contact.stretch == Vec3(1e-5, 0, 0));
 }
 
@@ -147,16 +147,16 @@ TEST_CASE(
 {
     for (const double carried : {20.0, 1e4}) {
         Contact contact;
-        const double depth = -0.02, most_load = 5e3;
-        adapt_stiffness(contact, 0, 1, {}, 0.01, most_load);
-        contact.slack = depth + carried / contact.stiffness;
+        const double depth = -0.02, max_load = 5e3;
+        adapt_stiffness(contact, 0, 1, {}, 0.01, max_load);
+        contact.rest_offset = depth + carried / contact.stiffness;
         double force = carried;
         for (int step = 0; step < 200; ++step) {
             contact.load = force;
-            adapt_stiffness(contact, depth, 1, {}, 0.01, most_load);
-            force = contact.stiffness * (contact.slack - depth);
+            adapt_stiffness(contact, depth, 1, {}, 0.01, max_load);
+            force = contact.stiffness * (contact.rest_offset - depth);
         }
-        CHECK(force == doctest::Approx(std::max(carried, most_load)).epsilon(1e-9));
+        CHECK(force == doctest::Approx(std::max(carried, max_load)).epsilon(1e-9));
     }
 }
 
@@ -166,7 +166,7 @@ TEST_CASE("pair memory: a pair that is held lets its spring go, and begins anew 
     Contact pair{ContactKind::vertex_plane, 0, 0, 0, 0, {0}, {1}};
     pair.stiffness = 1e5;
     pair.load = 40;
-    pair.slack = -1e-3;
+    pair.rest_offset = -1e-3;
     pair.impulse = Vec3(0, 0.2, 0);
     pair.friction = Vec3(0.1, 0, 0);
     pair.stretch = Vec3(1e-4, 0, 0);
@@ -180,7 +180,7 @@ TEST_CASE("pair memory: a pair that is held lets its spring go, and begins anew 
     CHECK(contacts[1].stretch.isApprox(Vec3(-1e-4, 0, 0)));
     CHECK(contacts[1].load == doctest::Approx(20));
     adapt_stiffness(contacts[0], -0.02, 1, {}, 0.01);
-    CHECK(contacts[0].slack == -0.02);
+    CHECK(contacts[0].rest_offset == -0.02);
 }
 
 TEST_CASE(
@@ -192,9 +192,9 @@ TEST_CASE(
     const double first = 100 * 2.5 / (0.01 * 0.01), wanted_depth = 1e-5;
     StiffnessChoice choice;
     choice.wanted_depth = wanted_depth;
-    choice.rubbing_slack = 100;
+    choice.rubbing_offset = 100;
     struct Spring {
-        double slack, pressed;  // [m]
+        double rest_offset, pressed;  // [m]
         bool rubs;
     };
     for (const Spring& spring : {Spring{-0.02, 1e-5, false}, Spring{-0.02, 0.0199, false},
@@ -202,7 +202,7 @@ TEST_CASE(
         CAPTURE(spring.pressed);
         Contact pair{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}};
         pair.stiffness = 1e8;
-        pair.slack = spring.slack;
+        pair.rest_offset = spring.rest_offset;
         pair.load = first * spring.pressed;
         Contacts contacts{pair};
         const StepProblem step = set_up(scene.world, contacts, choice, {0.5, 0.4}, {1, scene.dt}, false);
@@ -216,8 +216,8 @@ TEST_CASE("pair memory: a pair that is born inside pushes nobody, one from outsi
     Contact inside, outside;
     adapt_stiffness(inside, -0.02, 1, {}, 0.01);
     adapt_stiffness(outside, 0.003, 1, {}, 0.01);
-    CHECK(inside.slack == -0.02);
-    CHECK(outside.slack == 0);
+    CHECK(inside.rest_offset == -0.02);
+    CHECK(outside.rest_offset == 0);
 }
 
 TEST_CASE(
@@ -258,7 +258,7 @@ TEST_CASE(
     for (const auto& [below, above] : {std::pair(1.0, 1000.0), std::pair(1000.0, 1.0), std::pair(3.0, 5.0)}) {
         Scene scene = scene_of({{below, Vec3(0, 0.5, 0)}, {above, Vec3(0.1, 1.5, 0.2)}}, 0.01);
         ImplicitSettings settings;
-        settings.most_newton_steps = 0;     // or else what presses through the light one would count as well
+        settings.max_newton_steps = 0;      // or else what presses through the light one would count as well
         settings.kept_residual = INFINITY;  // and the step is a whole one
         settings.record = [](const SolveRecord&) {};
         const Solver solver = chapter07_solver(scene.contact, settings);
@@ -303,19 +303,19 @@ TEST_CASE("implicit contact: a second answer in a step leaves the pairs' stiffne
     scene.world.bodies[0]->predict(scene.world.gravity, scene.dt);
     Contacts contacts{{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}};
     contacts[0].stiffness = 1e5;
-    contacts[0].slack = -5e-3;
+    contacts[0].rest_offset = -5e-3;
     contacts[0].load = 1e9;
     NewtonMatrix matrix;
     ImplicitSettings settings;
     settings.record = [](const SolveRecord&) {};
     solve_contacts(scene.world, contacts, settings, matrix, scene.dt);
-    const double stiffness = contacts[0].stiffness, slack = contacts[0].slack;
+    const double stiffness = contacts[0].stiffness, rest_offset = contacts[0].rest_offset;
     CHECK(stiffness > 1e5);
-    CHECK(slack != -5e-3);
+    CHECK(rest_offset != -5e-3);
     contacts.push_back({ContactKind::vertex_plane, 0, 0, 1, -1, {1, -1, -1, -1}, {1, 0, 0, 0}});
     solve_contacts(scene.world, contacts, settings, matrix, scene.dt);
     CHECK(contacts[0].stiffness == stiffness);
-    CHECK(contacts[0].slack == slack);
+    CHECK(contacts[0].rest_offset == rest_offset);
     CHECK(contacts[1].stiffness > 0);
 }
 

@@ -59,7 +59,7 @@ void creep(const RunOptions& options, Report& report)
     if (!outcomes)
         return;
     Table table({"cells", "young_pa", "dt_s", "mass_kg", "own_strain", "creep_um_per_s", "deepest_mm",
-                 "energy_gain_j", "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"});
+                 "energy_gain_j", "max_newton_steps", "newton_steps_at_rest", "unconverged", "solves"});
     double fastest = 0, deepest = 0;
     long firm = 0, still = 0, shallow = 0, unconverged = 0;
     for (std::size_t i = 0; i < cubes.size(); ++i) {
@@ -67,7 +67,7 @@ void creep(const RunOptions& options, Report& report)
         const chapter07::PileOutcome& outcome = (*outcomes)[i];
         table.add({static_cast<long>(cube.cells), cube.young, cube.dt, cube.mass, own_strain(cube),
                    outcome.drift_um_per_s, outcome.deepest_mm, outcome.energy_gain_j,
-                   static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,
+                   static_cast<long>(outcome.solves.max_newton_steps), outcome.newton_steps_at_rest,
                    outcome.solves.unconverged, outcome.solves.solves});
         unconverged += outcome.solves.unconverged;
         if (!is_firm(cube))

@@ -54,7 +54,7 @@ void report_families(const std::vector<chapter07::DepthOutcome>& found, std::siz
                      Report& report)
 {
     Table now({"family", "bodies", "runs", "deepest_percent", "at_the_end_percent", "gain_percent",
-               "unsolved", "solves", "most_newton_steps"});
+               "unsolved", "solves", "max_newton_steps"});
     Table before({"family", "runs", "deepest_with_7_mm", "deepest_with_8_mm", "at_the_end_with_7_um",
                   "at_the_end_with_8_um", "unsolved_with_7", "unsolved_with_8"});
     std::array<chapter07::DepthOutcome, 2> all;  // chapter 7's, chapter 8's
@@ -67,7 +67,7 @@ void report_families(const std::vector<chapter07::DepthOutcome>& found, std::siz
         const auto& [seven, eight] = worst;
         now.add({family_name(family), std::string(quick ? "8" : "8 to 100"), static_cast<long>(runs),
                  percent_of(eight.deepest_m, eight), percent_of(eight.at_end_m, eight), 100 * eight.gain,
-                 eight.unsolved, eight.solves, static_cast<long>(eight.most_newton_steps)});
+                 eight.unsolved, eight.solves, static_cast<long>(eight.max_newton_steps)});
         before.add({family_name(family), static_cast<long>(runs), 1e3 * seven.deepest_m,
                     1e3 * eight.deepest_m, 1e6 * seven.at_end_m, 1e6 * eight.at_end_m, seven.unsolved,
                     eight.unsolved});
@@ -90,7 +90,7 @@ void report_families(const std::vector<chapter07::DepthOutcome>& found, std::siz
     report.fact("families", "gain_percent", 100 * all[1].gain, 2);
     report.fact("families", "unsolved", static_cast<double>(all[1].unsolved), 6);
     report.fact("families", "solves", static_cast<double>(all[1].solves), 6);
-    report.fact("families", "most_newton_steps", all[1].most_newton_steps);
+    report.fact("families", "max_newton_steps", all[1].max_newton_steps);
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ void fast(const RunOptions& options, Report& report)
     if (!found)
         return;
     Table table(
-        {"plate", "speed_m_per_s", "shots", "through", "deepest_mm", "most_energy_percent", "unsolved"});
+        {"plate", "speed_m_per_s", "shots", "through", "deepest_mm", "max_energy_percent", "unsolved"});
     FastOutcome all, at_speed;  // from 100 m/s on
     for (std::size_t i = 0; i < volleys.size();) {
         FastOutcome row;
@@ -29,7 +29,7 @@ void fast(const RunOptions& options, Report& report)
              ++i)
             row.add((*found)[i]);
         table.add({std::string(first.free_plate ? "free" : "held"), first.speed, row.shots, row.through,
-                   1e3 * row.deepest_m, 100 * row.most_energy, row.unsolved});
+                   1e3 * row.deepest_m, 100 * row.max_energy, row.unsolved});
         all.add(row);
         if (first.speed >= 100)
             at_speed.add(row);
@@ -41,7 +41,7 @@ void fast(const RunOptions& options, Report& report)
     report.fact("fast", "through_fast", static_cast<double>(at_speed.through), 6);
     report.fact("fast", "through", static_cast<double>(all.through), 6);
     report.fact("fast", "deepest_mm", 1e3 * all.deepest_m, 2);
-    report.fact("fast", "most_energy_percent", 100 * all.most_energy, 4);
+    report.fact("fast", "max_energy_percent", 100 * all.max_energy, 4);
     report.fact("fast", "unsolved", static_cast<double>(all.unsolved), 6);
 }
 

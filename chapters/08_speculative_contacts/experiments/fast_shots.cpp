@@ -86,7 +86,7 @@ void FastOutcome::add(const FastOutcome& other)
     shots += other.shots;
     through += other.through;
     deepest_m = std::max(deepest_m, other.deepest_m);
-    most_energy = std::max(most_energy, other.most_energy);
+    max_energy = std::max(max_energy, other.max_energy);
     unsolved += other.unsolved;
 }
 
@@ -111,7 +111,7 @@ FastOutcome shoot(const FastVolley& volley, double dt, unsigned seed)
     for (long i = 0; i < steps; ++i) {
         advance(world, contacts, solver, dt);
         outcome.deepest_m = std::max(outcome.deepest_m, chapter07::true_depth(world));
-        outcome.most_energy = std::max(outcome.most_energy, total_energy(world).kinetic / first);
+        outcome.max_energy = std::max(outcome.max_energy, total_energy(world).kinetic / first);
         const double height = height_over(plate, shot.centre());
         if ((height > 0) != above && (shot.centre() - plate.centre()).norm() < 0.5)
             outcome.through = 1;

@@ -22,7 +22,7 @@ std::vector<FastVolley> fast_volleys();
 struct FastOutcome {
     long shots = 0, through = 0;  ///< whose middle comes out on the other side
     double deepest_m = 0;         ///< in the plate or the plate in it, after any step
-    double most_energy = 0;       ///< after any step, over that at first
+    double max_energy = 0;        ///< after any step, over that at first
     long unsolved = 0;            ///< steps
 
     void add(const FastOutcome& other);

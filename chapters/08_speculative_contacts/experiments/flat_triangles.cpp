@@ -90,7 +90,7 @@ void slide_as_before(Report& report)
 /// Chapter 6's block that rounding puts partly inside its slab.
 void lay_exactly(bool quick, Report& report)
 {
-    Table table({"gap_m", "placements", "with_a_corner_missed", "most_energy_gained_j", "chapter_6_j"});
+    Table table({"gap_m", "placements", "with_a_corner_missed", "max_energy_gained_j", "chapter_6_j"});
     for (const double gap : {0.0, 1e-12, 1e-6}) {
         long placements = 0, missed = 0;
         double most = 0, before = 0;

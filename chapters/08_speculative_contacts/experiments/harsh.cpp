@@ -44,9 +44,9 @@ std::string class_name(int index)
 /// What many runs came to.
 struct HarshSummary {
     long scenes = 0, gaining = 0, deep = 0, stopped = 0;  ///< deep: by more than a centimetre
-    long bodies = 0, lost = 0, most_inverted = 0;
+    long bodies = 0, lost = 0, max_inverted = 0;
     long unsolved = 0, solves = 0, steps = 0, parts = 0;
-    double most_gain_j = 0, most_gain = 0, free_gain = 0, deepest_m = 0, deepest = 0, at_end_m = 0;
+    double max_gain_j = 0, max_gain = 0, free_gain = 0, deepest_m = 0, deepest = 0, at_end_m = 0;
     double longest_step_s = 0, all_steps_s = 0;
     std::vector<int> newton;  ///< of all steps, in order once all runs are added
 
@@ -58,13 +58,13 @@ struct HarshSummary {
         stopped += run.stopped();
         bodies += run.bodies;
         lost += run.lost;
-        most_inverted = std::max<long>(most_inverted, run.most_inverted);
+        max_inverted = std::max<long>(max_inverted, run.max_inverted);
         unsolved += run.unsolved;
         solves += run.solves;
         steps += run.tried();
         parts += run.parts;
-        most_gain_j = std::max(most_gain_j, run.gain_j);
-        most_gain = std::max(most_gain, run.gain());
+        max_gain_j = std::max(max_gain_j, run.gain_j);
+        max_gain = std::max(max_gain, run.gain());
         free_gain = std::max(free_gain, run.free_gain_j / run.start_j);
         deepest_m = std::max(deepest_m, run.deepest_m);
         deepest = std::max(deepest, run.deepest_m / run.size_m);
@@ -101,12 +101,12 @@ void report_harsh(const std::vector<HarshOutcome>& found, Report& report)
                   "99 % of all steps", "most", "elements inverted"});
     for (int i = 0; i < harsh_classes; ++i) {
         const HarshSummary sum = summary_of(found, i);
-        bodies.add({class_name(i), sum.scenes, sum.gaining, 100 * sum.most_gain, sum.deep,
-                    1e3 * sum.deepest_m, 100 * sum.deepest, 1e3 * sum.at_end_m, sum.lost});
+        bodies.add({class_name(i), sum.scenes, sum.gaining, 100 * sum.max_gain, sum.deep, 1e3 * sum.deepest_m,
+                    100 * sum.deepest, 1e3 * sum.at_end_m, sum.lost});
         solves.add({class_name(i), sum.stopped,
                     static_cast<double>(sum.parts) / static_cast<double>(std::max(1L, sum.steps)), sum.solves,
                     sum.unsolved, sum.newton_quantile(0.5), sum.newton_quantile(0.99), sum.newton_quantile(1),
-                    sum.most_inverted});
+                    sum.max_inverted});
     }
     report.table("harsh", bodies);
     report.page_table("harsh", bodies, 2);
@@ -119,8 +119,8 @@ void report_harsh(const std::vector<HarshOutcome>& found, Report& report)
     };
     tell("scenes", static_cast<double>(all.scenes), 4);
     tell("gaining", static_cast<double>(all.gaining), 4);
-    tell("most_gain_percent", 100 * all.most_gain, 2);
-    tell("most_gain_j", all.most_gain_j, 2);
+    tell("max_gain_percent", 100 * all.max_gain, 2);
+    tell("max_gain_j", all.max_gain_j, 2);
     tell("free_gain_percent", 100 * all.free_gain, 2);
     tell("deep", static_cast<double>(all.deep), 4);
     tell("deepest_mm", 1e3 * all.deepest_m, 2);
@@ -146,7 +146,7 @@ void report_runs(const std::vector<HarshOutcome>& found, Report& report)
         runs.add({static_cast<long>(run.seed), static_cast<long>(run.soft), run.speed, 1e3 * run.dt,
                   run.gain_j, 100 * run.gain(), static_cast<long>(run.gain_step), run.free_gain_j,
                   1e3 * run.deepest_m, 1e3 * run.at_end_m, static_cast<long>(run.lost),
-                  static_cast<long>(run.most_inverted), static_cast<long>(run.steps), run.parts, run.solves,
+                  static_cast<long>(run.max_inverted), static_cast<long>(run.steps), run.parts, run.solves,
                   run.unsolved});
     report.table("harsh_runs", runs);
 }

@@ -268,10 +268,10 @@ HarshOutcome run_harsh(HarshScene& harsh, chapter07::MakeSolver make,
             outcome.gain_j = energy - before;
             outcome.gain_step = outcome.steps + 1;
         }
-        outcome.most_energy = std::max(outcome.most_energy, energy / outcome.start_j);
+        outcome.max_energy = std::max(outcome.max_energy, energy / outcome.start_j);
         outcome.at_end_m = chapter07::true_depth(world);
         outcome.deepest_m = std::max(outcome.deepest_m, outcome.at_end_m);
-        outcome.most_inverted = std::max(outcome.most_inverted, inverted_elements(world));
+        outcome.max_inverted = std::max(outcome.max_inverted, inverted_elements(world));
         observe(world);
     }
     for (const auto& body : world.bodies)

@@ -34,12 +34,12 @@ struct HarshOutcome {
     double gain_j = 0;                   ///< the most that a step brings
     int gain_step = 0;                   ///< which step that was, from 1
     double free_gain_j = 0;              ///< as gain_j, without any contact; asked where bodies are soft
-    double most_energy = 0;              ///< after any step, over that at first
+    double max_energy = 0;               ///< after any step, over that at first
     double deepest_m = 0, at_end_m = 0;  ///< chapter07::true_depth() after any step, and after the last one
     double size_m = 0;                   ///< of the smallest body
     int bodies = 0;
     int lost = 0;                                ///< bodies whose middle is outside of the room at the end
-    int most_inverted = 0;                       ///< elements, after any step
+    int max_inverted = 0;                        ///< elements, after any step
     int steps = 0;                               ///< fewer than harsh_steps if one could not be taken
     long parts = 0;                              ///< in which they were taken
     long unsolved = 0, solves = 0;               ///< problems

@@ -83,11 +83,10 @@ HeapOutcome run_and_show(Scene& scene, const Drop& drop, bool quick, Report& rep
 /// Cubes dropped on a heap, over seeds and steps.
 void heap(const RunOptions& options, Report& report)
 {
-    GrowingTable table(
-        report, "heap",
-        {"cubes", "dt_s", "seed", "pairs", "deepest_mm", "deepest_ever_mm", "drift_um_per_s", "energy_gain_j",
-         "most_newton_steps", "newton_steps_at_rest", "unconverged", "solves"},
-        all_drops(options.quick).size());
+    GrowingTable table(report, "heap",
+                       {"cubes", "dt_s", "seed", "pairs", "deepest_mm", "deepest_ever_mm", "drift_um_per_s",
+                        "energy_gain_j", "max_newton_steps", "newton_steps_at_rest", "unconverged", "solves"},
+                       all_drops(options.quick).size());
     double deepest = 0, ever = 0, drift = 0, gain = 0;
     long unconverged = 0, solves = 0, pairs = 0;
     for (const Drop& drop : all_drops(options.quick)) {
@@ -97,7 +96,7 @@ void heap(const RunOptions& options, Report& report)
                                                     : run_heap(scene, drop.duration);
         table.add({static_cast<long>(drop.cubes), drop.dt, static_cast<long>(drop.seed), outcome.pairs,
                    outcome.deepest_mm, deepest_ever_mm, outcome.drift_um_per_s, outcome.energy_gain_j,
-                   static_cast<long>(outcome.solves.most_newton_steps), outcome.newton_steps_at_rest,
+                   static_cast<long>(outcome.solves.max_newton_steps), outcome.newton_steps_at_rest,
                    outcome.solves.unconverged, outcome.solves.solves});
         if (table.rows().size() == 1)
             pairs = outcome.pairs;

@@ -42,7 +42,7 @@ void turntable(const RunOptions& options, Report& report)
             }
     report.table("turntable", table);
     report.page_table("turntable", table, 2);
-    report.fact("turntable", "most_um", most, 2);
+    report.fact("turntable", "max_um", most, 2);
 }
 
 }  // namespace enduring::chapter08

@@ -40,7 +40,7 @@ void wedged(const RunOptions& options, Report& report)
     });
     if (!outcomes)
         return;
-    Table table({"half_angle_deg", "mu", "mu over tan", "dt_s", "at_rest", "deepest_mm", "most_newton_steps",
+    Table table({"half_angle_deg", "mu", "mu over tan", "dt_s", "at_rest", "deepest_mm", "max_newton_steps",
                  "unconverged", "solves"});
     long locking_runs = 0, locking_at_rest = 0, other_runs = 0, other_at_rest = 0, solves = 0,
          unconverged = 0;
@@ -51,7 +51,7 @@ void wedged(const RunOptions& options, Report& report)
         const bool rests = chapter07::is_at_rest(outcome);
         const double lock = gap.mu / std::tan(gap.half_angle_deg * std::numbers::pi / 180);
         table.add({gap.half_angle_deg, gap.mu, lock, gap.dt, rests ? "yes" : "no", outcome.deepest_mm,
-                   static_cast<long>(outcome.solves.most_newton_steps), outcome.solves.unconverged,
+                   static_cast<long>(outcome.solves.max_newton_steps), outcome.solves.unconverged,
                    outcome.solves.solves});
         ++(lock > 1 ? locking_runs : other_runs);
         (lock > 1 ? locking_at_rest : other_at_rest) += rests;

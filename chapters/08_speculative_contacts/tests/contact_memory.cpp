@@ -57,7 +57,7 @@ Contact with_memory(Contact contact)
 {
     contact.stiffness = 5e4;
     contact.load = 30;
-    contact.slack = -2e-4;
+    contact.rest_offset = -2e-4;
     contact.stretch = {1e-5, 2e-5, -3e-5};
     contact.slip = 0.07;
     return contact;
@@ -65,7 +65,7 @@ Contact with_memory(Contact contact)
 
 bool begins_new(const Contact& contact)
 {
-    return contact.stiffness == 0 && contact.load == 0 && contact.slack == 0 && contact.slip == 0 &&
+    return contact.stiffness == 0 && contact.load == 0 && contact.rest_offset == 0 && contact.slip == 0 &&
            contact.stretch.isZero(0);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE(
         last.impulse = {1, 2, 3};
         last.state = ContactState::answered;
         Contact again = last;
-        again.stiffness = again.load = again.slack = again.slip = 0;
+        again.stiffness = again.load = again.rest_offset = again.slip = 0;
         again.stretch.setZero();
         again.impulse.setZero();
         again.state = ContactState::waiting;
@@ -101,7 +101,7 @@ TEST_CASE(
         REQUIRE(found.size() == 1);
         CHECK(found[0].stiffness == last.stiffness);
         CHECK(found[0].load == last.load);
-        CHECK(found[0].slack == last.slack);
+        CHECK(found[0].rest_offset == last.rest_offset);
         CHECK(found[0].stretch == last.stretch);
         CHECK(found[0].slip == last.slip);
         CHECK(found[0].weights[0] == 0.25);  // geometry is that of this step
@@ -143,14 +143,14 @@ TEST_CASE("contact memory: a vertex hands its spring on to the next face with it
                 World world = at_hinge(degrees * degree, depth, size);
                 Contact last = with_memory(pair_of(world, 1, 0, 0, 0));
                 REQUIRE(contact_geometry(world, last, 0).depth == doctest::Approx(-depth));
-                last.slack = std::min(0.0, slack_part * depth);
+                last.rest_offset = std::min(0.0, slack_part * depth);
                 Contacts found{pair_of(world, 1, 0, 0, 1)};
                 remember(world, {last}, found);
                 CHECK(found[0].stiffness == last.stiffness);
                 CHECK(found[0].load == last.load);
                 CHECK(found[0].slip == last.slip);
-                const double compression = contact_geometry(world, found[0], 0).depth - found[0].slack;
-                CHECK(compression == doctest::Approx(-depth - last.slack).epsilon(1e-9));
+                const double compression = contact_geometry(world, found[0], 0).depth - found[0].rest_offset;
+                CHECK(compression == doctest::Approx(-depth - last.rest_offset).epsilon(1e-9));
             }
 }
 
@@ -163,13 +163,13 @@ TEST_CASE(
     stairs.faces.push_back({5, 4, 6});
     add_ground(world, stairs);
     add_cube(world, {-0.01, -0.001, 0.5});  // 1 mm below the faces 0 and 1, 3 mm below the face 2
-    const auto handed = [&](int from, int to, double slack) {
+    const auto handed = [&](int from, int to, double rest_offset) {
         Contact last = with_memory(pair_of(world, 1, 0, 0, from));
-        last.slack = slack;
+        last.rest_offset = rest_offset;
         Contacts found{pair_of(world, 1, 0, 0, to)};
         remember(world, {last}, found);
         CHECK(found[0].stiffness == last.stiffness);
-        return found[0].slack;
+        return found[0].rest_offset;
     };
     CHECK(handed(0, 2, 0) == doctest::Approx(-0.002));
     CHECK(handed(0, 2, -0.0004) == doctest::Approx(-0.0024));

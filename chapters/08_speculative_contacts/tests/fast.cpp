@@ -14,6 +14,6 @@ TEST_CASE("fast: what flies ten metres in a step does not come through a plate o
                 CAPTURE(seed);
                 const FastOutcome outcome = shoot({false, 1000, shape, FastVolley::Way::straight}, dt, seed);
                 CHECK(outcome.through == 0);
-                CHECK(outcome.most_energy < 1 + 1e-9);
+                CHECK(outcome.max_energy < 1 + 1e-9);
             }
 }

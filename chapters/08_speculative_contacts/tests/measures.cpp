@@ -128,9 +128,9 @@ TEST_CASE("spinning: under this chapter's solver boxes that turn by radians in a
             CAPTURE(seed);
             CAPTURE(turn);
             chapter07::SolveStatistics solves;
-            const double most_turn = chapter08_solver(ContactParameters{}).most_turn;
-            CHECK(chapter07::most_energy(chapter07::spinning_box(turn, 0.01, seed), chapter08_solver,
-                                         most_turn, solves) <= 1);
+            const double max_turn = chapter08_solver(ContactParameters{}).max_turn;
+            CHECK(chapter07::max_energy(chapter07::spinning_box(turn, 0.01, seed), chapter08_solver, max_turn,
+                                        solves) <= 1);
             CHECK(solves.unconverged == 0);
         }
 }

@@ -78,7 +78,7 @@ Gain gain_of(World world, const Solver& solver, double dt, double duration)
 {
     const ContactParameters parameters;
     Contacts contacts;
-    SpringLedger ledger(world, parameters.stiffness, parameters.leaving_speed);
+    SpringLedger ledger(world, parameters.stiffness, parameters.max_depenetration_velocity);
     const double before = energy(world);
     const std::vector<Vec3> first = middles_of(world);
     Gain gain;

@@ -95,7 +95,7 @@ std::vector<Variant> variants(double speed, bool quick)
 /// A cube that rams a block, under one solver after the other.
 void deep(const RunOptions& options, Report& report)
 {
-    Table table({"speed_m_per_s", "solver", "energy_ratio", "most_energy_ratio", "across_m_per_s"});
+    Table table({"speed_m_per_s", "solver", "energy_ratio", "max_energy_ratio", "across_m_per_s"});
     std::map<std::string, double> worst;
     for (const double speed : {0.5, 1.0, 2.0, 3.0, 5.0, 10.0})
         for (const RammedWith& compared : all_solvers) {

@@ -42,7 +42,7 @@ Solver solver_of(int chapter, const Scene& scene, LoadOutcome& outcome)
         ++outcome.solves;
         outcome.unconverged += !record.converged;
         outcome.newton_steps += record.newton_steps;
-        outcome.most_newton_steps = std::max<long>(outcome.most_newton_steps, record.newton_steps);
+        outcome.max_newton_steps = std::max<long>(outcome.max_newton_steps, record.newton_steps);
     };
     return chapter == 8 ? chapter08_solver(scene.contact, settings)
                         : chapter09_solver(scene.contact, settings);

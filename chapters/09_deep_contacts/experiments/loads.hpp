@@ -33,7 +33,7 @@ struct LoadOutcome {
     double speed = 0;        ///< of the fastest body at the end [m/s]
     double gained = 0;       ///< most that the bodies' energy rose above the first [J]
     int told_at = 0;  ///< step at which the watch on energy said that it came from nothing; 0 for never
-    long newton_steps = 0, most_newton_steps = 0;  ///< of all problems; of one
+    long newton_steps = 0, max_newton_steps = 0;  ///< of all problems; of one
     long solves = 0, unconverged = 0;
 
     /// Whether all bodies lie where they should, within a tenth of a millimetre, and still to 0.1 mm/s.

@@ -55,7 +55,7 @@ struct Worst {
         of.sideways_mm = std::max(of.sideways_mm, outcome.sideways_mm);
         of.speed = std::max(of.speed, outcome.speed);
         of.gained = std::max(of.gained, outcome.gained);
-        of.most_newton_steps = std::max(of.most_newton_steps, outcome.most_newton_steps);
+        of.max_newton_steps = std::max(of.max_newton_steps, outcome.max_newton_steps);
         of.solves += outcome.solves;
         of.unconverged += outcome.unconverged;
     }
@@ -68,9 +68,9 @@ void mass_ratios(const RunOptions& options, Report& report)
 {
     Table table({"scene", "ratio", "cells", "gap_mm", "dt_s", "chapter", "height_error_mm", "sunk_mm",
                  "sideways_mm", "speed_m_per_s", "energy_gain_j", "told_at_step", "newton_steps",
-                 "most_newton_steps", "unconverged", "solves"});
+                 "max_newton_steps", "unconverged", "solves"});
     Table page({"scene", "ratio", "chapter", "runs", "at_rest", "height_error_mm", "sunk_mm", "sideways_mm",
-                "speed_m_per_s", "told_gains", "most_newton_steps", "unconverged"});
+                "speed_m_per_s", "told_gains", "max_newton_steps", "unconverged"});
     Worst all;
     const std::vector<LoadCase> cases = all_loads(options.quick);
     for (std::size_t first = 0, last = 0; first < cases.size(); first = last) {
@@ -87,13 +87,13 @@ void mass_ratios(const RunOptions& options, Report& report)
                                1000 * cases[i].gap, dt, static_cast<long>(chapter), outcome.height_mm,
                                outcome.sunk_mm, outcome.sideways_mm, outcome.speed, outcome.gained,
                                static_cast<long>(outcome.told_at), outcome.newton_steps,
-                               outcome.most_newton_steps, outcome.unconverged, outcome.solves});
+                               outcome.max_newton_steps, outcome.unconverged, outcome.solves});
                     worst.take(outcome);
                     all.take(outcome);
                 }
             page.add({cases[first].name, cases[first].ratio, static_cast<long>(chapter), worst.runs,
                       worst.rest, worst.of.height_mm, worst.of.sunk_mm, worst.of.sideways_mm, worst.of.speed,
-                      worst.told, worst.of.most_newton_steps, worst.of.unconverged});
+                      worst.told, worst.of.max_newton_steps, worst.of.unconverged});
         }
     }
     report.table("mass_ratios", table);
@@ -105,7 +105,7 @@ void mass_ratios(const RunOptions& options, Report& report)
     report.fact("mass_ratios", "sunk_mm", all.of.sunk_mm, 2);
     report.fact("mass_ratios", "sideways_mm", all.of.sideways_mm, 2);
     report.fact("mass_ratios", "gained_j", all.of.gained, 2);
-    report.fact("mass_ratios", "most_newton_steps", static_cast<double>(all.of.most_newton_steps));
+    report.fact("mass_ratios", "max_newton_steps", static_cast<double>(all.of.max_newton_steps));
     report.fact("mass_ratios", "solves", static_cast<double>(all.of.solves), 6);
     report.fact("mass_ratios", "unconverged", static_cast<double>(all.of.unconverged), 6);
 }

@@ -9,12 +9,12 @@ namespace enduring::chapter09 {
 /// neighbour to neighbour. A vertex that the border does not reach gets none.
 /// @see Heidelberger et al. 2004, "Consistent penetration depth estimation for deformable collision response"
 std::vector<Vec3> ways_from_the_border(const StillSurface& inner, const std::vector<int>& vertices,
-                                       const StillSurface& outer, const Vec3& way_out);
+                                       const StillSurface& outer, const Vec3& separation_direction);
 
 /// The shortest path to the boundary that stays inside. A body that does not cross itself lets every vertex go
 /// straight to the nearest point of its surface; the search through tetrahedra is for those that do.
 /// @see Chen et al. 2023, "Shortest path to boundary for self-intersecting meshes"
 std::vector<Vec3> ways_to_the_boundary(const StillSurface& inner, const std::vector<int>& vertices,
-                                       const StillSurface& outer, const Vec3& way_out);
+                                       const StillSurface& outer, const Vec3& separation_direction);
 
 }  // namespace enduring::chapter09

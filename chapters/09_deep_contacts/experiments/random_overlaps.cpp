@@ -68,11 +68,11 @@ Vec3 after_shift(const Vec3& x, int shift)
 }
 
 void check_regions(const OverlapShape& a, const OverlapShape& b, const SurfaceRegions& regions, bool of_a,
-                   bool on_lattice, int most_asked, OverlapCheck& check)
+                   bool on_lattice, int max_asked, OverlapCheck& check)
 {
     const OverlapShape &mine = of_a ? a : b, &other = of_a ? b : a;
     const int count = static_cast<int>(mine.positions().size());
-    const int every = std::max(1, count / most_asked);
+    const int every = std::max(1, count / max_asked);
     for (int vertex = 0; vertex < count; ++vertex) {
         check.inside += regions.winding_of_vertex(vertex) > 0;
         if (vertex % every != 0)
@@ -134,7 +134,7 @@ std::vector<Piercing> textbook_piercings(const StillSurface& a, const StillSurfa
     return found;
 }
 
-OverlapCheck check_overlap(const SurfaceMesh& a, const SurfaceMesh& b, bool on_lattice, int most_asked)
+OverlapCheck check_overlap(const SurfaceMesh& a, const SurfaceMesh& b, bool on_lattice, int max_asked)
 {
     const OverlapShape one(a), other(b);
     const Intersection intersection = trace_intersection(one.still(), other.still());
@@ -149,7 +149,7 @@ OverlapCheck check_overlap(const SurfaceMesh& a, const SurfaceMesh& b, bool on_l
         check.textbook_closes = check.textbook_closes && curve.closed;
     for (const bool of_a : {true, false})
         check_regions(one, other, flood_regions(intersection.piercings, one.still(), other.still(), of_a),
-                      of_a, on_lattice, most_asked, check);
+                      of_a, on_lattice, max_asked, check);
     return check;
 }
 

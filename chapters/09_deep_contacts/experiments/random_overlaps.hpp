@@ -32,7 +32,7 @@ struct OverlapCheck {
     bool consistent = true;
 };
 
-/// @param most_asked  vertices of each surface that are compared with the solid angle, which takes its time
-OverlapCheck check_overlap(const SurfaceMesh& a, const SurfaceMesh& b, bool on_lattice, int most_asked);
+/// @param max_asked  vertices of each surface that are compared with the solid angle, which takes its time
+OverlapCheck check_overlap(const SurfaceMesh& a, const SurfaceMesh& b, bool on_lattice, int max_asked);
 
 }  // namespace enduring::chapter09

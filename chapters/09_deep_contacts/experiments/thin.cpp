@@ -32,8 +32,8 @@ Solver quiet_chapter09(const ContactParameters& parameters)
 }
 
 struct Hit {
-    bool through = false;    ///< the shot came out on the other side
-    double most_energy = 0;  ///< kinetic, over that at first, after any step
+    bool through = false;   ///< the shot came out on the other side
+    double max_energy = 0;  ///< kinetic, over that at first, after any step
 };
 
 Hit hit_of(ThinShot& shot, MakeSolver make, const std::vector<Probe*>& more = {})
@@ -43,7 +43,7 @@ Hit hit_of(ThinShot& shot, MakeSolver make, const std::vector<Probe*>& more = {}
     WatchProbe watch([&](const World& world, const Contacts&, double) {
         const double energy = total_energy(world).kinetic;
         before = world.step == 0 ? energy : before;
-        hit.most_energy = std::max(hit.most_energy, energy / before);
+        hit.max_energy = std::max(hit.max_energy, energy / before);
         hit.through = hit.through || is_through(shot, world);
     });
     std::vector<Probe*> probes{&watch};
@@ -72,7 +72,7 @@ void show_a_shot(Report& report)
 /// What many shots of one body at one target came to.
 struct Volley {
     long through = 0, gains = 0;
-    double most_energy = 0;
+    double max_energy = 0;
 };
 
 Volley volley_of(const ThinTarget& target, const std::string& body, MakeSolver make, int trials)
@@ -83,8 +83,8 @@ Volley volley_of(const ThinTarget& target, const std::string& body, MakeSolver m
         ThinShot shot = shot_at_random(target, body, random);
         const Hit hit = hit_of(shot, make);
         volley.through += hit.through;
-        volley.most_energy = std::max(volley.most_energy, hit.most_energy);
-        volley.gains += hit.most_energy > 1.001;
+        volley.max_energy = std::max(volley.max_energy, hit.max_energy);
+        volley.gains += hit.max_energy > 1.001;
     }
     return volley;
 }
@@ -105,25 +105,25 @@ void thin(const RunOptions& options, Report& report)
     if (!volleys)
         return;
     Table table({"target", "shot", "trials", "through_with_6", "through_with_8", "through_with_9",
-                 "most_energy_ratio_with_9", "gains_with_9"});
+                 "max_energy_ratio_with_9", "gains_with_9"});
     std::array<long, 3> all{};
     long gains = 0;
     double most = 0;
     for (std::size_t row = 0; row < rows; ++row) {
         const Volley* const by = &(*volleys)[row * solvers.size()];
         table.add({thin_targets()[row / bodies].name, thin_shots()[row % bodies], static_cast<long>(trials),
-                   by[0].through, by[1].through, by[2].through, by[2].most_energy, by[2].gains});
+                   by[0].through, by[1].through, by[2].through, by[2].max_energy, by[2].gains});
         for (std::size_t i = 0; i < solvers.size(); ++i)
             all[i] += by[i].through;
         gains += by[2].gains;
-        most = std::max(most, by[2].most_energy);
+        most = std::max(most, by[2].max_energy);
     }
     const long shots = static_cast<long>(rows) * trials;
     show_a_shot(report);
     report.table("thin", table);
     report.page_table("thin", table);
     report.fact("thin", "shots", static_cast<double>(shots), 6);
-    report.fact("thin", "most_energy", most);
+    report.fact("thin", "max_energy", most);
     report.fact("thin", "gains", static_cast<double>(gains), 6);
     report.fact("thin", "through_6", static_cast<double>(all[0]), 6);
     report.fact("thin", "through_8", static_cast<double>(all[1]), 6);

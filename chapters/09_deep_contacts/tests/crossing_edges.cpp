@@ -93,7 +93,7 @@ TEST_CASE(
             for (const Contact& pair : pairs) {
                 const ContactGeometry geometry = contact_geometry(at.world, pair, 0);
                 CHECK(geometry.depth < 0);
-                CHECK(geometry.normal.dot(overlap.way_out) > std::sqrt(0.5));
+                CHECK(geometry.normal.dot(overlap.separation_direction) > std::sqrt(0.5));
                 for (const double weight : pair.weights)
                     CHECK(std::abs(weight) <= 1);
                 ++all;
@@ -116,7 +116,7 @@ TEST_CASE("crossing edges: beams that cross and begin in each other, with no ver
             fastest = std::max(fastest, scene.world.bodies[1]->mean_velocity().norm());
         }
         const double size = scene.world.bodies[1]->size();
-        CHECK(fastest < 1.1 * scale_parts.leaving_speed * std::sqrt(9.81 * size));
+        CHECK(fastest < 1.1 * scale_parts.max_depenetration_velocity * std::sqrt(9.81 * size));
         CHECK(scene.world.bodies[1]->centre().y() ==
               doctest::Approx(1.5 * chapter09::beam_size).epsilon(1e-4));
     }

@@ -34,7 +34,7 @@ Missing missing_in(const std::string& body, const Surroundings& surroundings)
 {
     Scene scene = scene_inside(surroundings, body, 0.13, 0.01);
     const Solver solver = chapter09_solver(scene.contact);
-    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
+    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity);
     const Body& cube = *scene.world.bodies.back();
     const double start = total_energy(scene.world).total();
     Contacts contacts;
@@ -74,7 +74,7 @@ TEST_CASE(
 TEST_CASE("energy accounts: what is let out does not rub")
 {
     Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.3, 0.01);
-    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
+    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity);
     const double before = total_energy(scene.world).total();
     WatchProbe watch([&](const World& world, const Contacts& contacts, double dt) {
         if (world.step > 0)
@@ -98,7 +98,7 @@ TEST_CASE(
     Solver throwing = chapter09_solver(scene.contact);
     throwing.append(StepStage::refresh, "no rest offset", [](World&, Contacts& contacts, double) {
         for (Contact& contact : contacts)
-            contact.slack = 0;
+            contact.rest_offset = 0;
     });
     CHECK_THROWS_AS(run(scene, throwing, {}, {.steps = 200}), std::runtime_error);
 }
@@ -107,7 +107,7 @@ TEST_CASE(
     "energy accounts: in a tower exactly edge on edge births and deaths bring less than 0.1 % of the impact")
 {
     Scene scene = load_scene(scene_file("tower"));
-    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
+    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity);
     const double before = total_energy(scene.world).total();
     double gained = 0, brought = 0;
     WatchProbe watch([&](const World& world, const Contacts& contacts, double dt) {

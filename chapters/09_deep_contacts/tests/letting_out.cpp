@@ -122,12 +122,12 @@ TEST_CASE("inside pairs: what was traced serves any list of pairs, until the nex
 TEST_CASE("letting out: slack fades by a tenth, and no faster than the speed at which a body is let out")
 {
     Contacts contacts(3);
-    contacts[0].slack = -1e-3;
-    contacts[1].slack = -0.2;
-    fade_slack(contacts, 0.9, [](const Contact&) { return 0.3 * 0.01; });
-    CHECK(contacts[0].slack == doctest::Approx(-9e-4));
-    CHECK(contacts[1].slack == doctest::Approx(-0.2 + 0.3 * 0.01));
-    CHECK(contacts[2].slack == 0);
+    contacts[0].rest_offset = -1e-3;
+    contacts[1].rest_offset = -0.2;
+    fade_rest_offset(contacts, 0.9, [](const Contact&) { return 0.3 * 0.01; });
+    CHECK(contacts[0].rest_offset == doctest::Approx(-9e-4));
+    CHECK(contacts[1].rest_offset == doctest::Approx(-0.2 + 0.3 * 0.01));
+    CHECK(contacts[2].rest_offset == 0);
 }
 
 TEST_CASE("letting out: a block that begins in a floor comes up slowly and rests; with chapter 7 it falls")
@@ -225,7 +225,7 @@ TEST_CASE(
         });
         run(scene, chapter09_solver(scene.contact), {&watch}, {.steps = 150});
         CHECK_FALSE(inside);
-        CHECK(fastest > 0.9 * scale_parts.leaving_speed * std::sqrt(9.81 * 0.4));
+        CHECK(fastest > 0.9 * scale_parts.max_depenetration_velocity * std::sqrt(9.81 * 0.4));
         CHECK(fastest < 0.5);
         CHECK(highest < 0.01);
     }
@@ -236,7 +236,7 @@ TEST_CASE("letting out: a scene says how fast")
     using namespace enduring::chapter09;
     for (const double speed : {0.1, 0.7}) {
         Scene scene = scene_inside(all_surroundings()[0], "block", 0.1, 0.01);
-        scene.contact.leaving_speed = speed;
+        scene.contact.max_depenetration_velocity = speed;
         double fastest = 0;
         WatchProbe watch([&](const World& world, const Contacts&, double) {
             fastest = std::max(fastest, world.bodies.back()->mean_velocity().y());
@@ -257,7 +257,7 @@ TEST_CASE("letting out: half-way between two ways out, to a hair, a body takes o
             const Surroundings& surroundings = all_surroundings()[ground.first];
             const double depth = (thickness + height_of(surroundings, "block")) / 2 + hair;
             Scene scene = scene_inside(surroundings, "block", depth, 0.01);
-            scene.contact.leaving_speed = 0.35;  // so that it is out in time
+            scene.contact.max_depenetration_velocity = 0.35;  // so that it is out in time
             run(scene, chapter09_solver(scene.contact), {}, {.steps = 240});
             CHECK(deepest_inside(scene.world) < 1e-3);
         }

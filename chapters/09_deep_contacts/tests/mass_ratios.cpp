@@ -7,14 +7,14 @@ using namespace enduring::chapter09;
 
 namespace {
 
-void check_that_it_rests(const std::function<Load()>& scene, double most_sunk_mm)
+void check_that_it_rests(const std::function<Load()>& scene, double max_sunk_mm)
 {
     for (const int chapter : {8, 9}) {
         CAPTURE(chapter);
         Load load = scene();
         const LoadOutcome outcome = watch(load, chapter, 1);
         CHECK(outcome.height_mm < 0.1);
-        CHECK(outcome.sunk_mm < most_sunk_mm);
+        CHECK(outcome.sunk_mm < max_sunk_mm);
         CHECK(outcome.sideways_mm < 1);
         CHECK(outcome.speed < 1e-4);
         CHECK(outcome.told_at == 0);

@@ -29,10 +29,12 @@ TEST_CASE(
         cube(moved(box({0.4, 0.4, 0.4}, {5, 5, 5}), {0.013, 0.1, 0.021}));
     const auto overlaps = find_overlaps(cube.still(), ledge.still());
     REQUIRE(overlaps.size() == 1);
-    const auto& [of_cube, of_ledge, way_out, curves] = overlaps[0];
-    CHECK(count_wrong(shared_way_out(cube.still(), of_cube, ledge.still(), way_out), Vec3::UnitY()) == 0);
-    CHECK(count_wrong(shared_way_out(ledge.still(), of_ledge, cube.still(), -way_out), -Vec3::UnitY()) == 0);
-    const auto nearest = ways_to_the_boundary(cube.still(), of_cube, ledge.still(), way_out);
+    const auto& [of_cube, of_ledge, separation_direction, curves] = overlaps[0];
+    CHECK(count_wrong(overlap_direction(cube.still(), of_cube, ledge.still(), separation_direction),
+                      Vec3::UnitY()) == 0);
+    CHECK(count_wrong(overlap_direction(ledge.still(), of_ledge, cube.still(), -separation_direction),
+                      -Vec3::UnitY()) == 0);
+    const auto nearest = ways_to_the_boundary(cube.still(), of_cube, ledge.still(), separation_direction);
     CHECK(count_wrong(nearest, Vec3::UnitY()) > 0);
     for (std::size_t i = 0; i < nearest.size(); ++i) {  // along it, out after the least depth of the box
         const Vec3 x = cube.positions()[of_cube[i]];

@@ -63,8 +63,8 @@ TEST_CASE("way out: a ball leaves a floor upwards, and the floor leaves the ball
     const auto from_ball = overlaps_of(ball, floor), from_floor = overlaps_of(floor, ball);
     REQUIRE(from_ball.size() == 1);
     REQUIRE(from_floor.size() == 1);
-    CHECK((from_ball[0].way_out - Vec3::UnitY()).norm() < 1e-9);
-    CHECK((from_floor[0].way_out + Vec3::UnitY()).norm() < 1e-9);
+    CHECK((from_ball[0].separation_direction - Vec3::UnitY()).norm() < 1e-9);
+    CHECK((from_floor[0].separation_direction + Vec3::UnitY()).norm() < 1e-9);
     CHECK(from_ball[0].vertices_of_a == from_floor[0].vertices_of_b);
     for (const int vertex : from_ball[0].vertices_of_a)
         CHECK(ball.vertices[vertex].y() < 0);
@@ -75,13 +75,13 @@ TEST_CASE("way out: what is wholly inside takes the shortest way, also where it 
     const SurfaceMesh room = box({4, 4, 4}, {3, 3, 3}), small = box({0.5, 0.5, 0.5});
     const auto right = overlaps_of(moved(small, {1.2, 0.3, -0.2}), room);
     REQUIRE(right.size() == 1);
-    CHECK((right[0].way_out - Vec3::UnitX()).norm() < 1e-12);
+    CHECK((right[0].separation_direction - Vec3::UnitX()).norm() < 1e-12);
     CHECK(right[0].vertices_of_a.size() == 8);
     CHECK(right[0].vertices_of_b.empty());
     // A rod from wall to wall: its ends are next to the walls, but it is out first by the floor.
     const auto rod = overlaps_of(moved(box({3.8, 0.2, 0.2}, {6, 1, 1}), {0.01, -1.2, 0}), room);
     REQUIRE(rod.size() == 1);
-    CHECK((rod[0].way_out + Vec3::UnitY()).norm() < 1e-12);
+    CHECK((rod[0].separation_direction + Vec3::UnitY()).norm() < 1e-12);
 }
 
 TEST_CASE("way out: two feet of one body are two overlaps, each with its own way")
@@ -98,8 +98,8 @@ TEST_CASE("way out: two feet of one body are two overlaps, each with its own way
     }
     const auto overlaps = overlaps_of(moved(box({1.7, 0.2, 0.2}), {0, 0.03, 0.07}), walls);
     REQUIRE(overlaps.size() == 2);
-    CHECK((overlaps[0].way_out + overlaps[1].way_out).norm() < 1e-9);
-    CHECK(std::abs(overlaps[0].way_out.x()) > 1 - 1e-9);
+    CHECK((overlaps[0].separation_direction + overlaps[1].separation_direction).norm() < 1e-9);
+    CHECK(std::abs(overlaps[0].separation_direction.x()) > 1 - 1e-9);
     CHECK(overlaps[0].vertices_of_a.size() == 4);
     CHECK(overlaps[1].vertices_of_a.size() == 4);
 }

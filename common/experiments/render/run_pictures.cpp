@@ -35,8 +35,7 @@ void add_finite(std::vector<Vec3>& points, const std::vector<Vec3>& more)
 
 RunPictures::RunPictures(const Scene& scene, Shown shown)
     : scene_(scene), shown_(std::move(shown)), begin_(scene.world.time),
-      frame_time_(
-          std::max({1.0 / frames_per_second, scene.dt, (scene.duration - begin_) / (most_frames - 1)}))
+      frame_time_(std::max({1.0 / frames_per_second, scene.dt, (scene.duration - begin_) / (max_frames - 1)}))
 {}
 
 void RunPictures::observe(const World& world, const Contacts& contacts, double dt)

@@ -13,13 +13,13 @@ namespace enduring {
 class RunPictures final : public Probe {
 public:
     /// What is shown: `pictures` moments, evenly over the run, and a film if `filmed`. A second of the run takes a
-    /// second of the film, unless it would have more than most_frames: then the run is shown faster.
+    /// second of the film, unless it would have more than max_frames: then the run is shown faster.
     struct Shown {
         int pictures = 6;
         bool filmed = true;
         MarkContacts mark = mark_pairs;  ///< on the pictures
     };
-    static constexpr int frames_per_second = 20, most_frames = 600;
+    static constexpr int frames_per_second = 20, max_frames = 600;
 
     /// @param scene  looks, camera, step and duration; outlives this
     explicit RunPictures(const Scene& scene) : RunPictures(scene, Shown{}) {}

@@ -39,7 +39,7 @@ const Body& fastest_body(const World& world)
 
 EnergyBudget::EnergyBudget(const Scene& scene, const Contacts& contacts)
     : dt_(scene.dt), slack_(slack_of(scene)), parameters_(scene.contact),
-      springs_(scene.world, scene.contact.stiffness, scene.contact.leaving_speed)
+      springs_(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity)
 {
     const Energy energy = total_energy(scene.world);
     start_ = energy.total() + spring_energy(contacts);

@@ -18,13 +18,6 @@ using Numbers = std::vector<double>;
 
 constexpr const char* format = "enduring contacts, state of a run, 1";
 
-Numbers state_of(Body& body)
-{
-    StateArchive archive;
-    body.visit_state(archive);
-    return archive.numbers();
-}
-
 Numbers state_of(Contact contact)
 {
     StateArchive archive;
@@ -105,10 +98,8 @@ Contacts resume_run(const std::filesystem::path& file, World& world)
     Contacts contacts = contacts_of(document, name);
     world.time = part<double>(document, "time", name);
     world.step = part<int>(document, "step", name);
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        StateArchive archive(bodies[i].second);
-        world.bodies[i]->visit_state(archive);
-    }
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        restore_state(*world.bodies[i], bodies[i].second);
     return contacts;
 }
 

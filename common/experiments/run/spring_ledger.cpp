@@ -19,8 +19,10 @@ std::vector<std::vector<Vec3>> positions_of(const World& world)
 
 }  // namespace
 
-SpringLedger::SpringLedger(const World& world, double stiffness, std::optional<double> leaving_speed)
-    : stiffness_(stiffness), leaving_speed_(leaving_speed), positions_(positions_of(world))
+SpringLedger::SpringLedger(const World& world, double stiffness,
+                           std::optional<double> max_depenetration_velocity)
+    : stiffness_(stiffness), max_depenetration_velocity_(max_depenetration_velocity),
+      positions_(positions_of(world))
 {}
 
 double SpringLedger::held() const
@@ -44,7 +46,7 @@ SpringLedger::Booked SpringLedger::book(const World& world, const Contact& conta
     }
     const double k = contact.stiffness > 0 ? contact.stiffness : pair_stiffness(world, contact, stiffness_);
     const auto spring_at = [&](double depth) {
-        const double compression = std::min(0.0, depth - contact.slack);
+        const double compression = std::min(0.0, depth - contact.rest_offset);
         return Spring{compression, k * compression * compression / 2, k};
     };
     Spring spring = spring_at(end.depth);
@@ -58,7 +60,7 @@ SpringLedger::Booked SpringLedger::book(const World& world, const Contact& conta
             spring,
             spring_at(end.depth - end.normal.dot(way)),
             contact.impulse.norm() / dt,
-            leaving_speed(world, contact, leaving_speed_, dt)};
+            max_depenetration_velocity(world, contact, max_depenetration_velocity_, dt)};
 }
 
 //! [take_over]
@@ -68,7 +70,7 @@ void SpringLedger::take_over(Booked& booked, std::multimap<Key, Spring>::iterato
     // Made stiffer without a jump of its force, a spring is less compressed and holds less. No body has moved.
     const double softer = std::min(1.0, before->second.stiffness / booked.spring.stiffness);
     const double way = softer * before->second.compression - booked.at_start.compression;
-    const bool slowly = way <= (1 + rounding) * booked.leaving_speed * dt;
+    const bool slowly = way <= (1 + rounding) * booked.max_depenetration_velocity * dt;
     const double put_in = slowly ? booked.force * way
                                  : booked.at_start.energy - softer * before->second.energy;
     (slowly ? accounts_.lifted : accounts_.jumped) += put_in;

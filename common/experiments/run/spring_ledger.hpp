@@ -37,9 +37,9 @@ class SpringLedger {
 public:
     /// @param world          before its first step
     /// @param stiffness      k of a pair without one of its own, on planes without one of their own [N/m]
-    /// @param leaving_speed  slack that fades faster lets nothing out: it throws [m/s]; without it, that of the
+    /// @param max_depenetration_velocity  slack that fades faster lets nothing out: it throws [m/s]; without it, that of the
     ///                       pair's size
-    SpringLedger(const World& world, double stiffness, std::optional<double> leaving_speed);
+    SpringLedger(const World& world, double stiffness, std::optional<double> max_depenetration_velocity);
 
     /// To be told after each step.
     /// @param contacts  those alive after it
@@ -58,11 +58,11 @@ private:
     struct Booked {
         Key key;
         Spring spring;
-        Spring at_start;       ///< the same spring where the bodies lay at the start of the step
-        double force;          ///< mean over the step [N]
-        double leaving_speed;  ///< at which its slack may fade [m/s]
-        double came = 0;       ///< into the spring: what it held before, and what was put in [J]
-        bool known = false;    ///< it was there in the last step
+        Spring at_start;                    ///< the same spring where the bodies lay at the start of the step
+        double force;                       ///< mean over the step [N]
+        double max_depenetration_velocity;  ///< at which its slack may fade [m/s]
+        double came = 0;                    ///< into the spring: what it held before, and what was put in [J]
+        bool known = false;                 ///< it was there in the last step
     };
 
     Booked book(const World& world, const Contact& contact, double dt);
@@ -70,7 +70,7 @@ private:
     std::multimap<Key, Spring>::iterator find_at_any_face(Key key);
 
     double stiffness_;
-    std::optional<double> leaving_speed_;
+    std::optional<double> max_depenetration_velocity_;
     std::vector<std::vector<Vec3>> positions_;  ///< of each body before the step
     std::multimap<Key, Spring> springs_;
     SpringAccounts accounts_;

@@ -46,7 +46,7 @@ TEST_CASE("bar: both splits fill the cuboid, and neighbouring cells agree on the
         CAPTURE(split);
         CHECK(volume_of(mesh) == doctest::Approx(6.0).epsilon(1e-13));
         CHECK(mesh.elements.size() == 60 * (split == CellSplit::six ? 6 : 5));
-        // Diagonals that disagree would leave inner faces unpaired, and so more faces on the surface.
+        // Diagonals that disagree would leave inner faces missed_vertices, and so more faces on the surface.
         const ExtractedSurface surface = surface_of(mesh);
         CHECK(surface.mesh.faces.size() == 2 * 2 * (5 * 3 + 3 * 4 + 4 * 5));
         CHECK(closed_manifold(surface.mesh));

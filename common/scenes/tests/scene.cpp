@@ -15,7 +15,7 @@ namespace {
 
 const std::string ball_text = R"({
   "name": "ball", "gravity": [0, -10, 0], "dt": 0.01, "duration": 0.5,
-  "contact": {"method": "dpf", "stiffness": 500, "leaving_speed": 0.2, "wanted_depth": 1e-4},
+  "contact": {"method": "dpf", "stiffness": 500, "max_depenetration_velocity": 0.2, "wanted_depth": 1e-4},
   "planes": [{"name": "ground", "point": [0, -1, 0], "normal": [0, 2, 0], "stiffness": 9000}],
   "bodies": [
     {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.5}}, "mass": 2,
@@ -50,7 +50,7 @@ TEST_CASE("scene: every entry of the file arrives")
     CHECK(scene.duration == 0.5);
     CHECK(scene.contact.method == PenaltyMethod::discrete);
     CHECK(scene.contact.stiffness == 500);
-    CHECK(scene.contact.leaving_speed == 0.2);
+    CHECK(scene.contact.max_depenetration_velocity == 0.2);
     CHECK(scene.contact.wanted_depth == 1e-4);
     CHECK(scene.gives_stiffness);
     CHECK(scene.world.gravity == Vec3(0, -10, 0));
@@ -79,7 +79,7 @@ TEST_CASE("scene: what the file leaves out has the documented value")
     CHECK(scene.world.gravity == Vec3(0, -9.81, 0));
     CHECK(scene.contact.method == PenaltyMethod::continuous);
     CHECK(scene.contact.stiffness == 1000);
-    CHECK_FALSE(scene.contact.leaving_speed.has_value());
+    CHECK_FALSE(scene.contact.max_depenetration_velocity.has_value());
     CHECK_FALSE(scene.contact.wanted_depth.has_value());
     CHECK_FALSE(scene.gives_stiffness);
     CHECK(scene.world.planes.empty());
@@ -170,10 +170,12 @@ TEST_CASE("scene: numbers out of range are named with their path, range, unit an
           "ball.json: /duration: expected a number above 0 up to 3600 [s], found -1");
     CHECK(complaint(R"({"contact": {"stiffness": 0}})") ==
           "ball.json: /contact/stiffness: expected a number above 0 up to 1e+12 [N/m], found 0");
-    CHECK(complaint(R"({"contact": {"leaving_speed": 0}})") ==
-          "ball.json: /contact/leaving_speed: expected a number above 0 up to 10 [m/s], found 0");
-    CHECK(complaint(R"({"contact": {"leaving_speed": 11}})") ==
-          "ball.json: /contact/leaving_speed: expected a number above 0 up to 10 [m/s], found 11");
+    CHECK(
+        complaint(R"({"contact": {"max_depenetration_velocity": 0}})") ==
+        "ball.json: /contact/max_depenetration_velocity: expected a number above 0 up to 10 [m/s], found 0");
+    CHECK(
+        complaint(R"({"contact": {"max_depenetration_velocity": 11}})") ==
+        "ball.json: /contact/max_depenetration_velocity: expected a number above 0 up to 10 [m/s], found 11");
     CHECK(complaint(R"({"contact": {"wanted_depth": 0}})") ==
           "ball.json: /contact/wanted_depth: expected a number above 0 up to 1 [m], found 0");
     CHECK(complaint(R"({"contact": {"wanted_depth": 1.5}})") ==
@@ -206,7 +208,7 @@ TEST_CASE("scene: wrong types are named with what was expected")
           "ball.json: /contact/method: expected one of \"dpf\", \"cpf\", found \"cpg\"");
     CHECK(
         complaint(R"({"contact": 5})") ==
-        "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", \"leaving_speed\", \"wanted_depth\", found 5");
+        "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", \"max_depenetration_velocity\", \"wanted_depth\", found 5");
     CHECK(complaint(R"({"/bodies/0/look/smooth": 1})") ==
           "ball.json: /bodies/0/look/smooth: expected true or false, found 1");
     CHECK(complaint(R"({"/bodies/0/type": 7})") ==

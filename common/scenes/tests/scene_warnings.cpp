@@ -222,12 +222,13 @@ TEST_CASE("scene: warnings name the file, the bodies and the numbers; a scene th
             .warnings ==
         std::vector<std::string>{
             "trial.json: 'upper' begins inside 'lower', 0.25 m deep: a solver that traces intersections lets it out at 0.345 m/s "
-            "(/contact/leaving_speed), one that waits for surfaces to cross lets it fall through"});
-    CHECK(read(R"("contact": {"leaving_speed": 0.1}, )" + ground + cube("cube", "[0, 0.2, 0]") + "]")
+            "(/contact/max_depenetration_velocity), one that waits for surfaces to cross lets it fall through"});
+    CHECK(read(R"("contact": {"max_depenetration_velocity": 0.1}, )" + ground + cube("cube", "[0, 0.2, 0]") +
+               "]")
               .warnings ==
           std::vector<std::string>{
               "trial.json: 'cube' begins inside 'ground', 0.3 m deep: a solver that traces "
-              "intersections lets it out at 0.1 m/s (/contact/leaving_speed), one that does not "
+              "intersections lets it out at 0.1 m/s (/contact/max_depenetration_velocity), one that does not "
               "throws it out, since all weight of the scene would not press it so far"});
     const std::string sheet = body("floor", "static", R"({"plane_grid": {"size": [6, 6], "cells": [2, 2]}})",
                                    "[0, 0, 0]");
@@ -273,7 +274,7 @@ TEST_CASE("scene: of the course's own scenes only the one that begins inside is 
         if (entry.path().extension() == ".json") {
             CAPTURE(entry.path().string());
             const Scene scene = load_scene(entry.path());
-            CHECK(scene.warnings.empty() == (entry.path().stem() != "born_inside"));
+            CHECK(scene.warnings.empty() == (entry.path().stem() != "initial_overlap"));
             CHECK_FALSE(scene.stiffness_warning.has_value());
             ++scenes;
         }

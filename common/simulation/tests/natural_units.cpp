@@ -57,8 +57,8 @@ TEST_CASE(
 {
     const World world = cube_on_slab();
     const Contact with_cube{ContactKind::vertex_plane, 1, 0}, with_slab{ContactKind::vertex_plane, 0, 0};
-    CHECK(leaving_speed(world, with_cube, 0.2, 0.01) == 0.2);
-    CHECK(leaving_speed(world, with_slab, 0.2, 0.01) == 0.2);
-    CHECK(leaving_speed(world, with_slab, {}, 0.01) ==
-          doctest::Approx(2 * leaving_speed(world, with_cube, {}, 0.01)));
+    CHECK(max_depenetration_velocity(world, with_cube, 0.2, 0.01) == 0.2);
+    CHECK(max_depenetration_velocity(world, with_slab, 0.2, 0.01) == 0.2);
+    CHECK(max_depenetration_velocity(world, with_slab, {}, 0.01) ==
+          doctest::Approx(2 * max_depenetration_velocity(world, with_cube, {}, 0.01)));
 }

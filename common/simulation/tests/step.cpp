@@ -225,7 +225,7 @@ TEST_CASE("step: one in which a body turns too far is taken in halves, and is st
         std::string log;
         World world = spinning_cube(turn / 0.01);
         Solver solver{"", {}, {logged("d", log)}, {}};
-        solver.most_halvings = 5;
+        solver.max_halvings = 5;
         Contacts contacts;
         advance(world, contacts, solver, 0.01);
         CAPTURE(turn);
@@ -245,7 +245,7 @@ TEST_CASE("step: the fastest of all bodies tells how short the halves are, where
         World world = spinning_cube(first ? 490 : 1), other = spinning_cube(first ? 1 : 490);
         world.bodies.push_back(std::move(other.bodies[0]));
         Solver solver{"", {}, {logged("d", log)}, {}};
-        solver.most_halvings = 5;
+        solver.max_halvings = 5;
         Contacts contacts;
         advance(world, contacts, solver, 0.01);
         CHECK(log.size() == 32);  // sixteen parts
@@ -259,7 +259,7 @@ TEST_CASE("step: what a step begins turns no further in what is left of it")
     Solver solver{"", {}, {}, {}, {logged("spin up", log, [](World& w, Contacts&) {
                       w.bodies[0]->apply_impulse(0, Vec3(0, 0, 100));
                   })}};
-    solver.most_halvings = 5;
+    solver.max_halvings = 5;
     Contacts contacts;
     advance(world, contacts, solver, 0.01);
     CHECK(log.size() > 2 * std::string("spin up ").size());  // more than the two parts that it began with
@@ -270,7 +270,7 @@ TEST_CASE("step: who turns a thousand times too far is named")
 {
     World world = spinning_cube(513 / 0.01);
     Solver solver;
-    solver.most_halvings = 5;
+    solver.max_halvings = 5;
     Contacts contacts;
     CHECK_THROWS_WITH_AS(advance(world, contacts, solver, 0.01),
                          "step 1: body 'top' turns by 513 rad in a step; make dt shorter",

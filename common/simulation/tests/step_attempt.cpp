@@ -28,7 +28,7 @@ World two_boxes()
 Solver pushing(double impulse)
 {
     Solver solver;
-    solver.most_halvings = 5;
+    solver.max_halvings = 5;
     solver.append(StepStage::finish, "push", [impulse](World& world, Contacts&, double) {
         world.bodies[0]->apply_impulse(0, impulse * world.bodies[0]->velocity(0).normalized());
     });
@@ -136,7 +136,7 @@ TEST_CASE("step attempt: a push from outside may put energy in, as much as its w
         CAPTURE(told);
         World world = two_boxes();
         Solver solver;
-        solver.most_halvings = 5;
+        solver.max_halvings = 5;
         solver.append(StepStage::refresh, "push", [told](World& w, Contacts&, double dt) {
             const Vec3 impulse(900 * dt, -200 * dt, 0);  // a force of 900 N
             if (told)

@@ -36,7 +36,7 @@ TEST_CASE("camera: a framed cloud of points fills the picture up to its margin a
         CHECK(box.max().x() <= 1440 + 1e-6);
         CHECK(box.min().y() >= 90 - 1e-6);
         CHECK(box.max().y() <= 810 + 1e-6);
-        const double slack = std::min(box.min().x() - 160, box.min().y() - 90);
-        CHECK(slack < 1e-6);  // one direction is filled
+        const double rest_offset = std::min(box.min().x() - 160, box.min().y() - 90);
+        CHECK(rest_offset < 1e-6);  // one direction is filled
     }
 }

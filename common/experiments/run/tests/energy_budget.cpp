@@ -203,20 +203,22 @@ TEST_CASE(
 TEST_CASE("energy budget: the work of slack that fades is put in, and a body that is lifted out keeps to it")
 {
     Scene scene = points_above_ground(-0.5, 3000, 0.01);
-    scene.contact.leaving_speed = 0.35;
+    scene.contact.max_depenetration_velocity = 0.35;
     Solver solver = ground_solver(scene.contact);
     solver.append(StepStage::refresh, "let out", [&](World&, Contacts& contacts, double dt) {
         for (Contact& pair : contacts)
-            pair.slack = std::min(0.0, pair.slack + *scene.contact.leaving_speed * dt);
+            pair.rest_offset = std::min(0.0,
+                                        pair.rest_offset + *scene.contact.max_depenetration_velocity * dt);
     });
     solver.append(StepStage::detect, "begin slack", [](World& world, Contacts& contacts, double) {
         for (Contact& pair : contacts)
             if (world.step == 0)
-                pair.slack = -0.5;
+                pair.rest_offset = -0.5;
     });
     solver.replace("springs", "springs", [](World& world, Contacts& contacts, double dt) {
         for (Contact& pair : contacts)
-            pair.impulse = -3000 * dt * std::min(0.0, contact_geometry(world, pair, 1).depth - pair.slack) *
+            pair.impulse = -3000 * dt *
+                           std::min(0.0, contact_geometry(world, pair, 1).depth - pair.rest_offset) *
                            Vec3::UnitY();
     });
     EnergyBudget budget(scene);

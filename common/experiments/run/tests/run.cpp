@@ -81,7 +81,7 @@ TEST_CASE("run: steps that end badly even in their shortest parts are told, with
         scene.name = pushed ? "pushed sheets" : "sheets";
         Solver solver;
         solver.name = "halving";
-        solver.most_halvings = 1;
+        solver.max_halvings = 1;
         solver.append(StepStage::refresh, "push", [pushed](World& world, Contacts&, double) {
             if (pushed && world.step == 1)
                 world.attempt.trouble = StepTrouble::unsolved;

@@ -35,7 +35,7 @@ Contact full_contact()
     contact.stretch = Vec3(1, -1.1, 1.2);
     contact.slip = 0.3;
     contact.stiffness = 4e9 / 7;
-    contact.slack = -0.011;
+    contact.rest_offset = -0.011;
     contact.load = 99.9;
     contact.sliding_normal = Vec3(0.6, 0.8, -0.0);
     contact.category = ContactCategory::hooked;

@@ -22,16 +22,16 @@ World points_in_ground(double depth, const Vec3& velocity = {0, 0, 0})
 }
 
 /// A pair that pushed in the step just done.
-Contact on_ground(int vertex, double slack = 0)
+Contact on_ground(int vertex, double rest_offset = 0)
 {
     Contact contact{ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}};
-    contact.slack = slack;
+    contact.rest_offset = rest_offset;
     contact.stiffness = 2000;
     contact.state = ContactState::answered;
     return contact;
 }
 
-constexpr double dt = 0.01, leaving_speed = 0.5;
+constexpr double dt = 0.01, max_depenetration_velocity = 0.5;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ TEST_CASE(
     "spring ledger: a pair that comes at a depth is born with its energy, and one that ends there takes it along")
 {
     const World world = points_in_ground(0.1);
-    SpringLedger ledger(world, 1000, leaving_speed);
+    SpringLedger ledger(world, 1000, max_depenetration_velocity);
     ledger.add_step(world, {on_ground(0), on_ground(1, -0.04)}, dt);
     CHECK(ledger.accounts().born == doctest::Approx(0.5 * 2000 * (0.01 + 0.0036)));
     CHECK(ledger.held() == doctest::Approx(ledger.accounts().born));
@@ -58,15 +58,15 @@ TEST_CASE(
     const World world = points_in_ground(0.1);
     for (const double speed : {0.3, 0.5, 0.51, 4.0}) {
         CAPTURE(speed);
-        SpringLedger ledger(world, 1000, leaving_speed);
+        SpringLedger ledger(world, 1000, max_depenetration_velocity);
         ledger.add_step(world, {on_ground(0, -0.1)}, dt);
         Contact lifting = on_ground(0, -0.1 + speed * dt);
         lifting.impulse = {0, 30 * dt, 0};
         ledger.add_step(world, {lifting}, dt);
         const double way = speed * dt, put_in = 0.5 * 2000 * way * way;
         const SpringAccounts& sums = ledger.accounts();
-        CHECK(sums.lifted == doctest::Approx(speed <= leaving_speed ? 30 * way : 0));
-        CHECK(sums.jumped == doctest::Approx(speed <= leaving_speed ? 0 : put_in));
+        CHECK(sums.lifted == doctest::Approx(speed <= max_depenetration_velocity ? 30 * way : 0));
+        CHECK(sums.jumped == doctest::Approx(speed <= max_depenetration_velocity ? 0 : put_in));
         CHECK(sums.born == 0);
     }
 }
@@ -77,7 +77,7 @@ TEST_CASE(
     const World world = points_in_ground(0.1);
     for (const double factor : {1.0, 2.0, 50.0, 1e4}) {
         CAPTURE(factor);
-        SpringLedger ledger(world, 1000, leaving_speed);
+        SpringLedger ledger(world, 1000, max_depenetration_velocity);
         ledger.add_step(world, {on_ground(0)}, dt);
         const double force = 2000 * 0.1, before = 0.5 * force * 0.1;
         Contact stiffer = on_ground(0, -0.1 + 0.1 / factor);
@@ -99,7 +99,7 @@ TEST_CASE(
     Contact waiting = on_ground(0), plain = on_ground(1);
     waiting.state = ContactState::waiting;
     plain.stiffness = 0;
-    SpringLedger ledger(world, 1000, leaving_speed);
+    SpringLedger ledger(world, 1000, max_depenetration_velocity);
     ledger.add_step(world, {waiting, plain}, dt);
     CHECK(ledger.held() == doctest::Approx(0.5 * 1000 * 0.01));
 }
@@ -109,21 +109,21 @@ TEST_CASE("spring ledger: another face of the same vertex is a jump, by the diff
     World world;
     world.bodies.push_back(triangle("points", -0.1));
     world.bodies.push_back(triangle("sheet"));
-    SpringLedger ledger(world, 1000, leaving_speed);
+    SpringLedger ledger(world, 1000, max_depenetration_velocity);
     Contact pair{ContactKind::vertex_face, 0, 1, 0, 0, {0, 0, 1, 2}, {1, -1, 0, 0}};
     pair.state = ContactState::answered;
     ledger.add_step(world, {pair}, dt);
     const double before = ledger.held();
     CHECK(before == doctest::Approx(0.5 * 1000 * 0.01));
     pair.feature_b = 1;
-    pair.slack = -0.07;
+    pair.rest_offset = -0.07;
     ledger.add_step(world, {pair}, dt);
     // less compressed, so no jump; as nothing pushes no work either
     CHECK(ledger.accounts().jumped == 0);
     CHECK(ledger.held() == doctest::Approx(0.5 * 1000 * 0.0009));
     CHECK(ledger.accounts().damped == doctest::Approx(before - ledger.held()));
     pair.feature_b = 2;
-    pair.slack = 0;
+    pair.rest_offset = 0;
     ledger.add_step(world, {pair}, dt);
     CHECK(ledger.accounts().jumped == doctest::Approx(before - 0.5 * 1000 * 0.0009));
     CHECK(ledger.accounts().died == 0);
@@ -147,7 +147,7 @@ TEST_CASE(
                            std::min(0.0, bodies.bodies[0]->positions_t1()[pair.feature_a].y()) *
                            Vec3::UnitY();
     });
-    SpringLedger ledger(world, 1000, leaving_speed);
+    SpringLedger ledger(world, 1000, max_depenetration_velocity);
     Contacts contacts;
     const double start = total_energy(world).total();
     double stepping = 0, damping = 0, before = 0;

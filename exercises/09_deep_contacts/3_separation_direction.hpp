@@ -19,7 +19,7 @@ Vec3 vector_area(const Loop& loop);
 /// summed from.
 ///
 /// @param cancelled  a pure number
-std::optional<Vec3> way_out(const std::vector<Loop>& loops, double cancelled = 1e-3);
+std::optional<Vec3> separation_direction(const std::vector<Loop>& loops, double cancelled = 1e-3);
 
 /// The integral of (x - centre) cross normal over the part of A's surface that the loop bounds [m^3]. If A turns
 /// about `centre` by a small angle phi [rad, a vector along the axis], the shared volume grows by phi times this.

@@ -1,4 +1,4 @@
-#include "exercises/09_deep_contacts/3_way_out.hpp"
+#include "exercises/09_deep_contacts/3_separation_direction.hpp"
 
 namespace enduring {
 namespace {
@@ -29,7 +29,7 @@ Vec3 vector_area(const Loop& loop)
     return sum;
 }
 
-std::optional<Vec3> way_out(const std::vector<Loop>& loops, double cancelled)
+std::optional<Vec3> separation_direction(const std::vector<Loop>& loops, double cancelled)
 {
     std::vector<Vec3> areas;
     Vec3 sum = Vec3::Zero();

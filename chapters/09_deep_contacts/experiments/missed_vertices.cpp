@@ -89,10 +89,10 @@ private:
 }  // namespace
 
 /// The course's scenes with the solvers of chapters 8 and 9: in how many steps a vertex is inside without a pair.
-void unpaired(const RunOptions& options, Report& report)
+void missed_vertices(const RunOptions& options, Report& report)
 {
     GrowingTable table(
-        report, "unpaired",
+        report, "missed_vertices",
         {"scene", "steps", "steps_with_8", "deepest_with_8_mm", "steps_with_9", "deepest_with_9_mm"});
     long steps = 0, some = 0;
     int longest = 0;
@@ -117,11 +117,11 @@ void unpaired(const RunOptions& options, Report& report)
         some += found[1].steps_with_some;
         longest = std::max(longest, found[1].longest);
     }
-    report.table("unpaired", table);
-    report.page_table("unpaired", table);
-    report.fact("unpaired", "steps", static_cast<double>(steps), 6);
-    report.fact("unpaired", "some", static_cast<double>(some), 6);
-    report.fact("unpaired", "longest", static_cast<double>(longest));
+    report.table("missed_vertices", table);
+    report.page_table("missed_vertices", table);
+    report.fact("missed_vertices", "steps", static_cast<double>(steps), 6);
+    report.fact("missed_vertices", "some", static_cast<double>(some), 6);
+    report.fact("missed_vertices", "longest", static_cast<double>(longest));
 }
 
 }  // namespace enduring::chapter09

@@ -18,11 +18,11 @@ namespace {
 
 struct ComparedWay {
     std::string name;
-    WaysOut ways;
+    SeparationMethod ways;
 };
 const std::vector<ComparedWay>& all_ways()
 {
-    static const std::vector<ComparedWay> all{{"vector area", shared_way_out},
+    static const std::vector<ComparedWay> all{{"vector area", overlap_direction},
                                               {"from the border", ways_from_the_border},
                                               {"to the boundary", ways_to_the_boundary}};
     return all;
@@ -64,13 +64,13 @@ struct Directions {
 };
 
 /// The cube's vertices should go up, and those of what it is in down.
-Directions directions_at_start(const Scene& scene, const WaysOut& ways)
+Directions directions_at_start(const Scene& scene, const SeparationMethod& ways)
 {
     Directions directions;
     const Vec3* const cube = scene.world.bodies[1]->positions_t0().data();
-    const WaysOut noting = [&](const StillSurface& inner, const std::vector<int>& vertices,
-                               const StillSurface& outer, const Vec3& way_out) {
-        const std::vector<Vec3> chosen = ways(inner, vertices, outer, way_out);
+    const SeparationMethod noting = [&](const StillSurface& inner, const std::vector<int>& vertices,
+                                        const StillSurface& outer, const Vec3& separation_direction) {
+        const std::vector<Vec3> chosen = ways(inner, vertices, outer, separation_direction);
         const double up = inner.positions.data() == cube ? 1 : -1;
         for (std::size_t i = 0; i < vertices.size(); ++i) {
             const Vec3& way = chosen[i];
@@ -92,10 +92,10 @@ struct Costs {
     bool out = false, broke = false;
 };
 
-Costs costs_of(Scene scene, const WaysOut& ways, double duration)
+Costs costs_of(Scene scene, const SeparationMethod& ways, double duration)
 {
     const Solver solver = chapter09_solver(scene.contact, {}, ways);
-    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
+    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity);
     const double before = total_energy(scene.world).total();
     const Vec3 start = scene.world.bodies[1]->centre();
     Costs costs;
@@ -144,15 +144,15 @@ void show_starts(Report& report)
         starts.push_back({std::move(stage), compared.name});
     }
     frame_together(starts, {-1.1, 0.5, 1.3}, static_cast<double>(width) / height);
-    write_png(draw_moments(starts, 3, width, height), report.file("ways_compared.png"));
+    write_png(draw_moments(starts, 3, width, height), report.file("separation_methods.png"));
 }
 
 }  // namespace
 
 /// Three choices of the way out in the same scenes: wrong directions at the start, and what each costs.
-void ways_compared(const RunOptions& options, Report& report)
+void separation_methods(const RunOptions& options, Report& report)
 {
-    GrowingTable table(report, "ways_compared",
+    GrowingTable table(report, "separation_methods",
                        {"scene", "ways", "vertices", "wrong", "without", "fastest_m_per_s", "lifted_j",
                         "gained_j", "brought_j", "aside_mm", "out"});
     std::map<std::string, Costs> worst;
@@ -173,14 +173,14 @@ void ways_compared(const RunOptions& options, Report& report)
             worst[compared.name].fastest = std::max(worst[compared.name].fastest, costs.fastest);
         }
     show_starts(report);
-    report.table("ways_compared", table);
-    report.page_table("ways_compared", table);
+    report.table("separation_methods", table);
+    report.page_table("separation_methods", table);
     for (const ComparedWay& compared : all_ways()) {
         const std::string word = compared.name.substr(compared.name.rfind(' ') + 1);
         report.fact(
-            "ways_compared", word + "_wrong",
+            "separation_methods", word + "_wrong",
             100.0 * static_cast<double>(wrong[compared.name]) / static_cast<double>(asked[compared.name]));
-        report.fact("ways_compared", word + "_fastest", worst[compared.name].fastest);
+        report.fact("separation_methods", word + "_fastest", worst[compared.name].fastest);
     }
 }
 

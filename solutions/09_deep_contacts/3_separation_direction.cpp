@@ -1,4 +1,4 @@
-#include "exercises/09_deep_contacts/3_way_out.hpp"
+#include "exercises/09_deep_contacts/3_separation_direction.hpp"
 
 namespace enduring {
 
@@ -10,7 +10,7 @@ Vec3 vector_area(const Loop& loop)
     return area;
 }
 
-std::optional<Vec3> way_out(const std::vector<Loop>& loops, double cancelled)
+std::optional<Vec3> separation_direction(const std::vector<Loop>& loops, double cancelled)
 {
     Vec3 sum = Vec3::Zero();
     double size = 0;

@@ -39,7 +39,7 @@ Drawable drawn(const SurfaceMesh& mesh, const Vec3& color)
 }  // namespace
 
 /// A cube over the rim of a block: the curve, what it bounds on each, and the way out.
-void way_out(const RunOptions&, Report& report)
+void separation_direction(const RunOptions&, Report& report)
 {
     const Vec3 middle(0.8, 0.5, 0.3);
     const SurfaceMesh cube = leaning_cube(middle), block = box({2, 0.8, 2}, {5, 2, 5});
@@ -54,15 +54,16 @@ void way_out(const RunOptions&, Report& report)
     mark_inside(stage, flood_regions(intersection.piercings, a.still(), b.still(), false), b.still(),
                 palette::colliding_face);
     for (const Overlap& overlap : overlaps)
-        stage.segments.push_back({middle, middle + 0.9 * overlap.way_out, palette::ink, 5, true});
+        stage.segments.push_back(
+            {middle, middle + 0.9 * overlap.separation_direction, palette::ink, 5, true});
     stage.camera.eye = {2.6, 1.9, 3.2};
     stage.camera.target = {0.25, 0.3, 0};
     stage.camera.field_of_view_deg = 38;
-    write_png(Renderer(720, 480).draw(stage), report.file("way_out.png"));
-    report.fact("way_out", "overlaps", static_cast<double>(overlaps.size()));
-    const Vec3 way = overlaps.empty() ? Vec3(Vec3::Zero()) : overlaps[0].way_out;
-    report.fact("way_out", "up", way.y(), 2);
-    report.fact("way_out", "aside", way.x(), 2);
+    write_png(Renderer(720, 480).draw(stage), report.file("separation_direction.png"));
+    report.fact("separation_direction", "overlaps", static_cast<double>(overlaps.size()));
+    const Vec3 way = overlaps.empty() ? Vec3(Vec3::Zero()) : overlaps[0].separation_direction;
+    report.fact("separation_direction", "up", way.y(), 2);
+    report.fact("separation_direction", "aside", way.x(), 2);
 }
 
 }  // namespace enduring::chapter09

@@ -75,7 +75,7 @@ std::vector<Way> ways_to_order(std::size_t count)
 }  // namespace
 
 /// The same boxes in another order in their scene: how far apart do the runs go?
-void same_bytes(const RunOptions& options, Report& report)
+void determinism(const RunOptions& options, Report& report)
 {
     const std::vector<double> times = options.quick ? std::vector{0.2, 1.0} : std::vector{0.2, 1.0, 6.0};
     Table table({"boxes", "order", "time_s", "farthest_apart_m"});
@@ -95,11 +95,11 @@ void same_bytes(const RunOptions& options, Report& report)
             }
         }
     }
-    report.table("same_bytes", table);
-    report.page_table("same_bytes", table, 2);
-    report.fact("same_bytes", "same_again", same ? "yes" : "no");
-    report.fact("same_bytes", "stack_apart_m", stack_apart, 1);
-    report.fact("same_bytes", "heap_apart_m", heap_apart, 1);
+    report.table("determinism", table);
+    report.page_table("determinism", table, 2);
+    report.fact("determinism", "same_again", same ? "yes" : "no");
+    report.fact("determinism", "stack_apart_m", stack_apart, 1);
+    report.fact("determinism", "heap_apart_m", heap_apart, 1);
 }
 
 }  // namespace enduring::chapter07

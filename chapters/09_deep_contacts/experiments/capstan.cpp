@@ -110,17 +110,17 @@ void hold_or_slip(bool quick, Report& report)
                 rows.push_back({film.all(4), mu == rough ? "friction 0.5" : "friction 0.02"});
         }
     write_png(strip(rows, 1), report.file("round_turn.png"));
-    report.table("round_turns", all.table);
-    report.page_table("round_turns", all.table, 3);
-    report.fact("round_turns", "held_mm", 1000 * all.held.way, 2);
-    report.fact("round_turns", "held_creep_um", 1e6 * all.held.creep, 2);
-    report.fact("round_turns", "held_depth_um", 1e6 * all.held.found.depth, 2);
-    report.fact("round_turns", "coarse_mm", 1000 * all.coarse.way, 2);
-    report.fact("round_turns", "coarse_creep_um", 1e6 * all.coarse.creep, 2);
-    report.fact("round_turns", "coarse_depth_mm", 1000 * all.coarse.found.depth, 2);
-    report.fact("round_turns", "slid_mm", 1000 * all.slid.way, 2);
-    report.fact("round_turns", "slid_ms", 1000 * all.slid.time, 2);
-    report.fact("round_turns", "slid_depth_mm", 1000 * all.slid.found.depth, 2);
+    report.table("capstan", all.table);
+    report.page_table("capstan", all.table, 3);
+    report.fact("capstan", "held_mm", 1000 * all.held.way, 2);
+    report.fact("capstan", "held_creep_um", 1e6 * all.held.creep, 2);
+    report.fact("capstan", "held_depth_um", 1e6 * all.held.found.depth, 2);
+    report.fact("capstan", "coarse_mm", 1000 * all.coarse.way, 2);
+    report.fact("capstan", "coarse_creep_um", 1e6 * all.coarse.creep, 2);
+    report.fact("capstan", "coarse_depth_mm", 1000 * all.coarse.found.depth, 2);
+    report.fact("capstan", "slid_mm", 1000 * all.slid.way, 2);
+    report.fact("capstan", "slid_ms", 1000 * all.slid.time, 2);
+    report.fact("capstan", "slid_depth_mm", 1000 * all.slid.found.depth, 2);
 }
 
 /// A rope is held back less and less, until it slides.
@@ -144,17 +144,17 @@ void let_go(bool quick, Report& report)
     }
     report.table("let_go", table);
     report.page_table("let_go", table, 3);
-    report.fact("round_turns", "smooth_ratio", smooth);
-    report.fact("round_turns", "rough_ratio", last);
-    report.fact("round_turns", "rough_capstan", std::exp(rough * RoundTurn().angle()));
-    report.fact("round_turns", "slippery_capstan", std::exp(slippery * RoundTurn().angle()));
-    report.fact("round_turns", "off_percent", 100 * off, 2);
+    report.fact("capstan", "smooth_ratio", smooth);
+    report.fact("capstan", "rough_ratio", last);
+    report.fact("capstan", "rough_capstan", std::exp(rough * RoundTurn().angle()));
+    report.fact("capstan", "slippery_capstan", std::exp(slippery * RoundTurn().angle()));
+    report.fact("capstan", "off_percent", 100 * off, 2);
 }
 
 }  // namespace
 
 /// A rope with one turn around its own end: friction holds it or lets it slip.
-void round_turns(const RunOptions& options, Report& report)
+void capstan(const RunOptions& options, Report& report)
 {
     hold_or_slip(options.quick, report);
     let_go(options.quick, report);

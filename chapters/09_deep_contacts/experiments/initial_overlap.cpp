@@ -74,8 +74,8 @@ Way watch(Scene& scene, const Solver& solver, double duration, const std::vector
 //! [against_a_twin]
 /// The way out of a body, measured against a twin that begins just above and falls to its place of rest:
 /// heights over that place, energy over the most that the twin has.
-Way way_out(const Surroundings& surroundings, const std::string& body, double depth, double dt,
-            Solves& solves)
+Way separation_direction(const Surroundings& surroundings, const std::string& body, double depth, double dt,
+                         Solves& solves)
 {
     constexpr double above = 1e-4;
     Scene twin = scene_inside(surroundings, body, -above, dt),
@@ -98,7 +98,7 @@ double fastest_without_offset()
     Solver solver = chapter09_solver(scene.contact, counting(solves));
     solver.append(StepStage::refresh, "no rest offset", [](World&, Contacts& contacts, double) {
         for (Contact& contact : contacts)
-            contact.slack = 0;
+            contact.rest_offset = 0;
     });
     return watch(scene, solver, 2).fastest;
 }
@@ -111,9 +111,9 @@ void show_leaning_block(const RunOptions& options, Report& report)
         mark_crossing(stage, world);
     };
     StripProbe pictures(scene, {0, 0.3, 0.6, 2}, mark, 400, 284);
-    ClipProbe film(scene, report.file("born_inside.webp"), options.quick ? 4 : 20, 480, 344,
+    ClipProbe film(scene, report.file("initial_overlap.webp"), options.quick ? 4 : 20, 480, 344,
                    {.slow_motion = 2, .until = 2, .mark = mark});
-    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.leaving_speed);
+    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity);
     const double before = total_energy(scene.world).total();
     Table table({"time_s", "bodies_j", "lifted_j", "damped_j", "rubbed_j", "brought_j"});
     WatchProbe accounts([&](const World& world, const Contacts& contacts, double dt) {
@@ -125,14 +125,14 @@ void show_leaning_block(const RunOptions& options, Report& report)
     });
     Solves solves;
     watch(scene, chapter09_solver(scene.contact, counting(solves)), 2.2, {&pictures, &film, &accounts});
-    write_png(pictures.all(2), report.file("born_inside.png"));
+    write_png(pictures.all(2), report.file("initial_overlap.png"));
     film.finish();
     report.table("let_out_energy", table);
     report.plot("chapters/09_deep_contacts/plots/let_out_energy.gp");
     const SpringAccounts& sums = ledger.accounts();
-    report.fact("born_inside", "lifted", sums.lifted);
-    report.fact("born_inside", "gained", total_energy(scene.world).total() - before);
-    report.fact("born_inside", "brought", sums.brought());
+    report.fact("initial_overlap", "lifted", sums.lifted);
+    report.fact("initial_overlap", "gained", total_energy(scene.world).total() - before);
+    report.fact("initial_overlap", "brought", sums.brought());
 }
 
 /// One run in each of the surroundings in which the body begins 30 cm deep.
@@ -162,9 +162,9 @@ std::vector<double> depths_for(double height, bool quick)
 }  // namespace
 
 /// Bodies that begin inside something else, from a millimetre to wholly: what becomes of them.
-void born_inside(const RunOptions& options, Report& report)
+void initial_overlap(const RunOptions& options, Report& report)
 {
-    GrowingTable table(report, "born_inside",
+    GrowingTable table(report, "initial_overlap",
                        {"inside", "body", "dt_s", "depth_mm", "height_mm", "highest_mm", "fastest_m_per_s",
                         "last_moving_s", "excess_energy_j", "left_inside"});
     Table page({"inside", "body", "runs", "highest_mm", "fastest_m_per_s", "last_moving_s", "excess_energy_j",
@@ -179,7 +179,7 @@ void born_inside(const RunOptions& options, Report& report)
             for (const double dt :
                  options.quick ? std::vector<double>{0.01} : std::vector<double>{0.01, 1.0 / 60})
                 for (const double depth : depths_for(height_of(surroundings, body), options.quick)) {
-                    const Way way = way_out(surroundings, body, depth, dt, solves);
+                    const Way way = separation_direction(surroundings, body, depth, dt, solves);
                     table.add({surroundings.name, body, dt, 1000 * depth, 1000 * way.height,
                                1000 * way.highest, way.fastest, way.moving, way.energy, way.left});
                     of_body.worsen(way);
@@ -193,17 +193,17 @@ void born_inside(const RunOptions& options, Report& report)
         }
     show_leaning_block(options, report);
     show_surroundings(report);
-    report.table("born_inside", table);
-    report.page_table("born_inside", page);
-    report.fact("born_inside", "thrown", fastest_without_offset());
-    report.fact("born_inside", "highest_mm", 1000 * worst.highest);
-    report.fact("born_inside", "fastest", worst.fastest);
-    report.fact("born_inside", "rising", worst.rising);
-    report.fact("born_inside", "at_rest", at_rest);
-    report.fact("born_inside", "energy_over", worst.energy);
-    report.fact("born_inside", "solves", static_cast<double>(solves.all), 6);
-    report.fact("born_inside", "unconverged", static_cast<double>(solves.unconverged), 6);
-    report.fact("born_inside", "left", static_cast<double>(worst.left));
+    report.table("initial_overlap", table);
+    report.page_table("initial_overlap", page);
+    report.fact("initial_overlap", "thrown", fastest_without_offset());
+    report.fact("initial_overlap", "highest_mm", 1000 * worst.highest);
+    report.fact("initial_overlap", "fastest", worst.fastest);
+    report.fact("initial_overlap", "rising", worst.rising);
+    report.fact("initial_overlap", "at_rest", at_rest);
+    report.fact("initial_overlap", "energy_over", worst.energy);
+    report.fact("initial_overlap", "solves", static_cast<double>(solves.all), 6);
+    report.fact("initial_overlap", "unconverged", static_cast<double>(solves.unconverged), 6);
+    report.fact("initial_overlap", "left", static_cast<double>(worst.left));
 }
 
 }  // namespace enduring::chapter09

@@ -1,4 +1,4 @@
-#include "exercises/09_deep_contacts/3_way_out.hpp"
+#include "exercises/09_deep_contacts/3_separation_direction.hpp"
 #include "exercises/checking.hpp"
 
 #include <algorithm>
@@ -119,12 +119,12 @@ TEST_CASE("way out: against the area, with unit length, at any size")
 {
     for (const double size : {1e-6, 1e-3, 1.0, 1e3}) {
         given("two cubes of ", size, " m that share a corner of half their size");
-        const std::optional<Vec3> way = way_out({scaled(around_a_corner(0.5), size)});
+        const std::optional<Vec3> way = separation_direction({scaled(around_a_corner(0.5), size)});
         expect_that("there is a way", way.has_value());
         if (way)
             expect("way", *way, Vec3(-Vec3(1, 1, 1).normalized()), 1e-12);
     }
-    if (const std::optional<Vec3> way = way_out({around_a_corner(0.5)}))
+    if (const std::optional<Vec3> way = separation_direction({around_a_corner(0.5)}))
         say("two cubes that share a corner of 0.5 m: out along ", readable(*way, 3));
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("way out: several loops are summed, each with its size")
     // A tile of 1 m^2 that looks along z, and one of 4 m^2 that looks along x.
     const Loop large{{0, 0, 0}, {0, 2, 0}, {0, 2, 2}, {0, 0, 2}};
     given("loops of 1 m^2 along z and of 4 m^2 along x");
-    const std::optional<Vec3> way = way_out({tile, moved(large, {7, 7, 7})});
+    const std::optional<Vec3> way = separation_direction({tile, moved(large, {7, 7, 7})});
     expect_that("there is a way", way.has_value());
     if (way)
         expect("way", *way, Vec3(-Vec3(4, 0, 1).normalized()), 1e-12);
@@ -143,7 +143,7 @@ TEST_CASE("way out: none where the areas cancel")
 {
     Loop back(tile.rbegin(), tile.rend());
     given("a bar through a wall: two loops of 1 m^2 that look away from each other");
-    const std::optional<Vec3> way = way_out({tile, moved(back, {0, 0, 5})});
+    const std::optional<Vec3> way = separation_direction({tile, moved(back, {0, 0, 5})});
     expect_that("there is none", !way.has_value());
     if (!way)
         say("a bar through a wall: no way is better than another");
@@ -151,8 +151,9 @@ TEST_CASE("way out: none where the areas cancel")
         point.x() *= 1.01;
     const std::vector<Loop> nearly{tile, moved(back, {0, 0, 5})};
     given("two loops of 1 m^2 and 1.01 m^2 that look away from each other: 0.5 % of their sum is left");
-    expect_that("there is none where 1 % counts as cancelled", !way_out(nearly, 0.01).has_value());
-    const std::optional<Vec3> with = way_out(nearly);
+    expect_that("there is none where 1 % counts as cancelled",
+                !separation_direction(nearly, 0.01).has_value());
+    const std::optional<Vec3> with = separation_direction(nearly);
     expect_that("there is one where 0.1 % does", with.has_value());
     if (with)
         expect("way", *with, Vec3(0, 0, 1), 1e-12);
@@ -161,10 +162,12 @@ TEST_CASE("way out: none where the areas cancel")
 TEST_CASE("way out: none without a loop, and none of loops without an area")
 {
     given("no loop; a loop of two points; a loop that runs there and back");
-    expect_that("there is no way without a loop", !way_out({}).has_value());
-    expect_that("there is no way of two points", !way_out({{Vec3(0, 0, 0), Vec3(1, 0, 0)}}).has_value());
-    expect_that("there is no way of there and back",
-                !way_out({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(1, 0, 0)}}).has_value());
+    expect_that("there is no way without a loop", !separation_direction({}).has_value());
+    expect_that("there is no way of two points",
+                !separation_direction({{Vec3(0, 0, 0), Vec3(1, 0, 0)}}).has_value());
+    expect_that(
+        "there is no way of there and back",
+        !separation_direction({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0), Vec3(1, 0, 0)}}).has_value());
 }
 
 TEST_CASE("turning: a flat tile turns with the lever of its middle")
