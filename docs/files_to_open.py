@@ -11,9 +11,17 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 READERS = {  # what a reader wants, and where he enters
     "chapter 1: one step of a rigid cube on a plane": ["chapters/01_particle_plane/solver.hpp", "common/simulation/rigid_body.hpp"],
-    "chapter 3: the layer, without bodies": ["chapters/03_penalty_impulses/solver.hpp"],
-    "chapter 6: the layer, without bodies": ["chapters/06_redefinition/solver.hpp"],
+} | {  # and of every chapter the layer alone, with those below it, without bodies
+    f"chapter {int(solver.parent.name[:2])}: the layer, without bodies": [str(solver.relative_to(ROOT))]
+    for solver in sorted(ROOT.glob("chapters/[0-9][0-9]_*/solver.hpp"))
 }
+
+
+def names_of(chapter, root=ROOT):
+    """A layer's own files, and the headers of others that they name."""
+    own = [file for file in (root / chapter).glob("*.[ch]pp") if file.name != "main.cpp"]
+    named = {name for file in own for name in re.findall(r'^#include "([^"]+)"', file.read_text(encoding="utf-8"), re.M)}
+    return own, {name for name in named if not name.startswith(f"{chapter}/")}
 
 
 def included(file, root=ROOT):
@@ -53,6 +61,10 @@ def main():
         for file in sorted(found) if listing else []:
             by = sorted(other.name for other in found[file] if other and other.with_suffix("") != file.with_suffix(""))
             print(f"    {lines_of([file]):4} {file.relative_to(ROOT)}" + (f"  < {', '.join(by)}" if by else ""))
+    print("\n| a layer alone | its own files | lines | headers of others that it names |\n|:---|---:|---:|---:|")
+    for chapter in sorted(solver.parent for solver in ROOT.glob("chapters/[0-9][0-9]_*/solver.hpp")):
+        own, foreign = names_of(str(chapter.relative_to(ROOT)))
+        print(f"| {chapter.name} | {len(own)} | {lines_of(own)} | {len(foreign)} |")
 
 
 if __name__ == "__main__":

@@ -18,6 +18,8 @@ void facets(const RunOptions& options, Report& report);
 void flat_triangles(const RunOptions& options, Report& report);
 void frictionless(const RunOptions& options, Report& report);
 void screw(const RunOptions& options, Report& report);
+void tops(const RunOptions& options, Report& report);
+void soft_piles(const RunOptions& options, Report& report);
 void turntable(const RunOptions& options, Report& report);
 void spinning(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);
