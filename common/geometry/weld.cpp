@@ -21,12 +21,14 @@ public:
     /// The kept vertex that x belongs to; x itself, as `vertex`, if there is none.
     int find_or_keep(const Vec3& x, int vertex, const std::vector<Vec3>& positions)
     {
-        const Key low = cell(x.array() - distance_), high = cell(x.array() + distance_);
+        // Of the cells on both sides, which are often the same; not a loop from one to the next: far from the
+        // origin, adding 1 to the number of a cell may not change it.
+        const std::array<Key, 2> ends{cell(x.array() - distance_), cell(x.array() + distance_)};
         int found = vertex;
-        for (double i = low[0]; i <= high[0]; ++i)
-            for (double j = low[1]; j <= high[1]; ++j)
-                for (double k = low[2]; k <= high[2]; ++k)
-                    if (const auto there = cells_.find({i, j, k}); there != cells_.end())
+        for (const Key& i : ends)
+            for (const Key& j : ends)
+                for (const Key& k : ends)
+                    if (const auto there = cells_.find({i[0], j[1], k[2]}); there != cells_.end())
                         for (const int kept : there->second)
                             if ((positions[kept] - x).norm() <= distance_)
                                 found = std::min(found, kept);

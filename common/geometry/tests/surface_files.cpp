@@ -247,6 +247,17 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "weld: a surface far from the origin is welded, also where a grid over its gaps would have more cells than a double counts")
+{
+    SurfaceMesh ball = in_pieces(sphere(1, 2));
+    for (Vec3& x : ball.vertices)
+        x = 1e-6 * x + Vec3(1e5, -1e5, 0);
+    const SurfaceMesh whole = welded(ball, 1e-13);
+    CHECK(whole.vertices.size() <= sphere(1, 2).vertices.size());
+    CHECK(whole.vertices.size() > 4);
+}
+
 TEST_CASE("weld: a face that loses a side goes, and the surface around it closes")
 {
     SurfaceMesh cube = box({1, 1, 1});
