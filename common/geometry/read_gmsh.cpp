@@ -21,6 +21,7 @@ constexpr std::array<std::size_t, 10> place_in_file{0, 1, 2, 3, 4, 5, 6, 7, 9, 8
 
 /// The file as it stands: nodes in their order, elements of one type with 4 or 10 of those nodes.
 struct GmshContent {
+    bool in_blocks = false;  ///< as version 4.1 has it: a head for each block of nodes or elements
     std::vector<Vec3> nodes;
     std::map<long, int> node_of_number;
     long type = 0;
@@ -34,16 +35,17 @@ bool goes_on(TextLines& lines, const std::string& end)
     return lines.line() != end;
 }
 
-void read_format(TextLines& lines)
+void read_format(TextLines& lines, GmshContent& content)
 {
     if (!goes_on(lines, "$EndMeshFormat"))
         lines.fail("$MeshFormat is empty");
     const std::string version(lines.next_word());
-    if (version != "2.2")
+    if (version != "2.2" && version != "4.1")
         lines.fail("Gmsh format " + TextLines::quoted(version) +
-                   " is not supported; save the mesh as version 2.2 ASCII");
+                   " is not supported; save the mesh as version 4.1 or 2.2 ASCII");
+    content.in_blocks = version == "4.1";
     if (lines.next_integer("file type") != 0)
-        lines.fail("a binary Gmsh file; save the mesh as version 2.2 ASCII");
+        lines.fail("a binary Gmsh file; save the mesh as version 4.1 or 2.2 ASCII");
     if (goes_on(lines, "$EndMeshFormat"))
         lines.fail("$EndMeshFormat expected");
 }
@@ -70,9 +72,43 @@ void read_counted(TextLines& lines, const std::string& section, const ReadLine& 
                    std::to_string(entries));
 }
 
-void read_node(TextLines& lines, GmshContent& content)
+/// Reads one section of version 4.1: the counts of blocks and entries, then for each block a line with its entity, one number
+/// of its own and the count of its entries, and these.
+/// @param read_block  is given that number and that count
+template <class ReadBlock>
+void read_blocks(TextLines& lines, const std::string& section, const ReadBlock& read_block)
 {
-    const long number = lines.next_integer("node number");
+    const std::string end = "$End" + section;
+    if (!goes_on(lines, end))
+        lines.fail("the counts of $" + section + " are missing");
+    const long blocks = lines.next_integer("count of blocks"), entries = lines.next_integer("count");
+    long blocks_read = 0, entries_read = 0;
+    for (; goes_on(lines, end); ++blocks_read) {
+        if (blocks_read == blocks)
+            lines.fail("$" + section + " promises " + std::to_string(blocks) + " blocks and goes on");
+        lines.next_integer("dimension of the entity");
+        lines.next_integer("entity");
+        const long own = lines.next_integer("number of the block"), count = lines.next_integer("count");
+        if (count < 0)
+            lines.fail("a block of " + std::to_string(count) + " entries");
+        read_block(own, count);
+        entries_read += count;
+    }
+    if (blocks_read < blocks || entries_read != entries)
+        lines.fail("$" + section + " promises " + std::to_string(entries) + " entries in " +
+                   std::to_string(blocks) + " blocks and has " + std::to_string(entries_read) + " in " +
+                   std::to_string(blocks_read));
+}
+
+/// The next line of a block that promises it.
+void next_of_block(TextLines& lines, const std::string& section)
+{
+    if (!goes_on(lines, "$End" + section))
+        lines.fail("a block of $" + section + " ends before it has what it promises");
+}
+
+void append_node(TextLines& lines, long number, GmshContent& content)
+{
     Vec3 x;
     for (double& coordinate : x)
         coordinate = lines.next_finite_number("coordinate");
@@ -80,6 +116,20 @@ void read_node(TextLines& lines, GmshContent& content)
     if (!content.node_of_number.emplace(number, index).second)
         lines.fail("node " + std::to_string(number) + " is given twice");
     content.nodes.push_back(x);
+}
+
+/// All numbers of a block's nodes, then all of their coordinates, a node a line.
+void read_node_block(TextLines& lines, long count, GmshContent& content)
+{
+    std::vector<long> numbers;
+    for (long i = 0; i < count; ++i) {
+        next_of_block(lines, "Nodes");
+        numbers.push_back(lines.next_integer("node number"));
+    }
+    for (const long number : numbers) {
+        next_of_block(lines, "Nodes");
+        append_node(lines, number, content);
+    }
 }
 
 /// Positions of an element's nodes, in our order.
@@ -92,26 +142,27 @@ std::array<Vec3, N> positions_of(const GmshContent& content, const std::array<in
     return x;
 }
 
-void read_element(TextLines& lines, GmshContent& content)
+/// Whether the element is a tetrahedron, and of the same kind as those before it; false if it bounds or marks the solid.
+bool is_wanted(TextLines& lines, const std::string& name, long type, GmshContent& content)
 {
-    const long number = lines.next_integer("element number");
-    const long type = lines.next_integer("element type");
     if (std::find(elements_passed_over.begin(), elements_passed_over.end(), type) !=
         elements_passed_over.end())
-        return;
-    const std::string name = "element " + std::to_string(number);
+        return false;
     if (type != four_node_tetrahedron && type != ten_node_tetrahedron)
         lines.fail(name + " is of type " + std::to_string(type) +
                    "; of solid elements only tetrahedra (4 and 11) can be read");
     if (content.type != 0 && content.type != type)
         lines.fail(name + " has another number of nodes than the tetrahedra before it");
     content.type = type;
+    return true;
+}
 
-    for (long tags = lines.next_integer("number of tags"); tags > 0; --tags)
-        lines.next_integer("tag");
+/// The nodes of a tetrahedron, to the end of the line.
+void append_tetrahedron(TextLines& lines, const std::string& name, GmshContent& content)
+{
     std::array<int, 10> element;
     element.fill(-1);
-    const std::size_t count = type == four_node_tetrahedron ? 4 : 10;
+    const std::size_t count = content.type == four_node_tetrahedron ? 4 : 10;
     for (std::size_t i = 0; i < count; ++i) {
         const long node = lines.next_integer("node");
         const auto found = content.node_of_number.find(node);
@@ -130,6 +181,48 @@ void read_element(TextLines& lines, GmshContent& content)
     content.elements.push_back(element);
 }
 
+std::string next_element_name(TextLines& lines)
+{
+    return "element " + std::to_string(lines.next_integer("element number"));
+}
+
+void read_element(TextLines& lines, GmshContent& content)
+{
+    const std::string name = next_element_name(lines);
+    if (!is_wanted(lines, name, lines.next_integer("element type"), content))
+        return;
+    for (long tags = lines.next_integer("number of tags"); tags > 0; --tags)
+        lines.next_integer("tag");
+    append_tetrahedron(lines, name, content);
+}
+
+void read_element_block(TextLines& lines, long type, long count, GmshContent& content)
+{
+    for (long i = 0; i < count; ++i) {
+        next_of_block(lines, "Elements");
+        const std::string name = next_element_name(lines);
+        if (is_wanted(lines, name, type, content))
+            append_tetrahedron(lines, name, content);
+    }
+}
+
+void read_nodes(TextLines& lines, GmshContent& content)
+{
+    if (content.in_blocks)
+        read_blocks(lines, "Nodes", [&](long, long count) { read_node_block(lines, count, content); });
+    else
+        read_counted(lines, "Nodes", [&] { append_node(lines, lines.next_integer("node number"), content); });
+}
+
+void read_elements(TextLines& lines, GmshContent& content)
+{
+    if (content.in_blocks)
+        read_blocks(lines, "Elements",
+                    [&](long type, long count) { read_element_block(lines, type, count, content); });
+    else
+        read_counted(lines, "Elements", [&] { read_element(lines, content); });
+}
+
 GmshContent read_gmsh_content(TextLines& lines)
 {
     GmshContent content;
@@ -141,12 +234,12 @@ GmshContent read_gmsh_content(TextLines& lines)
         if (section != "$MeshFormat" && !format_known)
             lines.fail("not a Gmsh file: it does not start with $MeshFormat");
         if (section == "$MeshFormat") {
-            read_format(lines);
+            read_format(lines, content);
             format_known = true;
         } else if (section == "$Nodes") {
-            read_counted(lines, "Nodes", [&] { read_node(lines, content); });
+            read_nodes(lines, content);
         } else if (section == "$Elements") {
-            read_counted(lines, "Elements", [&] { read_element(lines, content); });
+            read_elements(lines, content);
         } else {
             while (goes_on(lines, "$End" + section.substr(1))) {}
         }

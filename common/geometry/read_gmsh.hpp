@@ -8,7 +8,7 @@
 
 namespace enduring {
 
-/// Reads the tetrahedra of a Gmsh 2.2 ASCII file: element type 4, or the corners of type 11.
+/// Reads the tetrahedra of a Gmsh file, version 2.2 or 4.1 ASCII: element type 4, or the corners of type 11.
 ///
 /// Points, lines and surface elements are passed over, and so are nodes that no tetrahedron uses; the others
 /// keep their order in the file. Units are taken as they stand.

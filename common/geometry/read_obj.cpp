@@ -1,10 +1,10 @@
 #include "common/geometry/read_obj.hpp"
 
+#include "common/geometry/polygon_triangles.hpp"
 #include "common/geometry/surface_checks.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/text_lines.hpp"
 
-#include <algorithm>
 #include <charconv>
 #include <fstream>
 
@@ -73,51 +73,6 @@ ObjContent read_obj_content(TextLines& lines)
     return content;
 }
 
-/// The area of a polygon times two, along its normal; right for any polygon in a plane, also with dents.
-Vec3 doubled_area(const std::vector<int>& corners, const std::vector<Vec3>& x)
-{
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        sum += (x[corners[i]] - x[corners[0]]).cross(x[corners[i + 1]] - x[corners[0]]);
-    return sum;
-}
-
-/// Whether the triangle abc can be cut off: it turns as the polygon does, and holds no other corner of it.
-bool is_ear(const Face& ear, const std::vector<int>& corners, const Vec3& normal, const std::vector<Vec3>& x)
-{
-    const auto left_of = [&](int from, int to, const Vec3& p) {
-        return (x[to] - x[from]).cross(p - x[from]).dot(normal);
-    };
-    const int a = ear[0], b = ear[1], c = ear[2];  // no structured binding: clang 14 captures none
-    if (!(left_of(a, b, x[c]) > 0))
-        return false;
-    return std::none_of(corners.begin(), corners.end(), [&](int other) {
-        return other != a && other != b && other != c && left_of(a, b, x[other]) >= 0 &&
-               left_of(b, c, x[other]) >= 0 && left_of(c, a, x[other]) >= 0;
-    });
-}
-
-/// Cuts one ear after the other from a polygon, in turn around it, until three
-/// corners are left (Meisters 1975: there always is one).
-void append_triangles(std::vector<int> corners, const std::vector<Vec3>& x, std::vector<Face>& faces,
-                      const TextLines& lines, int line)
-{
-    const Vec3 normal = doubled_area(corners, x);
-    std::size_t refused = 0;
-    for (std::size_t i = 0; corners.size() > 3; ++i) {
-        const std::size_t count = corners.size(), middle = (i + 1) % count;
-        const Face ear{corners[i % count], corners[middle], corners[(i + 2) % count]};
-        if (is_ear(ear, corners, normal, x)) {
-            faces.push_back(ear);
-            corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(middle));
-            refused = 0;
-        } else if (++refused == count) {
-            lines.fail_at(line, "this polygon cannot be cut into triangles");
-        }
-    }
-    faces.push_back({corners[0], corners[1], corners[2]});
-}
-
 std::vector<Face> triangles(const ObjContent& content, const TextLines& lines)
 {
     std::vector<Face> faces;
@@ -125,7 +80,8 @@ std::vector<Face> triangles(const ObjContent& content, const TextLines& lines)
         std::vector<int> corners;
         for (const long vertex : polygon.vertices)
             corners.push_back(static_cast<int>(vertex) - 1);
-        append_triangles(std::move(corners), content.vertices, faces, lines, polygon.line);
+        if (!append_triangles(std::move(corners), content.vertices, faces))
+            lines.fail_at(polygon.line, "this polygon cannot be cut into triangles");
     }
     return faces;
 }

@@ -2,11 +2,13 @@
 
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/read_gmsh.hpp"
-#include "common/geometry/read_obj.hpp"
+#include "common/geometry/read_surface.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/geometry/surface_extraction.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/geometry/weld.hpp"
 #include "common/input/input_error.hpp"
+#include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -146,11 +148,50 @@ std::filesystem::path find_mesh(const JsonValue& value, const std::vector<std::f
 Shape read_file(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     const std::filesystem::path path = find_mesh(value, surroundings.mesh_folders);
-    if (path.extension() == ".msh")
+    const std::string ending = ending_of(path);
+    if (ending == ".msh")
         return with_surface(read_gmsh(path));
-    if (path.extension() == ".obj")
-        return surface_only(read_obj(path));
-    value.fail("a mesh file ending in .msh (tetrahedra, Gmsh 2.2) or .obj (surface)");
+    if (ending == ".obj" || ending == ".off" || ending == ".stl" || ending == ".ply")
+        return surface_only(read_surface(path));
+    value.fail("a mesh file ending in .msh (tetrahedra) or .obj, .off, .stl or .ply (surface)");
+}
+
+/// "weld": true, beside a "file" that is a surface.
+void weld_if_asked(const JsonValue& value, Shape& shape)
+{
+    if (!value.flag_or("weld", false))
+        return;
+    if (!value.find("file") || shape.solid)
+        value.at("weld").complain(
+            "only the vertices of a surface file (.obj, .off, .stl, .ply) can be welded");
+    shape.surface = welded(shape.surface, weld_distance(shape.surface));
+}
+
+/// The key "transform": rows of a 3 x 4 matrix (R | t), so that a point X goes to R X + t.
+void transform_if_asked(const JsonValue& value, Shape& shape)
+{
+    const std::optional<JsonValue> given = value.find("transform");
+    if (!given)
+        return;
+    const std::vector<JsonValue> rows = given->items(3, 3);
+    Eigen::Matrix<double, 3, 4> matrix;
+    for (int row = 0; row < 3; ++row) {
+        const std::vector<JsonValue> numbers = rows[static_cast<std::size_t>(row)].items(4, 4);
+        for (int column = 0; column < 4; ++column)
+            matrix(row, column) = numbers[static_cast<std::size_t>(column)].number({-1e4, 1e4});
+    }
+    const Mat3 linear = matrix.leftCols<3>();
+    if (!(linear.determinant() > 0))
+        given->complain(
+            "flattens or mirrors the shape: the determinant of its first three columns has to be positive, and is " +
+            shortest(linear.determinant()));
+    const auto apply = [&](std::vector<Vec3>& points) {
+        for (Vec3& x : points)
+            x = linear * x + matrix.col(3);
+    };
+    apply(shape.surface.vertices);
+    if (shape.solid)
+        apply(shape.solid->nodes);
 }
 
 using Reader = Shape (*)(const JsonValue&, const SceneLimits&);
@@ -166,14 +207,17 @@ constexpr std::array<NamedReader, 7> generated{{{"bar", read_bar},
                                                 {"sphere", read_sphere},
                                                 {"tetrahedron", read_tetrahedron}}};
 
-/// The one entry of the object that says which shape it is; "scale" may stand beside it.
+/// The one entry of the object that says which shape it is; "scale", "transform" and "weld" may stand beside it.
 Shape read_unscaled(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys(
-        {"bar", "bowl", "box", "file", "plane_grid", "slope", "sphere", "tetrahedron", "scale"});
+    value.require_keys({"bar", "bowl", "box", "file", "plane_grid", "slope", "sphere", "tetrahedron", "scale",
+                        "transform", "weld"});
     std::vector<std::pair<std::string, JsonValue>> kinds = value.members();
     kinds.erase(std::remove_if(kinds.begin(), kinds.end(),
-                               [](const auto& member) { return member.first == "scale"; }),
+                               [](const auto& member) {
+                                   return member.first == "scale" || member.first == "transform" ||
+                                          member.first == "weld";
+                               }),
                 kinds.end());
     if (kinds.size() != 1)
         value.fail(
@@ -195,12 +239,14 @@ Shape read_unscaled(const JsonValue& value, const SceneSurroundings& surrounding
 Shape read_shape(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     Shape shape = read_unscaled(value, surroundings);
+    weld_if_asked(value, shape);
     const double scale = value.number_or("scale", {0, 1e4, false, true}, 1.0);
     for (Vec3& vertex : shape.surface.vertices)
         vertex *= scale;
     if (shape.solid)
         for (Vec3& node : shape.solid->nodes)
             node *= scale;
+    transform_if_asked(value, shape);
     return shape;
 }
 

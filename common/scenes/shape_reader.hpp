@@ -22,14 +22,14 @@ struct SceneSurroundings {
     SceneLimits limits{};
 };
 
-/// A shape in its own coordinates, scaled, not yet placed: a surface,
+/// A shape in its own coordinates, scaled and transformed, not yet placed: a surface,
 /// and the solid inside it where there is one.
 struct Shape {
     SurfaceMesh surface;
     std::optional<TetrahedralMesh> solid;
 };
 
-/// Reads {"box": {...}}, {"file": "bunny_785.msh", "scale": 0.1} and the other shapes of the scene format.
+/// Reads {"box": {...}}, {"file": "part.stl", "scale": 0.001, "weld": true} and the other shapes of the scene format.
 /// @throws InputError  anything the format does not allow, with the JSON path
 Shape read_shape(const JsonValue& value, const SceneSurroundings& surroundings);
 

@@ -97,6 +97,35 @@ TEST_CASE("Gmsh reader: ten-node elements arrive in our order of edges, corners 
     CHECK(read_gmsh(again, "text").nodes == corner);
 }
 
+TEST_CASE(
+    "Gmsh reader: the same mesh, saved by Gmsh as version 2.2 and as 4.1, arrives with the same elements in space")
+{
+    const std::filesystem::path seeds = source_directory() / "common/geometry/fuzz/seeds/gmsh_reader";
+    for (const std::string order : {"1", "2"}) {
+        CAPTURE(order);
+        const QuadraticTetrahedralMesh old_format =
+                                           read_gmsh_quadratic(seeds / ("box_order" + order + "_v22.msh")),
+                                       new_format =
+                                           read_gmsh_quadratic(seeds / ("box_order" + order + "_v41.msh"));
+        CHECK_NOTHROW(check_solid(new_format, "box"));
+        CHECK(new_format.corner_count == old_format.corner_count);
+        REQUIRE(new_format.elements.size() == 24);
+        REQUIRE(old_format.elements.size() == 24);
+        double volume = 0;
+        for (std::size_t e = 0; e < 24; ++e) {
+            std::array<Vec3, 4> x;
+            for (std::size_t i = 0; i < 10; ++i) {
+                const Vec3& node = new_format.nodes[new_format.elements[e][i]];
+                CHECK(node == old_format.nodes[old_format.elements[e][i]]);
+                if (i < 4)
+                    x[i] = node;
+            }
+            volume += signed_volume(x);
+        }
+        CHECK(volume == doctest::Approx(2));  // 1 x 2 x 1
+    }
+}
+
 TEST_CASE("meshes: every bunny is sound, and what its README says")
 {
     struct Bunny {
