@@ -132,6 +132,9 @@ double update_row(const World& world, const Contact& contact, const StepLaw& ste
     row.acting = contact.impulse + contact.friction;
     if (!contact.sliding_normal.isZero(0))
         push_between_paths(contact, step, row);
+    const Vec3 running = running_of_surfaces(world, contact);
+    if (!running.isZero(0))  // along the surface: friction feels it, and the depth does not
+        row.velocity += running - row.law.normal.dot(running) * row.law.normal;
     return depth_t0;
 }
 //! [pair_motion]
@@ -204,9 +207,10 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         }
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
-        row.law.mu = !rubs(contact, row, step.problem, own)            ? 0
-                     : slides_on(contact, row, step.problem, friction) ? friction.mu_d
-                                                                       : friction.mu_s;
+        const FrictionCoefficients& of_pair = pair_friction(world, contact, friction);
+        row.law.mu = !rubs(contact, row, step.problem, own)           ? 0
+                     : slides_on(contact, row, step.problem, of_pair) ? of_pair.mu_d
+                                                                      : of_pair.mu_s;
         step.problem.rows.push_back(std::move(row));
         step.of_row.push_back(&contact);
     }
