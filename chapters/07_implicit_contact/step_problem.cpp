@@ -149,6 +149,21 @@ bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem&
 }
 //! [slides_on]
 
+//! [gives_way]
+/// Whether anything moves along a pair's normal. Where all is held in this direction a lock carries the load, and nothing could
+/// tell how much of it the pair carries.
+bool gives_way(const PairRow& row)
+{
+    constexpr double rounding = 1e-12;  // of a direction, and of a lever in metres
+    bool gives = false;
+    for (const VertexMotion& part : row.moving())
+        with_fixed_size(part, [&](int, const auto& motion) {
+            gives = gives || (motion.transpose() * row.law.normal).norm() > rounding;
+        });
+    return gives;
+}
+//! [gives_way]
+
 //! [rubs]
 /// Whether a pair has a surface to rub on. One that began inside has none before it is let out. Slack tells the two
 /// apart: a loaded spring that was made stiffer is slack no deeper than its load pressed it at its first stiffness.
@@ -197,7 +212,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         add_parts(world, contact, step, row);
         const double depth_t0 = update_row(world, contact, step_law, row);
         row.turns = contact.kind != ContactKind::edge_edge || !are_nearly_parallel(pair_step(world, contact));
-        if (row.part_count == 0 || row.law.normal.isZero(0))
+        if (row.part_count == 0 || row.law.normal.isZero(0) || !gives_way(row))
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
         if (first || contact.stiffness == 0) {

@@ -131,6 +131,9 @@ public:
     void set_surface_velocity(const Vec3& velocity) { surface_velocity_ = velocity; }
     const Vec3& surface_velocity() const { return surface_velocity_; }
 
+    /// Whether anything drives it that a body's start does not tell: given motion, a surface that runs, forces, held directions,
+    /// gravity that is off. Who takes bodies over into another engine asks.
+    virtual bool is_driven() const { return !has_weight_ || !surface_velocity_.isZero(0); }
     virtual bool is_static() const { return false; }
     virtual double mass() const = 0;                       ///< [kg]; 0 for a static body
     virtual Energy energy(const Vec3& gravity) const = 0;  ///< of the committed state

@@ -70,6 +70,7 @@ public:
     std::unique_ptr<Trial> begin_trial() const override;
     const MassParts& mass_parts() const override { return *parts_; }
 
+    bool is_driven() const override { return Body::is_driven() || !forces_.empty(); }
     double driven_work(double dt) const override
     {
         return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum() +

@@ -28,6 +28,7 @@ public:
 
     void visit_state(StateArchive& archive) override;
 
+    bool is_driven() const override { return true; }
     bool is_static() const override { return true; }
     double mass() const override { return 0; }
     Energy energy(const Vec3&) const override { return {}; }

@@ -41,6 +41,10 @@ public:
 
     std::unique_ptr<Trial> begin_trial() const override;
 
+    bool is_driven() const override
+    {
+        return Body::is_driven() || !loads_.empty() || !motion_.free_directions().hold_none();
+    }
     double driven_work(double /*dt*/) const override
     {
         return load_momentum_.dot(motion_.velocity()) + load_turning_.dot(motion_.angular_velocity());
