@@ -132,6 +132,9 @@ double update_row(const World& world, const Contact& contact, const StepLaw& ste
     row.acting = contact.impulse + contact.friction;
     if (!contact.sliding_normal.isZero(0))
         push_between_paths(contact, step, row);
+    const Vec3 running = running_of_surfaces(world, contact);
+    if (!running.isZero(0))  // along the surface: friction feels it, and the depth does not
+        row.velocity += running - row.law.normal.dot(running) * row.law.normal;
     return depth_t0;
 }
 //! [pair_motion]
@@ -145,6 +148,21 @@ bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem&
            contact.slip * mass_of(row, problem) > friction.mu_s * contact.load * problem.step.dt;
 }
 //! [slides_on]
+
+//! [gives_way]
+/// Whether anything moves along a pair's normal. Where all is held in this direction a lock carries the load, and nothing could
+/// tell how much of it the pair carries.
+bool gives_way(const PairRow& row)
+{
+    constexpr double rounding = 1e-12;  // of a direction, and of a lever in metres
+    bool gives = false;
+    for (const VertexMotion& part : row.moving())
+        with_fixed_size(part, [&](int, const auto& motion) {
+            gives = gives || (motion.transpose() * row.law.normal).norm() > rounding;
+        });
+    return gives;
+}
+//! [gives_way]
 
 //! [rubs]
 /// Whether a pair has a surface to rub on. One that began inside has none before it is let out. Slack tells the two
@@ -194,7 +212,7 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         add_parts(world, contact, step, row);
         const double depth_t0 = update_row(world, contact, step_law, row);
         row.turns = contact.kind != ContactKind::edge_edge || !are_nearly_parallel(pair_step(world, contact));
-        if (row.part_count == 0 || row.law.normal.isZero(0))
+        if (row.part_count == 0 || row.law.normal.isZero(0) || !gives_way(row))
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
         if (first || contact.stiffness == 0) {
@@ -204,9 +222,10 @@ StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice
         }
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
-        row.law.mu = !rubs(contact, row, step.problem, own)            ? 0
-                     : slides_on(contact, row, step.problem, friction) ? friction.mu_d
-                                                                       : friction.mu_s;
+        const FrictionCoefficients& of_pair = pair_friction(world, contact, friction);
+        row.law.mu = !rubs(contact, row, step.problem, own)           ? 0
+                     : slides_on(contact, row, step.problem, of_pair) ? of_pair.mu_d
+                                                                      : of_pair.mu_s;
         step.problem.rows.push_back(std::move(row));
         step.of_row.push_back(&contact);
     }

@@ -62,6 +62,9 @@ BulletWorld::BulletWorld(Scene& scene)
         add_plane(plane);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const int number = static_cast<int>(i);
+        if (bodies[i]->is_driven())
+            throw InputError(scene_ + ": Bullet cannot take '" + bodies[i]->name() +
+                             "': its motion, its forces, its gravity or what is locked is the scene's own");
         if (const auto* rigid = dynamic_cast<const RigidBody*>(bodies[i].get()))
             bodies[i] = take_over(*rigid, number);
         else if (const auto* soft = dynamic_cast<const DeformableBody*>(bodies[i].get()))

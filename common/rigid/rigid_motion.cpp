@@ -35,6 +35,20 @@ PrincipalAxes principal_axes(const Mat3& inertia)
     return result;
 }
 
+//! [inverse_of_free]
+/// How angular momentum about free axes turns a body whose turns about other axes are held: the inverse of the inertia's free
+/// part, and zero elsewhere.
+Mat3 inverse_of_free(const Mat3& inertia, const Vec3& free)
+{
+    const Mat3 chosen = free.asDiagonal();
+    Mat3 part = chosen * inertia * chosen;
+    for (int i = 0; i < 3; ++i)
+        if (free[i] == 0)
+            part(i, i) = inertia(i, i);
+    return chosen * part.inverse() * chosen;
+}
+//! [inverse_of_free]
+
 }  // namespace
 
 RigidMotion::RigidMotion(const MassProperties& properties, const Vec3& velocity, const Vec3& angular_velocity)
@@ -58,7 +72,25 @@ void RigidMotion::place(const Pose& pose)
 {
     pose_ = pose;
     const Mat3 axes = pose.orientation.toRotationMatrix();
-    inverse_inertia_ = axes * principal_inertia_.cwiseInverse().asDiagonal() * axes.transpose();
+    inverse_inertia_ = free_.hold_a_turn()
+                           ? inverse_of_free(inertia_of(axes), free_.rotation)
+                           : Mat3(axes * principal_inertia_.cwiseInverse().asDiagonal() * axes.transpose());
+}
+
+Mat3 RigidMotion::inertia_of(const Mat3& axes) const
+{
+    return axes * principal_inertia_.asDiagonal() * axes.transpose();
+}
+
+void RigidMotion::hold(const FreeDirections& free)
+{
+    const Vec3 ones = Vec3::Ones();
+    if (!velocity_.cwiseProduct(ones - free.translation).isZero(0) ||
+        !angular_velocity_.cwiseProduct(ones - free.rotation).isZero(0))
+        throw InputError("rigid body: it moves along or about an axis that is held");
+    free_ = free;
+    place(pose_);
+    spin_momentum_ = spin_momentum_.cwiseProduct(free_.rotation);
 }
 
 void RigidMotion::take(const State& state)
@@ -77,13 +109,38 @@ Vec3 RigidMotion::spin_in_body_axes() const
 //! [predict]
 void RigidMotion::predict(const Vec3& gravity, double dt)
 {
-    velocity_ += dt * gravity;
+    velocity_ += dt * gravity.cwiseProduct(free_.translation);
+    if (free_.hold_a_turn()) {
+        angular_velocity_ = mean_angular_velocity(dt);
+        return;
+    }
     // Left as it is, the angular velocity would hold neither energy nor momentum (see the page).
     const Vec3 w0 = spin_in_body_axes();
     const Vec3 w1 = freely_turned(principal_inertia_, w0, dt);
     angular_velocity_ = pose_.orientation * (0.5 * (w0 + w1));
 }
 //! [predict]
+
+//! [held_turn]
+/// The part of the momentum about free axes stays, while the body turns by the mean of the velocities at both ends. About one
+/// axis this is exact. About two the energy is right to second order.
+Vec3 RigidMotion::mean_angular_velocity(double dt) const
+{
+    const Mat3 axes = pose_.orientation.toRotationMatrix();
+    const Vec3 w0 = inverse_inertia_ * spin_momentum_;
+    Vec3 w1 = w0;
+    for (int iteration = 0; iteration < 50; ++iteration) {
+        const Vec3 mean = 0.5 * (w0 + w1);
+        const Mat3 turned = Eigen::AngleAxisd(dt * mean.norm(), mean.stableNormalized()) * axes;
+        const Vec3 next = inverse_of_free(inertia_of(turned), free_.rotation) * spin_momentum_;
+        const bool settled = (next - w1).norm() <= 1e-15 * next.norm();
+        w1 = next;
+        if (settled)
+            break;
+    }
+    return 0.5 * (w0 + w1);
+}
+//! [held_turn]
 
 //! [predicted_pose]
 Pose RigidMotion::predicted_pose(double dt) const
@@ -102,9 +159,9 @@ void RigidMotion::apply_impulse(const Vec3& impulse, const Vec3& point)
 
 void RigidMotion::apply_momentum(const Vec3& momentum, const Vec3& turning)
 {
-    velocity_ += momentum / mass_;
+    velocity_ += momentum.cwiseProduct(free_.translation) / mass_;
     angular_velocity_ += inverse_inertia_ * turning;
-    spin_momentum_ += turning;
+    spin_momentum_ += turning.cwiseProduct(free_.rotation);
 }
 //! [apply_impulse]
 
@@ -113,7 +170,8 @@ void RigidMotion::commit(double dt)
 {
     place(predicted_pose(dt));
     // The momentum is what stays; which angular velocity belongs to it depends on how the body lies now.
-    angular_velocity_ = pose_.orientation * spin_in_body_axes();
+    angular_velocity_ = free_.hold_a_turn() ? Vec3(inverse_inertia_ * spin_momentum_)
+                                            : Vec3(pose_.orientation * spin_in_body_axes());
 }
 //! [commit]
 
@@ -127,16 +185,23 @@ Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
     const Vec3 r = point - centre();
     Mat3 lever;
     lever << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-    return Mat3::Identity() / mass_ + lever * inverse_inertia_ * lever.transpose();
+    return Mat3(free_.translation.asDiagonal()) / mass_ + lever * inverse_inertia_ * lever.transpose();
 }
 
 Vec3 RigidMotion::angular_momentum(const Vec3& about) const
 {
-    return (centre() - about).cross(linear_momentum()) + spin_momentum_;
+    const Vec3 orbital = (centre() - about).cross(linear_momentum());
+    if (free_.hold_a_turn())
+        return orbital +
+               inertia_of(pose_.orientation.toRotationMatrix()) * (inverse_inertia_ * spin_momentum_);
+    return orbital + spin_momentum_;
 }
 
 double RigidMotion::kinetic_energy() const
 {
+    if (free_.hold_a_turn())
+        return 0.5 * mass_ * velocity_.squaredNorm() +
+               0.5 * spin_momentum_.dot(inverse_inertia_ * spin_momentum_);
     const Vec3 spin = spin_in_body_axes();
     return 0.5 * mass_ * velocity_.squaredNorm() + 0.5 * spin.dot(principal_inertia_.cwiseProduct(spin));
 }

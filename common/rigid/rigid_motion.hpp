@@ -15,6 +15,15 @@ struct Pose {
     Vec3 to_body(const Vec3& world_point) const { return orientation.conjugate() * (world_point - position); }
 };
 
+/// Along and about which of the world's axes a body can move: 1 where it is free, 0 where it is held.
+struct FreeDirections {
+    Vec3 translation = Vec3::Ones();  ///< of the centre of mass
+    Vec3 rotation = Vec3::Ones();
+
+    bool hold_none() const { return translation.minCoeff() > 0 && rotation.minCoeff() > 0; }
+    bool hold_a_turn() const { return rotation.minCoeff() == 0; }
+};
+
 /// The motion of one rigid body, in steps of the thesis' scheme: predict, push, commit.
 ///
 /// The free rotation is the energy and momentum conserving step of Simo and Wong
@@ -30,6 +39,11 @@ public:
     /// @throws InputError  mass not positive, inertia not positive definite, or a velocity not finite
     explicit RigidMotion(const MassProperties& properties, const Vec3& velocity = Vec3::Zero(),
                          const Vec3& angular_velocity = Vec3::Zero());
+
+    /// Takes the coordinates out that are held: their velocities are zero for good, whatever pushes.
+    /// @throws InputError  a velocity along or about what is held
+    void hold(const FreeDirections& free);
+    const FreeDirections& free_directions() const { return free_; }
 
     /// Velocities of the step from gravity [m/s^2] and the free rotation over dt [s] (thesis 3.3, 3.6).
     void predict(const Vec3& gravity, double dt);
@@ -61,7 +75,7 @@ public:
     /// [r]x^T with r from the centre to the point.
     Mat3 inverse_mass_at(const Vec3& point) const;
 
-    /// about the centre, world axes, of the committed pose [1/(kg m^2)]
+    /// about the centre, world axes, of the committed pose [1/(kg m^2)]; of the free turns alone, and zero for those held
     const Mat3& inverse_inertia() const { return inverse_inertia_; }
 
     double mass() const { return mass_; }
@@ -71,6 +85,8 @@ public:
 
 private:
     void place(const Pose& pose);
+    Mat3 inertia_of(const Mat3& axes) const;      ///< in world axes, if the body's lie like this [kg m^2]
+    Vec3 mean_angular_velocity(double dt) const;  ///< of a free step while turns are held [rad/s]
     Vec3 spin_in_body_axes() const;  ///< the angular velocity that belongs to the momentum [rad/s]
 
     double mass_ = 0;
@@ -78,7 +94,8 @@ private:
     Pose pose_;
     Mat3 inverse_inertia_ = Mat3::Zero();  ///< belongs to the pose
     Vec3 velocity_ = Vec3::Zero(), angular_velocity_ = Vec3::Zero();
-    /// angular momentum about the centre, world axes: what a free body keeps
+    FreeDirections free_;
+    /// angular momentum about the centre, world axes: what a free body keeps; without its parts about axes that are held
     Vec3 spin_momentum_ = Vec3::Zero();
 };
 

@@ -4,7 +4,9 @@
 #include "common/input/input_error.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/scenes/deformable_reader.hpp"
+#include "common/scenes/motion_reader.hpp"
 #include "common/scenes/placement.hpp"
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
 
@@ -26,29 +28,48 @@ SurfaceMesh placed_surface(const JsonValue& value, const SceneSurroundings& surr
 
 std::unique_ptr<Body> read_static(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys({"name", "type", "shape", "position", "rotation", "look"});
+    value.require_keys(
+        {"name", "type", "shape", "position", "rotation", "look", "material", "motion", "surface_velocity"});
     SurfaceMesh mesh = placed_surface(value, surroundings, Border::allowed);
+    const Vec3 running = value.vector_or("surface_velocity", {-1e4, 1e4, true, true, "m/s"}, Vec3::Zero());
+    if (const std::optional<JsonValue> motion = value.find("motion")) {
+        if (const std::optional<JsonValue> beside = value.find("surface_velocity"))
+            beside->complain("stands beside \"motion\"; a body has one of the two");
+        const ReadMotion given = read_given_motion(*motion, read_placement(value));
+        return std::make_unique<DrivenBody>(value.at("name").text(), mesh, given.centre, given.motion);
+    }
     SurfaceTopology surface(static_cast<int>(mesh.vertices.size()), std::move(mesh.faces));
-    return std::make_unique<StaticBody>(value.at("name").text(), std::move(surface),
-                                        std::move(mesh.vertices));
+    auto body = std::make_unique<StaticBody>(value.at("name").text(), std::move(surface),
+                                             std::move(mesh.vertices));
+    body->set_surface_velocity(running);
+    return body;
 }
 
-MassProperties read_mass_properties(const JsonValue& value, const SurfaceMesh& mesh)
+MassProperties read_mass_properties(const JsonValue& value, const SurfaceMesh& mesh,
+                                    const SceneMaterials& materials)
 {
     const MassProperties of_unit_density = mass_properties(mesh, 1.0);
-    return with_mass(of_unit_density, read_mass(value, of_unit_density.mass));
+    return with_mass(of_unit_density, read_mass(value, of_unit_density.mass, materials));
 }
 
-std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings& surroundings)
+std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings& surroundings,
+                                 const SceneMaterials& materials)
 {
     value.require_keys({"name", "type", "shape", "density", "mass", "position", "rotation", "velocity",
-                        "angular_velocity", "look"});
+                        "angular_velocity", "look", "material", "gravity", "forces", "locked"});
     const SurfaceMesh mesh = placed_surface(value, surroundings, Border::refused);
     const InitialMotion motion = read_motion(value);
+    const std::vector<OutsideLoad> loads = read_loads(value, read_placement(value));
+    const FreeDirections free = read_free_directions(value);
     try {
-        const MassProperties properties = read_mass_properties(value, mesh);
-        return std::make_unique<RigidBody>(value.at("name").text(), mesh, properties, motion.velocity,
-                                           motion.angular_velocity);
+        const MassProperties properties = read_mass_properties(value, mesh, materials);
+        auto body = std::make_unique<RigidBody>(value.at("name").text(), mesh, properties, motion.velocity,
+                                                motion.angular_velocity);
+        for (const OutsideLoad& load : loads)
+            body->add_load(load);
+        if (!free.hold_none())
+            body->hold(free);
+        return body;
     } catch (const InputError& error) {
         value.pass_on(error);
     }
@@ -56,13 +77,17 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
 
 }  // namespace
 
-std::unique_ptr<Body> read_body(const JsonValue& value, const SceneSurroundings& surroundings)
+std::unique_ptr<Body> read_body(const JsonValue& value, const SceneSurroundings& surroundings,
+                                const SceneMaterials& materials)
 {
-    switch (value.at("type").choice({"static", "rigid", "deformable"})) {
-        case 0: return read_static(value, surroundings);
-        case 1: return read_rigid(value, surroundings);
-        default: return read_deformable(value, surroundings);
-    }
+    const std::size_t type = value.at("type").choice({"static", "rigid", "deformable"});
+    std::unique_ptr<Body> body = type == 0   ? read_static(value, surroundings)
+                                 : type == 1 ? read_rigid(value, surroundings, materials)
+                                             : read_deformable(value, surroundings, materials);
+    body->set_material(material_of(value, materials));
+    if (!value.flag_or("gravity", true))
+        body->switch_gravity_off();
+    return body;
 }
 
 }  // namespace enduring

@@ -2,6 +2,7 @@
 
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/solid_checks.hpp"
+#include "common/scenes/motion_reader.hpp"
 #include "common/scenes/placement.hpp"
 #include "common/simulation/deformable_body.hpp"
 
@@ -44,11 +45,12 @@ std::vector<int> read_fixed_nodes(const JsonValue& body, const std::vector<Vec3>
     return fixed;
 }
 
-ElasticMaterial read_material(const JsonValue& body, const TetrahedralMesh& mesh)
+ElasticMaterial read_material(const JsonValue& body, const TetrahedralMesh& mesh,
+                              const SceneMaterials& materials)
 {
     ElasticMaterial material;
     const double volume = ElasticMesh(mesh).volume();
-    material.density = read_mass(body, volume) / volume;
+    material.density = read_mass(body, volume, materials) / volume;
     material.young = body.at("young").number({1e-3, 1e13, true, true, "Pa"});
     material.poisson = body.at("poisson").number({-0.99, 0.4999});
     if (const std::optional<JsonValue> damping = body.find("rayleigh")) {
@@ -70,13 +72,14 @@ TetrahedralMesh read_solid(const JsonValue& value, const SceneSurroundings& surr
     return *std::move(shape.solid);
 }
 
-std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& surroundings)
+std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& surroundings,
+                            const SceneMaterials& materials)
 {
     const TetrahedralMesh mesh = read_solid(value, surroundings);
     const Placement placement = read_placement(value);
     const InitialMotion motion = read_motion(value);
     DeformableSettings settings;
-    settings.material = read_material(value, mesh);
+    settings.material = read_material(value, mesh, materials);
     settings.rotation = placement.rotation.toRotationMatrix();
     settings.position = placement.position;
     settings.velocity = motion.velocity;
@@ -93,25 +96,51 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
                                              ? LinearSolverKind::simplicial
                                              : LinearSolverKind::supernodal;
 
+    const std::vector<TimedVector> forces = read_spread_forces(value);
+    const auto driven = [&](std::unique_ptr<DeformableBody> body) {
+        for (const TimedVector& force : forces)
+            body->add_force(force);
+        return body;
+    };
     const std::optional<JsonValue> basis = value.find("basis");
     if (!basis || basis->choice({"linear", "quadratic"}) == 1) {
         const QuadraticTetrahedralMesh quadratic = with_edge_midpoints(mesh);
         settings.fixed_nodes = read_fixed_nodes(value, quadratic.nodes);
-        return std::make_unique<DeformableBody>(value.at("name").text(), quadratic, settings);
+        return driven(std::make_unique<DeformableBody>(value.at("name").text(), quadratic, settings));
     }
     settings.fixed_nodes = read_fixed_nodes(value, mesh.nodes);
-    return std::make_unique<DeformableBody>(value.at("name").text(), mesh, settings);
+    return driven(std::make_unique<DeformableBody>(value.at("name").text(), mesh, settings));
 }
 
 }  // namespace
 
-std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings)
+std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings,
+                                      const SceneMaterials& materials)
 {
-    value.require_keys({"name", "type", "shape", "density", "mass", "young", "poisson", "rayleigh", "basis",
-                        "fixed", "impulse_response", "self_contact", "solver_tolerance", "linear_solver",
-                        "position", "rotation", "velocity", "angular_velocity", "look"});
+    value.require_keys({"name",
+                        "type",
+                        "shape",
+                        "density",
+                        "mass",
+                        "young",
+                        "poisson",
+                        "rayleigh",
+                        "basis",
+                        "fixed",
+                        "impulse_response",
+                        "self_contact",
+                        "solver_tolerance",
+                        "linear_solver",
+                        "position",
+                        "rotation",
+                        "velocity",
+                        "angular_velocity",
+                        "look",
+                        "material",
+                        "gravity",
+                        "forces"});
     try {
-        return build(value, surroundings);
+        return build(value, surroundings, materials);
     } catch (const InputError& error) {
         value.pass_on(error);
     }

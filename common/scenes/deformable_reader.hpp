@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/scenes/material_reader.hpp"
 #include "common/scenes/shape_reader.hpp"
 #include "common/simulation/body.hpp"
 
@@ -9,6 +10,7 @@ namespace enduring {
 
 /// Builds an entry of a scene's "bodies" whose type is "deformable".
 /// @throws InputError  anything the format does not allow, with the JSON path
-std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings);
+std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroundings& surroundings,
+                                      const SceneMaterials& materials);
 
 }  // namespace enduring

@@ -58,13 +58,17 @@ InitialMotion read_motion(const JsonValue& body)
     return motion;
 }
 
-double read_mass(const JsonValue& body, double volume)
+double read_mass(const JsonValue& body, double volume, const SceneMaterials& materials)
 {
     const std::optional<JsonValue> density = body.find("density"), mass = body.find("mass");
     if (density && mass)
         mass->complain("stands beside \"density\"; one of the two is enough");
     if (mass)
         return mass->number({1e-9, 1e9, true, true, "kg"});
+    const int material = material_of(body, materials);
+    if (!density && material != MaterialFriction::none)
+        if (const auto of_material = materials[static_cast<std::size_t>(material)].density)
+            return *of_material * volume;
     if (!density)
         body.complain("one of the keys \"density\" and \"mass\" is missing");
     return density->number({1e-3, 1e6, true, true, "kg/m^3"}) * volume;

@@ -2,6 +2,7 @@
 
 #include "common/geometry/vector.hpp"
 #include "common/input/json_value.hpp"
+#include "common/scenes/material_reader.hpp"
 
 #include <vector>
 
@@ -28,8 +29,8 @@ Placement read_placement(const JsonValue& body);
 /// The keys "velocity" and "angular_velocity" of a body, both optional.
 InitialMotion read_motion(const JsonValue& body);
 
-/// The body's mass [kg] from exactly one of the keys "density" and "mass".
+/// The body's mass [kg] from one of the keys "density" and "mass", else from the density of its material.
 /// @param volume  of its shape [m^3], positive
-double read_mass(const JsonValue& body, double volume);
+double read_mass(const JsonValue& body, double volume, const SceneMaterials& materials);
 
 }  // namespace enduring

@@ -6,6 +6,7 @@
 #include "common/input/source_directory.hpp"
 #include "common/scenes/body_reader.hpp"
 #include "common/scenes/friction_reader.hpp"
+#include "common/scenes/material_reader.hpp"
 #include "common/scenes/scene_warnings.hpp"
 
 #include <nlohmann/json.hpp>
@@ -70,9 +71,9 @@ BodyLook read_look(const JsonValue& value)
     return look;
 }
 
-Plane read_plane(const JsonValue& value)
+Plane read_plane(const JsonValue& value, const SceneMaterials& materials)
 {
-    value.require_keys({"name", "point", "normal", "stiffness"});
+    value.require_keys({"name", "point", "normal", "stiffness", "material"});
     Plane plane;
     plane.name = value.at("name").text();
     plane.point = value.vector_or("point", {-1e4, 1e4, true, true, "m"}, plane.point);
@@ -80,6 +81,7 @@ Plane read_plane(const JsonValue& value)
         plane.normal = normal->direction();
     if (const std::optional<JsonValue> stiffness = value.find("stiffness"))
         plane.stiffness = stiffness->number(stiffness_range);
+    plane.material = material_of(value, materials);
     return plane;
 }
 
@@ -91,7 +93,8 @@ void require_new_name(const JsonValue& entry, std::set<std::string>& names)
                                   "\"");
 }
 
-void read_planes(const JsonValue& root, std::set<std::string>& names, Scene& scene, Mistakes& mistakes)
+void read_planes(const JsonValue& root, const SceneMaterials& materials, std::set<std::string>& names,
+                 Scene& scene, Mistakes& mistakes)
 {
     const std::optional<JsonValue> planes = root.find("planes");
     if (!planes)
@@ -99,17 +102,18 @@ void read_planes(const JsonValue& root, std::set<std::string>& names, Scene& sce
     for (const JsonValue& entry : planes->items(0, max_planes))
         mistakes.gather([&] {
             require_new_name(entry, names);
-            scene.world.planes.push_back(read_plane(entry));
+            scene.world.planes.push_back(read_plane(entry, materials));
         });
 }
 
-void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings, std::set<std::string>& names,
-                 Scene& scene, Mistakes& mistakes)
+void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings,
+                 const SceneMaterials& materials, std::set<std::string>& names, Scene& scene,
+                 Mistakes& mistakes)
 {
     for (const JsonValue& entry : root.at("bodies").items(1, surroundings.limits.bodies)) {
         mistakes.gather([&] {
             require_new_name(entry, names);
-            scene.world.bodies.push_back(read_body(entry, surroundings));
+            scene.world.bodies.push_back(read_body(entry, surroundings, materials));
         });
         mistakes.gather([&] {
             const std::optional<JsonValue> look = entry.find("look");
@@ -126,8 +130,8 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
     std::set<std::string> names;
     Mistakes mistakes;
     mistakes.gather([&] {
-        root.require_keys(
-            {"name", "description", "gravity", "dt", "duration", "contact", "planes", "bodies", "camera"});
+        root.require_keys({"name", "description", "gravity", "dt", "duration", "contact", "materials",
+                           "material_pairs", "planes", "bodies", "camera"});
     });
     mistakes.gather([&] { scene.name = root.at("name").text(); });
     mistakes.gather([&] { scene.description = root.text_or("description", ""); });
@@ -147,8 +151,13 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
         scene.camera_given = root.find("camera").has_value();
         scene.camera = scene.camera_given ? read_camera(root.at("camera")) : scene.camera;
     });
-    mistakes.gather([&] { read_planes(root, names, scene, mistakes); });
-    mistakes.gather([&] { read_bodies(root, surroundings, names, scene, mistakes); });
+    const FrictionCoefficients of_scene = coefficients_of(scene.contact.friction);
+    SceneMaterials materials;
+    mistakes.gather([&] { materials = read_materials(root, of_scene, mistakes); });
+    mistakes.gather(
+        [&] { scene.world.friction = read_material_friction(root, materials, of_scene, mistakes); });
+    mistakes.gather([&] { read_planes(root, materials, names, scene, mistakes); });
+    mistakes.gather([&] { read_bodies(root, surroundings, materials, names, scene, mistakes); });
     mistakes.complain();
     return scene;
 }

@@ -5,6 +5,7 @@
 #include "common/geometry/vector.hpp"
 #include "common/simulation/contact_mass.hpp"
 #include "common/simulation/mass_parts.hpp"
+#include "common/simulation/material_friction.hpp"
 #include "common/simulation/state_archive.hpp"
 #include "common/simulation/trial.hpp"
 
@@ -68,7 +69,12 @@ public:
     /// As it was made, however it bends since (see surface_size()) [m].
     double size() const { return size_; }
 
-    /// New velocities from gravity [m/s^2], inner forces and damping over dt [s]; then positions_t1.
+    /// The time of the committed state [s], from which what is given as a function of time is taken; the step tells it
+    /// before it predicts.
+    void set_time(double time) { time_ = time; }
+    double time() const { return time_; }
+
+    /// New velocities from gravity [m/s^2], inner forces, damping and forces from outside over dt [s]; then positions_t1.
     virtual void predict(const Vec3& gravity, double dt) = 0;
     /// Positions_t1 from the present predicted velocities.
     virtual void update_prediction(double dt) = 0;
@@ -113,6 +119,21 @@ public:
     /// Writes or reads all that the next step depends on. It is asked between steps: what was predicted is not kept.
     virtual void visit_state(StateArchive& archive) { archive(positions_t0_); }
 
+    /// Gravity does nothing to a rigid or soft body from now on.
+    void switch_gravity_off() { has_weight_ = false; }
+    /// What there is for this body of the world's [m/s^2].
+    Vec3 gravity_on(const Vec3& gravity) const { return has_weight_ ? gravity : Vec3(Vec3::Zero()); }
+    /// By its place among the scene's materials, or MaterialFriction::none.
+    void set_material(int material) { material_ = material; }
+    int material() const { return material_; }
+    /// How its surface runs though the body stands, as a conveyor's belt does [m/s]; what is along the normal of a pair has no
+    /// effect. For those solvers that read it.
+    void set_surface_velocity(const Vec3& velocity) { surface_velocity_ = velocity; }
+    const Vec3& surface_velocity() const { return surface_velocity_; }
+
+    /// Whether anything drives it that a body's start does not tell: given motion, a surface that runs, forces, held directions,
+    /// gravity that is off. Who takes bodies over into another engine asks.
+    virtual bool is_driven() const { return !has_weight_ || !surface_velocity_.isZero(0); }
     virtual bool is_static() const { return false; }
     virtual double mass() const = 0;                       ///< [kg]; 0 for a static body
     virtual Energy energy(const Vec3& gravity) const = 0;  ///< of the committed state
@@ -127,11 +148,15 @@ protected:
     void measure() { size_ = surface_size(surface_, positions_t0_); }
 
     std::vector<Vec3> positions_t0_, positions_t1_;
+    double time_ = 0;  ///< committed [s]
 
 private:
     std::string name_;
     SurfaceTopology surface_;
     double size_ = 0;
+    bool has_weight_ = true;
+    int material_ = MaterialFriction::none;
+    Vec3 surface_velocity_ = Vec3::Zero();
 };
 
 /// What visit_state() writes, and the same read back.

@@ -86,6 +86,28 @@ double pair_stiffness(const World& world, const Contact& contact, double of_all_
     return world.planes[contact.body_b].stiffness.value_or(of_all_pairs);
 }
 
+const FrictionCoefficients& pair_friction(const World& world, const Contact& contact,
+                                          const FrictionCoefficients& of_all_pairs)
+{
+    if (world.friction.materials == 0)
+        return of_all_pairs;
+    const auto b = static_cast<std::size_t>(contact.body_b);
+    const int one = world.bodies[static_cast<std::size_t>(contact.body_a)]->material(),
+              other = contact.kind == ContactKind::vertex_plane ? world.planes[b].material
+                                                                : world.bodies[b]->material();
+    if (one == MaterialFriction::none && other == MaterialFriction::none)
+        return of_all_pairs;
+    return world.friction.of(one, other);
+}
+
+Vec3 running_of_surfaces(const World& world, const Contact& contact)
+{
+    const Vec3& of_a = world.bodies[static_cast<std::size_t>(contact.body_a)]->surface_velocity();
+    if (contact.kind == ContactKind::vertex_plane)
+        return of_a;
+    return of_a - world.bodies[static_cast<std::size_t>(contact.body_b)]->surface_velocity();
+}
+
 const std::string& name_of_a(const World& world, const Contact& contact)
 {
     return world.bodies[contact.body_a]->name();

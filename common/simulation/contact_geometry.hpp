@@ -27,6 +27,13 @@ PairStep pair_step(const World& world, const Contact& contact);
 /// Stiffness of a pair [N/m]: its plane's own where it has one, else that of all pairs.
 double pair_stiffness(const World& world, const Contact& contact, double of_all_pairs);
 
+/// Coefficients of a pair: those between its two materials where the scene has materials, else those of all pairs.
+const FrictionCoefficients& pair_friction(const World& world, const Contact& contact,
+                                          const FrictionCoefficients& of_all_pairs);
+
+/// How the surface of A runs against that of B, on bodies that have a surface velocity [m/s].
+Vec3 running_of_surfaces(const World& world, const Contact& contact);
+
 /// The names of the two sides; B may be a plane.
 const std::string& name_of_a(const World& world, const Contact& contact);
 const std::string& name_of_b(const World& world, const Contact& contact);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/simulation/material_friction.hpp"
 #include "common/simulation/normal_law.hpp"
 
 #include <array>
@@ -41,10 +42,6 @@ struct MassSplitting {
 using FrictionParameters = std::variant<NoFriction, YamaneNakamura, MassSplitting>;
 
 inline constexpr std::array<std::string_view, 3> friction_words{"none", "yamane_nakamura", "mass_splitting"};
-
-struct FrictionCoefficients {
-    double mu_s = 0, mu_d = 0;  ///< of a pair that holds, and of one that slips
-};
 
 /// Those of a model; zero without friction.
 inline FrictionCoefficients coefficients_of(const FrictionParameters& friction)

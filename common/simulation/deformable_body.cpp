@@ -150,7 +150,11 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
 
 void DeformableBody::predict(const Vec3& gravity, double dt)
 {
-    elastic_.predict(gravity, dt);
+    force_impulse_.setZero();
+    for (const TimedVector& force : forces_)
+        force_impulse_ += force.integral(time_, time_ + dt);
+    const Vec3 weight = gravity_on(gravity);
+    elastic_.predict(forces_.empty() ? weight : Vec3(weight + force_impulse_ / (mass() * dt)), dt);
     mends_ = false;
     vertex_response_.begin_step(dt);
     update_prediction(dt);

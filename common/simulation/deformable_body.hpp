@@ -4,6 +4,7 @@
 #include "common/fem/surface_embedding.hpp"
 #include "common/geometry/meshes.hpp"
 #include "common/simulation/body.hpp"
+#include "common/simulation/outside_load.hpp"
 #include "common/simulation/rest_neighbours.hpp"
 #include "common/simulation/vertex_response.hpp"
 
@@ -46,6 +47,9 @@ public:
     DeformableBody(std::string name, const QuadraticTetrahedralMesh& mesh,
                    const DeformableSettings& settings);
 
+    /// A force from now on [N], spread over the body by its mass as gravity is; any number of them.
+    void add_force(const TimedVector& force) { forces_.push_back(force); }
+
     void predict(const Vec3& gravity, double dt) override;
     void update_prediction(double dt) override;
     void commit(double dt) override;
@@ -66,14 +70,16 @@ public:
     std::unique_ptr<Trial> begin_trial() const override;
     const MassParts& mass_parts() const override { return *parts_; }
 
+    bool is_driven() const override { return Body::is_driven() || !forces_.empty(); }
     double driven_work(double dt) const override
     {
-        return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum();
+        return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum() +
+               force_impulse_.dot(mean_velocity());
     }
     void visit_state(StateArchive& archive) override;
 
     double mass() const override { return elastic_.mass(); }
-    Energy energy(const Vec3& gravity) const override { return energy_of(elastic_, gravity); }
+    Energy energy(const Vec3& gravity) const override { return energy_of(elastic_, gravity_on(gravity)); }
     Vec3 linear_momentum() const override { return elastic_.linear_momentum(); }
     Vec3 angular_momentum(const Vec3& about) const override { return elastic_.angular_momentum(about); }
     int inverted_elements() const override { return elastic_.inverted_elements(); }
@@ -88,6 +94,8 @@ private:
 
     double shared_response(int u, int v) const;
 
+    std::vector<TimedVector> forces_;
+    Vec3 force_impulse_ = Vec3::Zero();  ///< of all of them in the step that is predicted [N s]
     ElasticBody elastic_;
     SurfaceEmbedding embedding_;
     ImpulseResponse impulse_response_;

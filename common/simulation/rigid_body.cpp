@@ -10,13 +10,13 @@ class RigidTrial final : public Trial {
 public:
     RigidTrial(const RigidMotion& motion, std::span<const Vec3> vertices)
         : vertices_(vertices), centre_(motion.pose().position), mass_(motion.mass()),
-          inverse_inertia_(motion.inverse_inertia()), velocity_(motion.velocity()),
-          angular_velocity_(motion.angular_velocity())
+          free_(motion.free_directions().translation), inverse_inertia_(motion.inverse_inertia()),
+          velocity_(motion.velocity()), angular_velocity_(motion.angular_velocity())
     {}
 
     void push(int vertex, const Vec3& impulse) override
     {
-        velocity_ += impulse / mass_;
+        velocity_ += impulse.cwiseProduct(free_) / mass_;
         angular_velocity_ += inverse_inertia_ * lever(vertex).cross(impulse);
     }
     Vec3 velocity(int vertex) override { return velocity_ + angular_velocity_.cross(lever(vertex)); }
@@ -27,6 +27,7 @@ private:
     std::span<const Vec3> vertices_;  ///< at the start of the step
     Vec3 centre_;
     double mass_;
+    Vec3 free_;
     Mat3 inverse_inertia_;
     Vec3 velocity_, angular_velocity_;
 };
@@ -47,9 +48,48 @@ RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProper
     measure();
 }
 
+void RigidBody::add_load(const OutsideLoad& load)
+{
+    const Pose& pose = motion_.pose();
+    const Quaternion to_body = pose.orientation.conjugate();
+    OutsideLoad own = load;
+    if (load.point)
+        own.point = pose.to_body(*load.point);
+    if (load.turns_along) {
+        own.force = load.force.turned(to_body);
+        own.torque = load.torque.turned(to_body);
+    }
+    loads_.push_back(own);
+}
+
+//! [apply_loads]
+/// With the lever and the axes of the start of the step, as all impulses have them.
+void RigidBody::apply_loads(double dt)
+{
+    const Quaternion& orientation = motion_.pose().orientation;
+    load_momentum_.setZero();
+    load_turning_.setZero();
+    for (const OutsideLoad& load : loads_) {
+        Vec3 impulse = load.force.integral(time_, time_ + dt),
+             turning = load.torque.integral(time_, time_ + dt);
+        if (load.turns_along) {
+            impulse = orientation * impulse;
+            turning = orientation * turning;
+        }
+        if (load.point)
+            turning += (orientation * *load.point).cross(impulse);
+        load_momentum_ += impulse;
+        load_turning_ += turning;
+    }
+    motion_.apply_momentum(load_momentum_, load_turning_);
+}
+//! [apply_loads]
+
 void RigidBody::predict(const Vec3& gravity, double dt)
 {
-    motion_.predict(gravity, dt);
+    motion_.predict(gravity_on(gravity), dt);
+    if (!loads_.empty())
+        apply_loads(dt);
     free_orientation_t1_ = motion_.predicted_pose(dt).orientation;
     update_prediction(dt);
 }
@@ -87,6 +127,12 @@ ContactMass RigidBody::contact_mass(std::span<const int>) const
     of.mass.bottomRightCorner<3, 3>() = motion_.inverse_inertia().inverse();
     of.response.topLeftCorner<3, 3>().diagonal().setConstant(1 / motion_.mass());
     of.response.bottomRightCorner<3, 3>() = motion_.inverse_inertia();
+    if (motion_.free_directions().hold_a_turn()) {
+        // a held turn has some mass of its own, which nothing moves: contact_motion() leaves it out
+        of.response.diagonal().tail<3>() += (Vec3::Ones() - motion_.free_directions().rotation) /
+                                            motion_.mass();
+        of.mass.bottomRightCorner<3, 3>() = Mat3(of.response.bottomRightCorner<3, 3>()).inverse();
+    }
     return of;
 }
 
@@ -100,6 +146,11 @@ VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t
     motion.rate.resize(3, 6);
     motion.rate.leftCols<3>().setIdentity();
     motion.rate.rightCols<3>() << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;  // omega x r
+    const FreeDirections& free = motion_.free_directions();
+    if (!free.hold_none()) {
+        motion.rate.leftCols<3>() *= free.translation.asDiagonal();
+        motion.rate.rightCols<3>() *= free.rotation.asDiagonal();
+    }
     return motion;
 }
 
@@ -130,7 +181,7 @@ Energy RigidBody::energy(const Vec3& gravity) const
 {
     Energy energy;
     energy.kinetic = motion_.kinetic_energy();
-    energy.gravitational = -mass() * gravity.dot(motion_.pose().position);
+    energy.gravitational = -mass() * gravity_on(gravity).dot(motion_.pose().position);
     return energy;
 }
 

@@ -4,6 +4,7 @@
 #include "common/rigid/mass_properties.hpp"
 #include "common/rigid/rigid_motion.hpp"
 #include "common/simulation/body.hpp"
+#include "common/simulation/outside_load.hpp"
 
 namespace enduring {
 
@@ -18,6 +19,12 @@ public:
     /// @throws InputError       a surface or mass properties that no rigid body can have
     RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties,
               const Vec3& velocity = Vec3::Zero(), const Vec3& angular_velocity = Vec3::Zero());
+
+    /// It acts from now on; any number of them.
+    void add_load(const OutsideLoad& load);
+    /// Takes coordinates out, for good.
+    /// @throws InputError  the body moves along or about what is held
+    void hold(const FreeDirections& free) { motion_.hold(free); }
 
     void predict(const Vec3& gravity, double dt) override;
     void update_prediction(double dt) override;
@@ -34,6 +41,14 @@ public:
 
     std::unique_ptr<Trial> begin_trial() const override;
 
+    bool is_driven() const override
+    {
+        return Body::is_driven() || !loads_.empty() || !motion_.free_directions().hold_none();
+    }
+    double driven_work(double /*dt*/) const override
+    {
+        return load_momentum_.dot(motion_.velocity()) + load_turning_.dot(motion_.angular_velocity());
+    }
     void visit_state(StateArchive& archive) override;
 
     double mass() const override { return motion_.mass(); }
@@ -46,7 +61,12 @@ public:
 private:
     const Vec3& start_of(int vertex) const { return positions_t0_[vertex]; }
 
+    void apply_loads(double dt);
+
     RigidMotion motion_;
+    std::vector<OutsideLoad> loads_;  ///< points, and what turns along, in body coordinates
+    /// What the loads do in the step that is predicted: momentum [N s], and angular momentum about the centre [N m s].
+    Vec3 load_momentum_ = Vec3::Zero(), load_turning_ = Vec3::Zero();
     Quaternion free_orientation_t1_ = Quaternion::Identity();  ///< at the end of the step, before any contact
     std::vector<Vec3> body_points_;                            ///< surface vertices in body coordinates [m]
 };

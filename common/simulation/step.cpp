@@ -54,8 +54,10 @@ void require_finite(const World& world, const std::string& stage)
 
 void predict(World& world, double dt)
 {
-    for (const std::unique_ptr<Body>& body : world.bodies)
+    for (const std::unique_ptr<Body>& body : world.bodies) {
+        body->set_time(world.time);
         body->predict(world.gravity, dt);
+    }
     require_finite(world, "predicted from the body's own motion");
 }
 
@@ -243,8 +245,9 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     }
 
     run_passes(solver.passes(StepStage::finish), world, contacts, dt, done);
-    if (solver.max_halvings > 0)
-        world.attempt.put_in += driven_work(world, contacts, dt);
+    const double driven = driven_work(world, contacts, dt);
+    world.driven += driven;
+    world.attempt.put_in += driven;
     commit(world, dt);
     done("commit");
 }

@@ -21,6 +21,7 @@ struct Plane {
     Vec3 normal = Vec3::UnitY();  ///< unit length, points out
     /// k of one vertex on it [N/m], positive; without it, that of all pairs
     std::optional<double> stiffness{};
+    int material = MaterialFriction::none;  ///< by its place among the scene's
 };
 
 /// Why a step is thrown away.
@@ -53,6 +54,8 @@ struct World {
     StepAttempt attempt;        ///< at the next one, or how the last one ended
     long thrown_away = 0;       ///< attempts that were taken again in halves
     long ended_badly = 0;       ///< steps, or parts of steps, that could not be halved any more
+    double driven = 0;          ///< work of all that drives bodies from outside but gravity, so far [J]
+    MaterialFriction friction;  ///< between the materials of bodies and planes, if they have any
 };
 
 /// Pushes a vertex of a body, from a pass; the step's energy takes the work of the push for what was put in on purpose.

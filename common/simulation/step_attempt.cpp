@@ -3,12 +3,14 @@
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace enduring {
 
-SavedState::SavedState(World& world, const Contacts& contacts) : contacts_(contacts), time_(world.time)
+SavedState::SavedState(World& world, const Contacts& contacts)
+    : contacts_(contacts), time_(world.time), driven_(world.driven)
 {
     bodies_.reserve(world.bodies.size());
     for (const auto& body : world.bodies)
@@ -21,6 +23,7 @@ void SavedState::restore(World& world, Contacts& contacts) const
         restore_state(*world.bodies[i], bodies_[i]);
     contacts = contacts_;
     world.time = time_;
+    world.driven = driven_;
 }
 
 //! [held_energy]
@@ -41,8 +44,10 @@ double driven_work(const World& world, const Contacts& contacts, double dt)
         const auto vertex = static_cast<std::size_t>(push.vertex);
         work += push.impulse.dot(body.positions_t1()[vertex] - body.positions_t0()[vertex]) / dt;
     }
+    const bool any_stands = std::any_of(world.bodies.begin(), world.bodies.end(),
+                                        [](const auto& body) { return body->is_static(); });
     for (const Contact& contact : contacts)
-        for (int i = 0; contact.answered() && i < contact.vertex_count(); ++i) {
+        for (int i = 0; any_stands && contact.answered() && i < contact.vertex_count(); ++i) {
             const Body& body = *world.bodies[body_index(contact, i)];
             const auto n = static_cast<std::size_t>(i);
             const auto vertex = static_cast<std::size_t>(contact.vertices[n]);
@@ -51,6 +56,8 @@ double driven_work(const World& world, const Contacts& contacts, double dt)
                         (contact.impulse + contact.friction)
                             .dot(body.positions_t1()[vertex] - body.positions_t0()[vertex]) /
                         dt;
+            if (contact.stiffness > 0)  // of a solver that reads how surfaces run
+                work -= contact.weights[n] * contact.friction.dot(body.surface_velocity());
         }
     return work;
 }

@@ -28,7 +28,7 @@ public:
 private:
     std::vector<std::vector<double>> bodies_;
     Contacts contacts_;
-    double time_;
+    double time_, driven_;
 };
 
 /// What bodies and springs hold between two steps [J].
@@ -39,8 +39,8 @@ struct HeldEnergy {
 };
 HeldEnergy held_energy(const World& world, const Contacts& contacts);
 
-/// The work that bodies which move as given do through their pairs in this step, and that forces and impulses from outside do;
-/// before the step is committed [J].
+/// The work that bodies which move as given, and surfaces that run, do through their pairs in this step, and that forces and
+/// impulses from outside do; before the step is committed [J].
 double driven_work(const World& world, const Contacts& contacts, double dt);
 
 /// Whether a step of length dt [s] has ended with more energy than it began with, less what was put in on purpose

@@ -5,8 +5,8 @@
 #include "common/scenes/scene.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/turning_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +114,8 @@ inline World world_of(const Ride& ride)
     constexpr double gap = 1e-6;
     World world;
     world.bodies.push_back(
-        std::make_unique<TurningBody>("ground", ground_mesh(ride), Vec3::Zero(), ride.rate() * ride.axis()));
+        std::make_unique<DrivenBody>("ground", ground_mesh(ride), Vec3::Zero(),
+                                     GivenMotion::steady(Vec3::Zero(), ride.rate() * ride.axis())));
     double height = gap;
     if (ride.ground == Ground::soft_slab) {
         height += 0.1 + gap;
@@ -143,11 +144,11 @@ RideRecord take(const Ride& ride, const MakeSolver& make_solver)
     const Solver solver = make_solver(parameters);
     World world = world_of(ride);
     Contacts contacts;
-    const auto& ground = dynamic_cast<const TurningBody&>(*world.bodies.front());
+    const auto& ground = dynamic_cast<const DrivenBody&>(*world.bodies.front());
     const Body& load = *world.bodies.back();
 
     RideRecord record;
-    const auto place = [&](std::size_t vertex) { return ground.turned_back(load.positions_t0()[vertex]); };
+    const auto place = [&](std::size_t vertex) { return ground.brought_back(load.positions_t0()[vertex]); };
     const auto middle = [&] {
         Vec3 sum = Vec3::Zero();
         for (std::size_t v = 0; v < load.positions_t0().size(); ++v)

@@ -167,3 +167,55 @@ TEST_CASE(
               doctest::Approx(plain.law.depth_t0 + dt * plain.law.normal.dot(plain.velocity)).epsilon(1e-9));
     }
 }
+
+TEST_CASE(
+    "step problem: a pair has the coefficients of its two materials, and those of the scene where it has none")
+{
+    for (const bool slips : {false, true}) {
+        CAPTURE(slips);
+        const auto mu_of = [&](int block, int cube) {
+            CrossingEdges edges(1);
+            edges.contacts[0].slip = slips ? 1e6 : 0;
+            edges.contacts[0].load = 1;
+            edges.world.friction = {2, std::vector<FrictionCoefficients>(9)};
+            for (std::size_t i = 0; i < 9; ++i)
+                edges.world.friction.between[i] = {static_cast<double>(i), 0.5 * static_cast<double>(i)};
+            edges.world.bodies[0]->set_material(block);
+            edges.world.bodies[1]->set_material(cube);
+            const StepProblem step = set_up(edges.world, edges.contacts, {}, {0.7, 0.6}, {1, dt}, true);
+            return step.problem.rows.at(0).law.mu;
+        };
+        const double part = slips ? 0.5 : 1;
+        CHECK(mu_of(MaterialFriction::none, MaterialFriction::none) == (slips ? 0.6 : 0.7));
+        CHECK(mu_of(0, MaterialFriction::none) == 1 * part);
+        CHECK(mu_of(MaterialFriction::none, 1) == 6 * part);
+        CHECK(mu_of(0, 1) == 7 * part);
+        CHECK(mu_of(1, 0) == 5 * part);
+        CHECK(mu_of(1, 1) == 8 * part);
+    }
+}
+
+TEST_CASE("step problem: a surface that runs moves a pair against its other body, along the surface alone")
+{
+    for (const bool of_a : {false, true}) {
+        CAPTURE(of_a);
+        CrossingEdges edges(1);
+        edges.world.bodies[of_a ? 1 : 0]->set_surface_velocity(Vec3(2, 5, -1));
+        StepProblem step = set_up(edges.world, edges.contacts, {}, {}, {1, dt}, true);
+        update_kinematics(edges.world, step);
+        const Vec3 expected = (of_a ? 1 : -1) * Vec3(2, 0, -1);  // the cube stands
+        CHECK((step.problem.rows.at(0).velocity - expected).norm() < 1e-12);
+    }
+}
+
+TEST_CASE(
+    "step problem: a pair along whose normal a lock holds the body has no row, and it has one along other normals")
+{
+    for (const Vec3& free : {Vec3(1, 0, 1), Vec3(0, 1, 0)}) {
+        CAPTURE(free.transpose());
+        CrossingEdges edges(1);
+        dynamic_cast<RigidBody&>(*edges.world.bodies[1]).hold({free, Vec3::Zero()});
+        const StepProblem step = set_up(edges.world, edges.contacts, {}, {}, {1, dt}, true);
+        CHECK(step.problem.rows.size() == (free.y() > 0 ? 1 : 0));
+    }
+}

@@ -23,6 +23,7 @@ void soft_piles(const RunOptions& options, Report& report);
 void turntable(const RunOptions& options, Report& report);
 void spinning(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);
+void driven(const RunOptions& options, Report& report);
 void harsh(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08

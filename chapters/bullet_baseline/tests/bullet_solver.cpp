@@ -2,8 +2,8 @@
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/input/input_error.hpp"
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/energy.hpp"
-#include "common/simulation/turning_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -160,9 +160,17 @@ TEST_CASE("bullet: a scene that it cannot take says so, with the body's name")
         InputError);
     Scene table = scene_of(box_scene(0.5, 1, nothing));
     const SurfaceMesh triangle{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ()}, {{0, 1, 2}}};
-    table.world.bodies.push_back(
-        std::make_unique<TurningBody>("table", triangle, Vec3::Zero(), Vec3::UnitY()));
-    CHECK_THROWS_WITH_AS(bullet_solver(table),
-                         "box: Bullet cannot take 'table': it is neither rigid, deformable nor static",
-                         InputError);
+    table.world.bodies.push_back(std::make_unique<DrivenBody>(
+        "table", triangle, Vec3::Zero(), GivenMotion::steady(Vec3::Zero(), Vec3::UnitY())));
+    CHECK_THROWS_WITH_AS(
+        bullet_solver(table),
+        "box: Bullet cannot take 'table': its motion, its forces, its gravity or what is locked "
+        "is the scene's own",
+        InputError);
+    for (const std::string says :
+         {R"("gravity": false)", R"("forces": [{"force": [1, 0, 0]}])", R"("locked": {"rotation": ["x"]})"}) {
+        CAPTURE(says);
+        Scene scene = scene_of(box_scene(0.5, 1, nothing, ", " + says));
+        CHECK_THROWS_AS(bullet_solver(scene), InputError);
+    }
 }

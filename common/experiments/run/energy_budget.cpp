@@ -5,7 +5,9 @@
 #include "common/simulation/natural_units.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -27,6 +29,11 @@ double slack_of(const Scene& scene)
     return sum;
 }
 
+double mean_of(const std::array<double, 10>& numbers)
+{
+    return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+}
+
 const Body& fastest_body(const World& world)
 {
     const auto kinetic = [&](const auto& body) { return body->energy(world.gravity).kinetic; };
@@ -45,15 +52,14 @@ EnergyBudget::EnergyBudget(const Scene& scene, const Contacts& contacts)
     start_ = energy.total() + spring_energy(contacts);
     lowest_ = energy.gravitational;
     last_held_.fill(start_ - lowest_);
+    driven_at_start_ = driven_so_far_ = scene.world.driven;
 }
 
 // The positions of symplectic Euler are half a step ahead of its velocities, so what a swing holds seems to
 // swing itself, by half the root of h: a single step proves nothing.
-double EnergyBudget::held() const
-{
-    return std::accumulate(last_held_.begin(), last_held_.end(), 0.0) /
-           static_cast<double>(last_held_.size());
-}
+double EnergyBudget::held() const { return mean_of(last_held_); }
+
+double EnergyBudget::driven() const { return mean_of(last_driven_); }
 
 //! [exceeded]
 std::optional<std::string> EnergyBudget::exceeded(const World& world, const Contacts& contacts)
@@ -63,10 +69,13 @@ std::optional<std::string> EnergyBudget::exceeded(const World& world, const Cont
         start_ += springs_.accounts().born;  // pressed before anything had moved
     const Energy energy = total_energy(world);
     lowest_ = std::min(lowest_, energy.gravitational);
-    last_held_[static_cast<std::size_t>(world.step) % last_held_.size()] =
-        energy.total() - lowest_ + springs_.held() + friction_spring_energy(contacts, parameters_.friction);
+    const std::size_t now = static_cast<std::size_t>(world.step) % last_held_.size();
+    driven_both_ways_ += std::abs(world.driven - std::exchange(driven_so_far_, world.driven));
+    last_driven_[now] = world.driven - driven_at_start_;
+    last_held_[now] = energy.total() - lowest_ + springs_.held() +
+                      friction_spring_energy(contacts, parameters_.friction);
     watch_springs(world, contacts);
-    if (held() <= (1 + tolerated_gain) * put_in() + slack_)
+    if (held() <= put_in() + tolerated_gain * (put_in() - driven() + driven_both_ways_) + slack_)
         return std::nullopt;
     return explanation(world);
 }
@@ -90,7 +99,8 @@ std::string EnergyBudget::explanation(const World& world) const
                        " s: energy out of nothing: bodies and springs hold " + readable(held(), 3) +
                        " J, where " + readable(put_in(), 3) +
                        " J were put in, at the start and by gravity since" +
-                       (lifted() > 0 ? " and by letting bodies out" : "") + "; '" + fastest.name() +
+                       (lifted() > 0 ? " and by letting bodies out" : "") +
+                       (driven_both_ways_ > 0 ? " and by what drives them" : "") + "; '" + fastest.name() +
                        "' moves with " + readable(fastest.energy(world.gravity).kinetic, 3) + " J. ";
     if (finds_stiffness_)
         return text +

@@ -3,8 +3,8 @@
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/turning_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -76,7 +76,8 @@ TEST_CASE("step attempt: what is brought back is the state of before, to the las
 {
     World world = two_boxes();
     const SurfaceMesh table = box(Vec3(4, 0.1, 4));
-    world.bodies.push_back(std::make_unique<TurningBody>("table", table, Vec3::Zero(), Vec3(0, 2, 0)));
+    world.bodies.push_back(std::make_unique<DrivenBody>("table", table, Vec3::Zero(),
+                                                        GivenMotion::steady(Vec3::Zero(), Vec3(0, 2, 0))));
     DeformableSettings soft;
     soft.material = {1e5, 0.3, 1000};
     soft.impulse_response = ImpulseResponse::implicit;
@@ -116,7 +117,8 @@ TEST_CASE("step attempt: a body that moves as given books its work, and what rub
 {
     World world = two_boxes();
     const SurfaceMesh table = box(Vec3(4, 0.1, 4));
-    world.bodies.push_back(std::make_unique<TurningBody>("table", table, Vec3::Zero(), Vec3(0, 2, 0)));
+    world.bodies.push_back(std::make_unique<DrivenBody>("table", table, Vec3::Zero(),
+                                                        GivenMotion::steady(Vec3::Zero(), Vec3(0, 2, 0))));
     for (const auto& body : world.bodies)
         body->predict(Vec3::Zero(), 0.01);
     Contact contact{ContactKind::vertex_face, 0, 2, 0, 0, {0, 0, 1, 2}, {1, -0.25, -0.25, -0.5}};

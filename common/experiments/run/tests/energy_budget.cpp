@@ -231,3 +231,30 @@ TEST_CASE("energy budget: the work of slack that fades is put in, and a body tha
     CHECK(budget.lifted() == doctest::Approx(3 * 10 * 0.5).epsilon(0.05));
     CHECK(budget.put_in() == doctest::Approx(budget.lifted()).epsilon(0.05));
 }
+
+TEST_CASE("energy budget: what drives a body from outside was put in, and what brakes it was taken")
+{
+    for (const bool booked : {true, false}) {
+        CAPTURE(booked);
+        Scene scene;
+        scene.dt = 0.01;
+        scene.duration = 3;
+        scene.world.gravity.setZero();
+        scene.world.bodies.push_back(triangle("points", 1, {2, 0, 0}));
+        Solver solver;
+        solver.append(StepStage::refresh, "drive", [booked](World& world, Contacts&, double dt) {
+            // on for a second, against it for another; then without a force
+            const double force = world.step < 100 ? 30 : world.step < 200 ? -30 : 0;
+            for (int vertex = 0; vertex < 3; ++vertex)
+                if (booked)
+                    push_from_outside(world, 0, vertex, Vec3(force * dt / 3, 0, 0));
+                else
+                    world.bodies[0]->apply_impulse(vertex, Vec3(force * dt / 3, 0, 0));
+            world.bodies[0]->update_prediction(dt);
+        });
+        const RunResult result = run(scene, solver, {}, failure_on_purpose());
+        CHECK(result.energy_gain.has_value() == !booked);
+        CHECK(std::abs(scene.world.driven) < (booked ? 5 : 1e-12));  // 216 J there and back
+        CHECK(scene.world.bodies[0]->mean_velocity().x() == doctest::Approx(2));
+    }
+}

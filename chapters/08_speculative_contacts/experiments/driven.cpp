@@ -1,0 +1,67 @@
+#include "chapters/08_speculative_contacts/experiments/driven_scenes.hpp"
+#include "chapters/08_speculative_contacts/experiments/experiments.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace enduring::chapter08 {
+namespace {
+
+/// The largest slope on which the block of materials stays, in steps of a hundredth [degrees].
+double holding_angle(double dt)
+{
+    double holds = 20, slides = 35;
+    while (slides - holds > 0.01) {
+        const double middle = 0.5 * (holds + slides);
+        (materials_hold(middle, dt) ? holds : slides) = middle;
+    }
+    return holds;
+}
+
+struct Case {
+    std::string name, fact, what;
+    std::function<AgainstFormula(double dt)> run;
+};
+
+std::vector<Case> all_cases()
+{
+    return {
+        {"piston, its table", "piston", "height [m]", piston},
+        {"turntable, its table", "turntable", "speed where it slides [rad/s]", turntable_slip},
+        {"conveyor", "conveyor_slid", "slid [m]", [](double dt) { return conveyor(dt).slid; }},
+        {"conveyor", "conveyor_heat", "heat [J]", [](double dt) { return conveyor(dt).heat; }},
+        {"puck, a force", "puck", "distance [m]", pushed_puck},
+        {"wheel, locked, a torque", "wheel", "speed [rad/s]", torque_on_wheel},
+        {"slider, locked, hit", "slider", "momentum [N s]", hit_slider},
+        {"two materials", "materials_slide", "acceleration [m/s^2]",
+         [](double dt) { return slide_of_materials(30, dt); }},
+        {"two materials", "materials_hold", "angle where it holds [degrees]",
+         [](double dt) {
+             return AgainstFormula{holding_angle(dt), std::atan(0.5) * 180 / std::numbers::pi};
+         }},
+    };
+}
+
+}  // namespace
+
+/// What a scene can say of a body beside its start, each against a formula: given motion, running surfaces, forces, locked
+/// directions, materials.
+void driven(const RunOptions& options, Report& report)
+{
+    Table table({"scene", "quantity", "dt_s", "measured", "formula", "error_percent"});
+    for (const Case& one : all_cases()) {
+        double worst = 0;
+        for (const double dt : options.quick ? std::vector{0.01} : std::vector{0.01, 0.005, 0.0025}) {
+            const AgainstFormula result = one.run(dt);
+            table.add({one.name, one.what, dt, result.measured, result.formula, 100 * result.error()});
+            worst = std::max(worst, std::abs(100 * result.error()));
+        }
+        report.fact("driven", one.fact + "_percent", worst, 2);
+    }
+    report.table("driven", table);
+    report.page_table("driven", table, 4);
+}
+
+}  // namespace enduring::chapter08

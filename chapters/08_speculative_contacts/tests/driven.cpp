@@ -1,0 +1,103 @@
+#include "chapters/08_speculative_contacts/experiments/driven_scenes.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/08_speculative_contacts/tests/resumed.hpp"
+#include "common/experiments/run/run.hpp"
+#include "common/scenes/scene_reader.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace enduring;
+using namespace enduring::chapter08;
+
+TEST_CASE("given motion: a cube rides on a piston as its table says")
+{
+    for (const double dt : {0.01, 0.004})
+        CHECK(std::abs(piston(dt).error()) < 1e-3);
+}
+
+TEST_CASE("given motion: a block slides off a turntable at the speed that friction allows")
+{
+    CHECK(std::abs(turntable_slip(0.01).error()) < 0.01);
+}
+
+TEST_CASE("running surface: a block on a belt slides until it is as fast, and the drive pays for the heat")
+{
+    for (const double dt : {0.01, 0.003}) {
+        const Conveyed conveyed = conveyor(dt);
+        CHECK(std::abs(conveyed.slid.error()) < 3 * dt);
+        CHECK(std::abs(conveyed.heat.error()) < 1e-9);
+    }
+}
+
+TEST_CASE("outside load: a force pushes a puck by (F/m - mu g) t^2 / 2")
+{
+    for (const double dt : {0.01, 0.004})
+        CHECK(std::abs(pushed_puck(dt).error()) < 1.5 * dt);  // symplectic Euler is half a step ahead
+}
+
+TEST_CASE(
+    "held directions: a torque and a force on the rim turn a wheel by T t / I, and a slider keeps its momentum when hit")
+{
+    for (const double dt : {0.01, 0.004}) {
+        CHECK(std::abs(torque_on_wheel(dt).error()) < 1e-9);
+        CHECK(std::abs(hit_slider(dt).error()) < 1e-5);
+    }
+}
+
+namespace {
+
+/// A slider that its lock carries just on the ground, and a cube on it.
+Scene slider_on_ground()
+{
+    return read_scene(R"({"name": "s", "dt": 0.01, "duration": 0.5, "planes": [{"name": "ground"}],
+        "contact": {"friction": {"model": "mass_splitting"}}, "bodies": [
+        {"name": "slider", "type": "rigid", "shape": {"box": {"size": [1, 1, 1]}}, "mass": 10, "position": [0, 0.5, 0],
+         "velocity": [3, 0, 0], "locked": {"translation": ["y"], "rotation": ["x", "y", "z"]}},
+        {"name": "top", "type": "rigid", "shape": {"box": {"size": [0.5, 0.5, 0.5]}}, "mass": 1, "position": [0, 1.25, 0],
+         "velocity": [3, 0, 0]}]})",
+                      "", "s.json", {});
+}
+
+/// A cube that comes to rest on a piston, under a force that ends.
+Scene resting_on_piston()
+{
+    return read_scene(
+        R"({"name": "s", "dt": 0.01, "duration": 0.5, "contact": {"friction": {"model": "mass_splitting"}},
+        "bodies": [
+        {"name": "piston", "type": "static", "shape": {"box": {"size": [1, 0.2, 1]}}, "motion": {"table": [
+         {"time": -0.2}, {"time": 0.3, "displacement": [0.1, 0.1, 0], "turn": {"axis": [0, 1, 0], "angle_deg": 40}}, {"time": 0.9}]}},
+        {"name": "cube", "type": "rigid", "shape": {"box": {"size": [0.3, 0.3, 0.3]}}, "mass": 2, "position": [0, 0.4, 0],
+         "forces": [{"table": [{"time": 0, "force": [3, 0, 0]}, {"time": 0.4, "torque": [0, 1, 0]}], "axes": "body"}]}]})",
+        "", "s.json", {});
+}
+
+Solver solver_for(const ContactParameters& parameters) { return chapter08_solver(parameters); }
+
+}  // namespace
+
+TEST_CASE("held directions: what the ground does not carry slides along it, and carries what lies on it")
+{
+    Scene scene = slider_on_ground();
+    run(scene, solver_for(scene.contact));
+    for (const auto& body : scene.world.bodies)
+        CHECK((body->mean_velocity() - Vec3(3, 0, 0)).norm() < 1e-6);
+    CHECK(scene.world.bodies[1]->centre().y() == doctest::Approx(1.25).epsilon(1e-5));
+}
+
+TEST_CASE("given motion and outside load: a run that is resumed goes on with the same numbers")
+{
+    CHECK(apart_when_resumed(resting_on_piston, solver_for, 30, 70) == 0);
+}
+
+TEST_CASE("materials: a block holds and slides by the coefficients of its pair of materials")
+{
+    const double angle = std::atan(0.5) * 180 / std::numbers::pi;
+    for (const double dt : {0.01, 0.004}) {
+        CHECK(materials_hold(angle - 0.3, dt));
+        CHECK_FALSE(materials_hold(angle + 0.3, dt));
+        CHECK(std::abs(slide_of_materials(30, dt).error()) < 0.01);
+    }
+}

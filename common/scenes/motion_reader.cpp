@@ -1,0 +1,151 @@
+#include "common/scenes/motion_reader.hpp"
+
+#include <array>
+#include <string>
+
+namespace enduring {
+namespace {
+
+constexpr std::size_t max_rows = 100'000, max_loads = 100;
+constexpr double least_gap = 1e-6;  ///< between rows [s]: the shortest step
+const NumberRange time_range{-3600, 3600, true, true, "s"}, place_range{-1e4, 1e4, true, true, "m"};
+
+/// The time of a row, which is a microsecond or more later than that of the row before.
+template <class Row>
+double read_time(const JsonValue& row, const std::vector<Row>& before)
+{
+    const double time = row.at("time").number(time_range);
+    if (!before.empty() && !(time >= before.back().time + least_gap))
+        row.at("time").complain("is not a microsecond or more later than that of the row before");
+    return time;
+}
+
+/// Axis times angle; zero if left out.
+Vec3 read_turn(const JsonValue& row)
+{
+    const std::optional<JsonValue> turn = row.find("turn");
+    if (!turn)
+        return Vec3::Zero();
+    turn->require_keys({"axis", "angle_deg"});
+    return turn->at("angle_deg").angle({-1e6, 1e6}) * turn->at("axis").direction();
+}
+
+GivenMotion read_motion_table(const JsonValue& table)
+{
+    std::vector<GivenMotion::Row> rows;
+    for (const JsonValue& row : table.items(2, max_rows)) {
+        row.require_keys({"time", "displacement", "turn"});
+        const double time = read_time(row, rows);
+        rows.push_back({time, row.vector_or("displacement", place_range, Vec3::Zero()), read_turn(row)});
+    }
+    return GivenMotion::through(std::move(rows));
+}
+
+void refuse_beside_table(const JsonValue& value, std::initializer_list<const char*> keys)
+{
+    for (const char* key : keys)
+        if (const std::optional<JsonValue> found = value.find(key))
+            found->complain("stands beside \"table\"; one of the two is enough");
+}
+
+const NumberRange force_range{-1e9, 1e9, true, true, "N"}, torque_range{-1e9, 1e9, true, true, "N m"};
+
+/// What stands here, or in the rows of the table, under one key.
+TimedVector read_timed(const JsonValue& value, const std::string& key, const NumberRange& range)
+{
+    const std::optional<JsonValue> table = value.find("table");
+    if (!table)
+        return TimedVector(value.vector_or(key, range, Vec3::Zero()));
+    std::vector<TimedVector::Row> rows;
+    for (const JsonValue& row : table->items(2, max_rows)) {
+        const double time = read_time(row, rows);
+        rows.push_back({time, row.vector_or(key, range, Vec3::Zero())});
+    }
+    return TimedVector(std::move(rows));
+}
+
+OutsideLoad read_load(const JsonValue& value, const Placement& placement)
+{
+    value.require_keys({"force", "torque", "table", "point", "axes"});
+    if (const std::optional<JsonValue> table = value.find("table")) {
+        refuse_beside_table(value, {"force", "torque"});
+        for (const JsonValue& row : table->items(2, max_rows))
+            row.require_keys({"time", "force", "torque"});
+    }
+    OutsideLoad load;
+    load.force = read_timed(value, "force", force_range);
+    load.torque = read_timed(value, "torque", torque_range);
+    if (const std::optional<JsonValue> point = value.find("point"))
+        load.point = placement.place(point->vector(place_range));
+    if (const std::optional<JsonValue> axes = value.find("axes"))
+        load.turns_along = axes->choice({"world", "body"}) == 1;
+    if (load.turns_along) {
+        load.force = load.force.turned(placement.rotation);
+        load.torque = load.torque.turned(placement.rotation);
+    }
+    return load;
+}
+
+/// Zero for each axis that is named.
+Vec3 read_free_axes(const JsonValue& locked, const std::string& key)
+{
+    Vec3 free = Vec3::Ones();
+    if (const std::optional<JsonValue> axes = locked.find(key))
+        for (const JsonValue& axis : axes->items(0, 3))
+            free[static_cast<Eigen::Index>(axis.choice({"x", "y", "z"}))] = 0;
+    return free;
+}
+
+}  // namespace
+
+ReadMotion read_given_motion(const JsonValue& value, const Placement& placement)
+{
+    value.require_keys({"velocity", "angular_velocity", "table", "centre"});
+    const Vec3 centre = value.vector_or("centre", place_range, placement.position);
+    if (const std::optional<JsonValue> table = value.find("table")) {
+        refuse_beside_table(value, {"velocity", "angular_velocity"});
+        return {read_motion_table(*table), centre};
+    }
+    const InitialMotion steady = read_motion(value);
+    return {GivenMotion::steady(steady.velocity, steady.angular_velocity), centre};
+}
+
+std::vector<OutsideLoad> read_loads(const JsonValue& body, const Placement& placement)
+{
+    std::vector<OutsideLoad> loads;
+    if (const std::optional<JsonValue> list = body.find("forces"))
+        for (const JsonValue& entry : list->items(0, max_loads))
+            loads.push_back(read_load(entry, placement));
+    return loads;
+}
+
+std::vector<TimedVector> read_spread_forces(const JsonValue& body)
+{
+    std::vector<TimedVector> forces;
+    const std::optional<JsonValue> list = body.find("forces");
+    if (!list)
+        return forces;
+    for (const JsonValue& entry : list->items(0, max_loads)) {
+        entry.require_keys({"force", "table"});
+        if (const std::optional<JsonValue> table = entry.find("table")) {
+            refuse_beside_table(entry, {"force"});
+            for (const JsonValue& row : table->items(2, max_rows))
+                row.require_keys({"time", "force"});
+        }
+        forces.push_back(read_timed(entry, "force", force_range));
+    }
+    return forces;
+}
+
+FreeDirections read_free_directions(const JsonValue& body)
+{
+    FreeDirections free;
+    if (const std::optional<JsonValue> locked = body.find("locked")) {
+        locked->require_keys({"translation", "rotation"});
+        free.translation = read_free_axes(*locked, "translation");
+        free.rotation = read_free_axes(*locked, "rotation");
+    }
+    return free;
+}
+
+}  // namespace enduring

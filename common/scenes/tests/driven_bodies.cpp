@@ -1,0 +1,203 @@
+#include "common/input/input_error.hpp"
+#include "common/scenes/scene_reader.hpp"
+#include "common/simulation/deformable_body.hpp"
+#include "common/simulation/rigid_body.hpp"
+#include "common/simulation/step.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+using namespace enduring;
+
+namespace {
+
+const std::string text = R"({
+  "name": "driven", "gravity": [0, -10, 0], "dt": 0.01, "duration": 1,
+  "planes": [{"name": "ground", "point": [0, -90, 0]}],
+  "bodies": [
+    {"name": "table", "type": "static", "shape": {"box": {"size": [2, 1, 2]}}, "position": [0, 20, 0]},
+    {"name": "brick", "type": "rigid", "shape": {"box": {"size": [0.5, 0.3, 0.2]}}, "mass": 2,
+     "position": [1, 2, 3], "rotation": {"axis": [0, 0, 1], "angle_deg": 90}},
+    {"name": "jelly", "type": "deformable", "shape": {"bar": {"size": [1, 1, 1]}}, "mass": 3, "young": 1e5,
+     "poisson": 0.3, "position": [0, -20, 0]}
+  ]
+})";
+
+Scene driven(const std::string& patch = "") { return read_scene(text, patch, "driven.json", {}); }
+
+std::string complaint(const std::string& patch)
+{
+    try {
+        driven(patch);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no complaint";
+}
+
+void step(Scene& scene, int steps)
+{
+    Contacts contacts;
+    for (int i = 0; i < steps; ++i)
+        advance(scene.world, contacts, {}, scene.dt);
+}
+
+const RigidMotion& brick_of(const Scene& scene)
+{
+    return dynamic_cast<const RigidBody&>(*scene.world.bodies[1]).motion();
+}
+
+}  // namespace
+
+TEST_CASE("scene: a body with constant given motion moves and turns about its centre")
+{
+    Scene scene = driven(
+        R"({"/bodies/table/motion": {"velocity": [1, 0, 0], "angular_velocity": [0, 2, 0], "centre": [1, 20, 1]}})");
+    const Vec3 placed(-1, 19.5, -1), centre(1, 20, 1);
+    CHECK(scene.world.bodies[0]->positions_t0()[0] == placed);
+    step(scene, 30);
+    const Vec3 expected = centre + Vec3(0.3, 0, 0) +
+                          Eigen::AngleAxisd(0.6, Vec3::UnitY()) * (placed - centre);
+    CHECK((scene.world.bodies[0]->positions_t0()[0] - expected).norm() < 1e-12);
+    CHECK(scene.world.bodies[0]->is_static());
+}
+
+TEST_CASE(
+    "scene: a table of given motion is followed from before time 0, about the shape's origin if no centre is given")
+{
+    Scene scene = driven(R"({"/bodies/table/motion": {"table": [
+        {"time": -1, "displacement": [0, -1, 0]},
+        {"time": 0, "displacement": [0, 1, 0], "turn": {"axis": [0, 3, 0], "angle_deg": 90}},
+        {"time": 0.1, "turn": {"axis": [0, 1, 0], "angle_deg": 720}}]}})");
+    const Vec3 corner(-1, -0.5, -1), quarter(-1, -0.5, 1);
+    CHECK((scene.world.bodies[0]->positions_t0()[0] - Vec3(0, 21, 0) - quarter).norm() < 1e-12);
+    step(scene, 10);
+    CHECK((scene.world.bodies[0]->positions_t0()[0] - Vec3(0, 20, 0) - corner).norm() < 1e-12);
+}
+
+TEST_CASE(
+    "scene: forces act in the world's or the shape's axes, at a point of the shape, and over a table of times")
+{
+    // the shape's x is the world's y
+    Scene scene = driven(R"({"gravity": [0, 0, 0], "/bodies/brick/forces": [
+        {"force": [4, 0, 0], "axes": "body"},
+        {"force": [0, 0, 6], "point": [0.25, 0, 0]},
+        {"table": [{"time": 0, "force": [2, 0, 0]}, {"time": 0.005, "torque": [0, 0, 1]}]}]})");
+    step(scene, 1);
+    CHECK((brick_of(scene).velocity() - Vec3(0.5 * 2 * 0.005, 4 * 0.01, 6 * 0.01) / 2).norm() < 1e-14);
+    // in the world the point is at (0, 0.25, 0) from the centre
+    const Vec3 momentum = brick_of(scene).angular_momentum(brick_of(scene).centre());
+    CHECK((momentum - Vec3(0.25 * 6 * 0.01, 0, 0.5 * 1 * 0.005)).norm() < 1e-14);
+}
+
+TEST_CASE("scene: a force on a soft body is spread over it")
+{
+    Scene scene = driven(
+        R"({"/bodies/jelly/forces": [{"force": [0, 36, 0]}, {"table": [{"time": 0, "force": [3, 0, 0]}, {"time": 1, "force": [3, 0, 0]}]}]})");
+    step(scene, 5);
+    CHECK((scene.world.bodies[2]->mean_velocity() - 0.05 * Vec3(1, 2, 0)).norm() < 1e-9);
+    const auto& soft = dynamic_cast<const DeformableBody&>(*scene.world.bodies[2]);
+    CHECK(soft.energy(Vec3::Zero()).elastic < 1e-12);
+}
+
+TEST_CASE("scene: gravity is switched off for one body alone")
+{
+    Scene scene = driven(R"({"/bodies/brick/gravity": false})");
+    step(scene, 3);
+    CHECK(brick_of(scene).velocity().isZero(0));
+    CHECK(scene.world.bodies[2]->mean_velocity().y() == doctest::Approx(-0.3));
+}
+
+TEST_CASE("scene: locked directions are world axes, by their letters")
+{
+    Scene scene = driven(R"({"/bodies/brick": {"angular_velocity": [0, 3, 0],
+        "locked": {"translation": ["y"], "rotation": ["x", "z"]}, "forces": [{"force": [2, 0, 0], "torque": [5, 0, 5]}]}})");
+    step(scene, 10);
+    CHECK((brick_of(scene).velocity() - Vec3(0.1, 0, 0)).norm() < 1e-14);
+    CHECK((brick_of(scene).angular_velocity() - Vec3(0, 3, 0)).norm() < 1e-12);
+    CHECK(complaint(R"({"/bodies/brick": {"velocity": [1, 0, 0], "locked": {"translation": ["x"]}}})") ==
+          "driven.json: /bodies/1: rigid body: it moves along or about an axis that is held");
+}
+
+TEST_CASE("scene: materials give density and friction, a pair by its own entry or by the geometric mean")
+{
+    const Scene scene =
+        driven(R"({"contact": {"friction": {"model": "mass_splitting", "mu_s": 0.25, "mu_d": 0.16}},
+        "materials": [{"name": "ice", "density": 900, "mu_s": 0.04, "mu_d": 0.01}, {"name": "rubber", "mu_s": 1}],
+        "material_pairs": [{"between": ["rubber", "ice"], "mu_s": 0.3}],
+        "/bodies/brick": {"mass": null, "material": "ice"}, "/bodies/jelly/material": "rubber",
+        "/planes/ground/material": "rubber"})");
+    CHECK(scene.world.bodies[1]->mass() == doctest::Approx(900 * 0.03));
+    CHECK(scene.world.bodies[0]->material() == MaterialFriction::none);
+    CHECK(scene.world.bodies[1]->material() == 0);
+    CHECK(scene.world.bodies[2]->material() == 1);
+    CHECK(scene.world.planes[0].material == 1);
+    const auto check = [&](int one, int other, double mu_s, double mu_d) {
+        CAPTURE(one);
+        CAPTURE(other);
+        for (const FrictionCoefficients& mu :
+             {scene.world.friction.of(one, other), scene.world.friction.of(other, one)}) {
+            CHECK(mu.mu_s == doctest::Approx(mu_s));
+            CHECK(mu.mu_d == doctest::Approx(mu_d));
+        }
+    };
+    check(0, 0, 0.04, 0.01);
+    check(1, 1, 1, 0.16);    // mu_d of the scene
+    check(0, 1, 0.3, 0.04);  // the pair's own, and the mean
+    check(-1, 0, 0.1, 0.04);
+    check(-1, 1, 0.5, 0.16);
+    check(-1, -1, 0.25, 0.16);
+}
+
+TEST_CASE("scene: mistakes in what drives a body are named with their place")
+{
+    CHECK(
+        complaint(R"({"/bodies/table/motion": {"velocity": [0, 20000, 0]}})") ==
+        "driven.json: /bodies/0/motion/velocity/1: expected a number from -10000 to 10000 [m/s], found 20000");
+    CHECK(
+        complaint(R"({"/bodies/table/motion": {"table": [{"time": 0}, {"time": 0}]}})") ==
+        "driven.json: /bodies/0/motion/table/1/time: is not a microsecond or more later than that of the row before");
+    CHECK(complaint(R"({"/bodies/table/motion": {"table": [{"time": 0}]}})")
+              .find("driven.json: /bodies/0/motion/table: expected a list of 2 to 100000 entries") == 0);
+    CHECK(complaint(
+              R"({"/bodies/table/motion": {"velocity": [0, 0, 0], "table": [{"time": 0}, {"time": 1}]}})") ==
+          "driven.json: /bodies/0/motion/velocity: stands beside \"table\"; one of the two is enough");
+    CHECK(complaint(R"({"/bodies/table": {"motion": {}, "surface_velocity": [1, 0, 0]}})") ==
+          "driven.json: /bodies/0/surface_velocity: stands beside \"motion\"; a body has one of the two");
+    CHECK(complaint(R"({"/bodies/brick/motion": {}})").find("driven.json: /bodies/1/motion: unknown key") ==
+          0);
+    CHECK(complaint(R"({"/bodies/table/forces": []})").find("driven.json: /bodies/0/forces: unknown key") ==
+          0);
+    CHECK(complaint(R"({"/bodies/jelly/forces": [{"torque": [1, 0, 0]}]})")
+              .find("driven.json: /bodies/2/forces/0/torque: unknown key") == 0);
+    CHECK(
+        complaint(R"({"/bodies/brick/forces": [{"force": [1e10, 0, 0]}]})") ==
+        "driven.json: /bodies/1/forces/0/force/0: expected a number from -1e+09 to 1e+09 [N], found 10000000000.0");
+    CHECK(complaint(R"({"/bodies/brick/forces": [{"axes": "mine"}]})") ==
+          "driven.json: /bodies/1/forces/0/axes: expected one of \"world\", \"body\", found \"mine\"");
+    CHECK(complaint(
+              R"({"/bodies/brick/forces": [{"force": [1, 0, 0], "table": [{"time": 0}, {"time": 1}]}]})") ==
+          "driven.json: /bodies/1/forces/0/force: stands beside \"table\"; one of the two is enough");
+    CHECK(complaint(R"({"/bodies/brick/locked": {"rotation": ["w"]}})") ==
+          "driven.json: /bodies/1/locked/rotation/0: expected one of \"x\", \"y\", \"z\", found \"w\"");
+    CHECK(complaint(R"({"/bodies/brick/gravity": 0})") ==
+          "driven.json: /bodies/1/gravity: expected true or false, found 0");
+    CHECK(complaint(R"({"/bodies/brick/material": "ice"})") ==
+          "driven.json: /bodies/1/material: there is no material \"ice\" in \"materials\"");
+    CHECK(complaint(R"({"materials": [{"name": "ice"}, {"name": "ice"}]})") ==
+          "driven.json: /materials/1/name: another material is already called \"ice\"");
+    CHECK(complaint(R"({"materials": [{"name": "ice", "mu_s": 0.1, "mu_d": 0.2}]})")
+              .find("driven.json: /materials/0: \"mu_d\" is above \"mu_s\"") == 0);
+    CHECK(
+        complaint(
+            R"({"materials": [{"name": "a"}], "material_pairs": [{"between": ["a", "a"]}, {"between": ["a", "a"]}]})") ==
+        "driven.json: /material_pairs/1/between: another entry has the same two materials");
+}
+
+TEST_CASE("scene: surface velocity arrives")
+{
+    const Scene scene = driven(R"({"/bodies/table/surface_velocity": [1, 0, -2]})");
+    CHECK(scene.world.bodies[0]->surface_velocity() == Vec3(1, 0, -2));
+}

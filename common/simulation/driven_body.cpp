@@ -1,0 +1,66 @@
+#include "common/simulation/driven_body.hpp"
+
+#include <utility>
+
+namespace enduring {
+namespace {
+
+Quaternion turned_by(const Vec3& turn)
+{
+    return Quaternion(Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()));
+}
+
+}  // namespace
+
+DrivenBody::DrivenBody(std::string name, const SurfaceMesh& mesh, const Vec3& centre, GivenMotion motion,
+                       double time)
+    : Body(std::move(name), SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces)),
+      centre_(centre), motion_(std::move(motion)), placed_(mesh.vertices)
+{
+    set_time(time);
+    positions_t0_ = mesh.vertices;
+    measure();
+    place(time, positions_t0_);
+    positions_t1_ = positions_t0_;
+}
+
+//! [place]
+/// By the time alone, so rounding does not add up, and parts of a step lead to the same place as the whole one.
+void DrivenBody::place(double time, std::vector<Vec3>& positions) const
+{
+    const GivenPlace now = motion_.at(time);
+    const Quaternion turned = turned_by(now.turn);
+    const Vec3 centre = centre_ + now.displacement;
+    for (std::size_t i = 0; i < placed_.size(); ++i)
+        positions[i] = centre + turned * (placed_[i] - centre_);
+}
+//! [place]
+
+void DrivenBody::predict(const Vec3&, double dt) { place(time_ + dt, positions_t1_); }
+
+void DrivenBody::commit(double dt)
+{
+    set_time(time_ + dt);
+    positions_t0_ = positions_t1_;
+}
+
+void DrivenBody::visit_state(StateArchive& archive)
+{
+    Body::visit_state(archive);
+    archive(time_);
+}
+
+Vec3 DrivenBody::velocity(int vertex) const
+{
+    const GivenPlace now = motion_.at(time_);
+    const Vec3 from_centre = positions_t0_[static_cast<std::size_t>(vertex)] - (centre_ + now.displacement);
+    return now.velocity + now.angular_velocity.cross(from_centre);
+}
+
+Vec3 DrivenBody::brought_back(const Vec3& point) const
+{
+    const GivenPlace now = motion_.at(time_);
+    return centre_ + turned_by(now.turn).conjugate() * (point - (centre_ + now.displacement));
+}
+
+}  // namespace enduring

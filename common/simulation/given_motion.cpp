@@ -1,0 +1,98 @@
+#include "common/simulation/given_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace enduring {
+namespace {
+
+//! [slopes]
+/// Of the parabola through three values, at the middle one.
+Vec3 slope_between(const Vec3& first, const Vec3& middle, const Vec3& last, double before, double after)
+{
+    return (after * (middle - first) / before + before * (last - middle) / after) / (before + after);
+}
+
+std::vector<GivenMotion::Row> slopes_of(const std::vector<GivenMotion::Row>& rows)
+{
+    std::vector<GivenMotion::Row> slopes(rows.size(), {0, Vec3::Zero(), Vec3::Zero()});
+    for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
+        const double before = rows[i].time - rows[i - 1].time, after = rows[i + 1].time - rows[i].time;
+        slopes[i].displacement = slope_between(rows[i - 1].displacement, rows[i].displacement,
+                                               rows[i + 1].displacement, before, after);
+        slopes[i].turn = slope_between(rows[i - 1].turn, rows[i].turn, rows[i + 1].turn, before, after);
+    }
+    return slopes;
+}
+//! [slopes]
+
+struct ValueAndSlope {
+    Vec3 value, slope;
+};
+
+//! [hermite]
+/// The cubic with these values and slopes at the ends of an interval, at s in [0, 1] of its length.
+ValueAndSlope hermite(const Vec3& from, const Vec3& slope_from, const Vec3& to, const Vec3& slope_to,
+                      double length, double s)
+{
+    const Vec3 way = to - from;
+    const double t = 1 - s;
+    return {from + s * s * (3 - 2 * s) * way + length * s * t * (t * slope_from - s * slope_to),
+            6 * s * t / length * way + t * (1 - 3 * s) * slope_from + s * (3 * s - 2) * slope_to};
+}
+//! [hermite]
+
+/// Angular velocity of a body whose turn is the vector v, which changes at this rate.
+Vec3 angular_velocity_of(const Vec3& v, const Vec3& rate)
+{
+    const double angle = v.norm();
+    if (angle < 1e-4)
+        return rate + 0.5 * v.cross(rate);
+    const Vec3 axis = v / angle;
+    return rate + (1 - std::cos(angle)) / angle * axis.cross(rate) +
+           (1 - std::sin(angle) / angle) * axis.cross(axis.cross(rate));
+}
+
+}  // namespace
+
+GivenMotion GivenMotion::steady(const Vec3& velocity, const Vec3& angular_velocity)
+{
+    GivenMotion motion;
+    motion.velocity_ = velocity;
+    motion.angular_velocity_ = angular_velocity;
+    return motion;
+}
+
+GivenMotion GivenMotion::through(std::vector<Row> rows)
+{
+    const auto not_later = [](const Row& one, const Row& next) { return !(one.time < next.time); };
+    if (rows.size() < 2 || std::adjacent_find(rows.begin(), rows.end(), not_later) != rows.end())
+        throw std::invalid_argument("given motion: two rows or more are needed, and their times ascend");
+    GivenMotion motion;
+    motion.slopes_ = slopes_of(rows);
+    motion.rows_ = std::move(rows);
+    return motion;
+}
+
+GivenPlace GivenMotion::at(double time) const
+{
+    if (rows_.empty())
+        return {time * velocity_, time * angular_velocity_, velocity_, angular_velocity_};
+    const auto next = std::upper_bound(rows_.begin(), rows_.end(), time,
+                                       [](double t, const Row& row) { return t < row.time; });
+    if (next == rows_.begin() || next == rows_.end()) {
+        const Row& end = next == rows_.begin() ? rows_.front() : rows_.back();
+        return {end.displacement, end.turn, Vec3::Zero(), Vec3::Zero()};
+    }
+    const auto i = static_cast<std::size_t>(next - rows_.begin());
+    const Row &from = rows_[i - 1], &to = rows_[i], &slope_from = slopes_[i - 1], &slope_to = slopes_[i];
+    const double length = to.time - from.time, s = (time - from.time) / length;
+    const ValueAndSlope place = hermite(from.displacement, slope_from.displacement, to.displacement,
+                                        slope_to.displacement, length, s),
+                        turn = hermite(from.turn, slope_from.turn, to.turn, slope_to.turn, length, s);
+    return {place.value, turn.value, place.slope, angular_velocity_of(turn.value, turn.slope)};
+}
+
+}  // namespace enduring
