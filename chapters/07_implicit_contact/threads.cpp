@@ -20,15 +20,17 @@
 namespace enduring {
 namespace {
 
+constexpr int most_threads = 1024;
+
 #ifdef ENDURING_TBB
 constexpr bool has_threads = true;
 
 void run(std::size_t count, int threads, const std::function<void(std::size_t)>& work)
 {
     using namespace oneapi;
-    // the library makes no more threads than there are cores, unless it is asked for them
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
+    // The library makes no more threads than there are cores, unless it is asked for them. Asked anew in each call, its threads
+    // would go to sleep in between.
+    static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most_threads);
     tbb::task_arena arena(threads);
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
 }
@@ -42,14 +44,13 @@ void run(std::size_t, int, const std::function<void(std::size_t)>&) {}
 
 int allowed_threads()
 {
-    constexpr int most = 1024;
     int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     if (const char* text = std::getenv("ENDURING_THREADS")) {
         const char* const end = text + std::strlen(text);
         const auto [read, error] = std::from_chars(text, end, threads);
-        if (error != std::errc{} || read != end || threads < 1 || threads > most)
+        if (error != std::errc{} || read != end || threads < 1 || threads > most_threads)
             throw InputError("ENDURING_THREADS is \"" + std::string(text) +
-                             "\"; it has to be a whole number from 1 to " + std::to_string(most));
+                             "\"; it has to be a whole number from 1 to " + std::to_string(most_threads));
     }
     return has_threads ? threads : 1;
 }
