@@ -55,6 +55,10 @@ if(NOT CHOLMOD_INCLUDE OR NOT CHOLMOD_LIBRARY)
 endif()
 enduring_want(ENDURING_CHOLMOD libsuitesparse-dev "soft bodies take Eigen's solver, and numbers differ in their last digits")
 
+find_package(TBB QUIET CONFIG)
+set(ENDURING_TBB ${TBB_FOUND})
+enduring_want(ENDURING_TBB libtbb-dev "islands of bodies are solved on one core, to the same bytes")
+
 if(NOT PROJECT_NAME STREQUAL EnduringContacts OR NOT PROJECT_IS_TOP_LEVEL)
   return()  # what follows is for the course itself: tests, command lines, pictures
 endif()

@@ -181,6 +181,10 @@ function(enduring_chapter number name)
   enduring_library(chapter${number}_layer SOURCES ${layer} USES enduring_simulation ${below}
                    OUTSIDE chapter${number} FOLDER chapters/${number}_${name})
   set_property(GLOBAL APPEND PROPERTY ENDURING_CHAPTER_LAYERS chapter${number}_layer)
+  if(EXISTS ${folder}/threads.cpp AND ENDURING_TBB)
+    target_link_libraries(chapter${number}_layer PUBLIC TBB::tbb)
+    set_source_files_properties(${folder}/threads.cpp PROPERTIES COMPILE_DEFINITIONS ENDURING_TBB)
+  endif()
 
   if(PROJECT_IS_TOP_LEVEL AND EXISTS ${folder}/main.cpp)
     enduring_library(chapter${number}_experiments SOURCES ${experiments}

@@ -13,16 +13,16 @@
 namespace enduring {
 namespace {
 
-/// What counts as a momentum at all: what gravity gives to all bodies in a step, or if that is more, what
+/// What counts as a momentum at all: what gravity gives to all bodies of an island in a step, or if that is more, what
 /// the rounding of their coordinates does [sqrt(kg) m/s].
-double least_speed(const World& world, double dt)
+double least_speed(const World& world, const Island& island, double dt)
 {
     double mass = 0, largest = 0;
-    for (const auto& body : world.bodies)
-        if (!body->is_static()) {
-            mass += body->mass();
-            largest = std::max(largest, body->size());
-        }
+    for (const int place : island.bodies) {
+        const Body& body = *world.bodies[static_cast<std::size_t>(place)];
+        mass += body.mass();
+        largest = std::max(largest, body.size());
+    }
     return std::sqrt(mass) * std::max(scale_parts.least_answer * largest / dt, world.gravity.norm() * dt);
 }
 
@@ -66,30 +66,28 @@ double sharp_enough(double on_bodies, double of_round, double tolerance)
     return std::max(1e-3 * tolerance, std::min(std::max(0.1 * tolerance, 1e-3 * on_bodies), 0.1 * of_round));
 }
 
-}  // namespace
-
-void tell_unconverged(const SolveRecord& record)
-{
-    if (!record.converged)
-        std::cerr << "step " << record.step + 1 << ": the impulses of " << record.pairs
-                  << " pairs are solved to a residual of " << record.residual << " only, after "
-                  << record.rounds << " rounds and " << record.newton_steps << " steps of Newton's method\n";
-}
+/// What is found out about an island, beside its impulses.
+struct IslandOutcome {
+    SolveRecord record{};
+    StepTrouble trouble = StepTrouble::none;
+    double springs = 0;  ///< what they hold at the start of the step, where this is its first response [J]
+};
 
 //! [solve_contacts]
-void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings, NewtonMatrix& matrix,
-                    double dt)
+/// Changes the island's bodies and pairs only, and reads what does not move.
+IslandOutcome solve_island(World& world, const Island& island, const ImplicitSettings& settings,
+                           NewtonMatrix& matrix, bool first, double dt)
 {
-    const bool first = first_of_the_step(contacts);
-    matrix.begin_response(first);
-    StepProblem step = set_up(world, contacts, settings.stiffness, settings.friction, {settings.centre, dt},
+    StepProblem step = set_up(world, island, settings.stiffness, settings.friction, {settings.centre, dt},
                               first);
+    IslandOutcome outcome;
     if (first) {
-        world.attempt.put_in += springs_at_start(world, step) - world.attempt.springs;
+        outcome.springs = springs_at_start(world, step);
         apply_impulses(world, step, last_impulses(world, step));
     }
-    SolveRecord record{world.step, static_cast<int>(step.problem.rows.size())};
-    const double least = least_speed(world, dt);
+    SolveRecord& record = outcome.record;
+    record.pairs = static_cast<int>(step.problem.rows.size());
+    const double least = least_speed(world, island, dt);
     AndersonMixing mixing;
     for (;; ++record.rounds) {
         update_kinematics(world, step);
@@ -114,17 +112,67 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
         apply_impulses(world, step, mixing.next(begin.impulses, solution.impulses));
     }
     if (!(record.residual <= settings.kept_residual))
-        world.attempt.trouble = StepTrouble::unsolved;
+        outcome.trouble = StepTrouble::unsolved;
     else if (largest_compression(world, step) > settings.kept_depth)
-        world.attempt.trouble = StepTrouble::too_deep;
+        outcome.trouble = StepTrouble::too_deep;
     find_slip(step);
+    return outcome;
+}
+//! [solve_contacts]
+
+/// Takes what was found out about an island into the record and the attempt of the whole step.
+void add(const IslandOutcome& outcome, SolveRecord& all, World& world)
+{
+    ++all.islands;
+    all.unsolved_islands += !outcome.record.converged;
+    all.pairs += outcome.record.pairs;
+    all.rounds = std::max(all.rounds, outcome.record.rounds);
+    all.newton_steps = std::max(all.newton_steps, outcome.record.newton_steps);
+    all.residual = std::max(all.residual, outcome.record.residual);
+    all.converged = all.unsolved_islands == 0;
+    world.attempt.put_in += outcome.springs;
+    // an island that is not solved says more than one that is solved too deep
+    if (outcome.trouble == StepTrouble::unsolved || world.attempt.trouble == StepTrouble::none)
+        world.attempt.trouble = outcome.trouble;
+}
+
+}  // namespace
+
+void tell_unconverged(const SolveRecord& record)
+{
+    if (!record.converged)
+        std::cerr << "step " << record.step + 1 << ": the impulses of " << record.pairs
+                  << " pairs are solved to a residual of " << record.residual << " only, after "
+                  << record.rounds << " rounds and " << record.newton_steps
+                  << " steps of Newton's method; unsolved are " << record.unsolved_islands << " of "
+                  << record.islands << " islands\n";
+}
+
+//! [islands]
+void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings,
+                    IslandMatrices& matrices, double dt)
+{
+    const bool first = first_of_the_step(contacts);
+    const std::vector<Island> islands = find_islands(world, contacts);
+    matrices.begin_response(islands, world.bodies.size(), first);
+    std::vector<IslandOutcome> outcomes(islands.size());
+    const bool is_small = contacts.size() < static_cast<std::size_t>(settings.pairs_for_threads);
+    for_each_index(islands.size(), is_small ? 1 : settings.threads, [&](std::size_t i) {
+        outcomes[i] = solve_island(world, islands[i], settings, matrices.of(islands[i]), first, dt);
+    });
+
+    if (first)
+        world.attempt.put_in -= world.attempt.springs;
+    SolveRecord record{world.step};
+    for (const IslandOutcome& outcome : outcomes)
+        add(outcome, record, world);
     for (Contact& contact : contacts)
         if (contact.waiting())
             contact.state = ContactState::answered;
     if (world.attempt.trouble == StepTrouble::none || !world.attempt.may_be_halved)
         settings.record(record);
 }
-//! [solve_contacts]
+//! [islands]
 
 //! [remember_pairs]
 void remember_pairs(const World& world, Contacts& contacts, double dt)

@@ -1,21 +1,24 @@
 #pragma once
 
-#include "chapters/07_implicit_contact/newton_matrix.hpp"
+#include "chapters/07_implicit_contact/islands.hpp"
 #include "chapters/07_implicit_contact/step_problem.hpp"
+#include "chapters/07_implicit_contact/threads.hpp"
 
 #include <functional>
 
 namespace enduring {
 
-/// How the one problem of a step was solved.
+/// How the problem of a step was solved: of one island, or of all of them.
 struct SolveRecord {
     int step = 0;
-    int pairs = 0;
-    int rounds = 0;        ///< how often the problem was set up anew from the motion that its answer made
-    int newton_steps = 0;  ///< of all rounds
-    /// on the bodies: with the normals and the limits of friction that the impulses themselves make
+    int pairs = 0;  ///< of all islands
+    int rounds =
+        0;  ///< how often a problem was set up anew from the motion that its answer made; the most of any island
+    int newton_steps = 0;  ///< of all rounds; the most of any island
+    /// on the bodies: with the normals and the limits of friction that the impulses themselves make; the largest of any island
     double residual = 0;
-    bool converged = false;
+    bool converged = true;  ///< every island
+    int islands = 0, unsolved_islands = 0;
 };
 
 /// Says on the standard error stream which step is not solved, and how well it is.
@@ -38,23 +41,28 @@ struct ImplicitSettings {
     /// Of the smaller body's size: the furthest that an impact may press a spring; else the step is taken in halves. Geometry tells the
     /// side of a pair by where it is. A tenth: a fall of some metres is halved. Ten times: what flies by fifty sizes in a step comes through a plate.
     double kept_depth = 5e-3;
-    /// Of Newton's method in a step, over all its responses and rounds, each of which counts as one more; what is not solved then is told, or the step is taken in
-    /// halves. A tenth of it would cut landing soft bodies off; ten times as many cost ten seconds where a heap jams.
+    /// Of Newton's method for an island in a step, over all its responses and rounds, each of which counts as one more; what is not solved then is told, or the step is taken in
+    /// halves. No island takes another one's. A tenth of it would cut landing soft bodies off; ten times as many cost ten seconds where a heap jams.
     int max_newton_steps = 500;
     /// Where bodies jam, limits that are taken from the last round come back enlarged: from this round on, each round looks for
     /// its limits (LimitSearch). A tenth: the search is tried where the rounds would have ended by themselves. Ten times:
     /// jams take most of the steps of Newton's method that there are.
     int rounds_before_search = 40;
+    int threads = allowed_threads();  ///< that solve islands side by side
+    /// Of all islands together: the pairs from which on a second thread is woken. Waking it takes as long as ten pairs. A tenth: two
+    /// cubes are solved no sooner, by twice the processor time. Ten times: twenty stacks leave a core without work.
+    int pairs_for_threads = 64;
+    /// called once a response, when all islands are done
     std::function<void(const SolveRecord&)> record = tell_unconverged;
 };
 //! [settings]
 
-/// Response: finds the impulses of all pairs together, from the motion that they make, and applies them. Each round brings
-/// normals, levers and limits of friction to the last motion, solves one convex problem, and mixes its impulses with those of
+/// Response: finds the impulses of all pairs of an island together, from the motion that they make, and applies them; so for
+/// each island. Each round brings normals, levers and limits of friction to the last motion, solves one convex problem, and mixes its impulses with those of
 /// the rounds before, until the equation holds on the bodies themselves.
-/// @param matrix  keeps its memory and its order from step to step
-void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings, NewtonMatrix& matrix,
-                    double dt);
+/// @param matrices  keep their memory and their order from step to step
+void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings,
+                    IslandMatrices& matrices, double dt);
 
 /// Before the step is settled: what each pair hands on to the next one,
 /// its load and the stretch of its friction. One that is held holds nothing: its spring has let go.

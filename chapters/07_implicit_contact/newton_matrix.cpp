@@ -36,12 +36,15 @@ void assemble(const ContactProblem& problem, const std::vector<Mat3>& hessians, 
 }
 //! [assemble]
 
-/// Soft bodies fill the matrix, since each coordinate of one is coupled with all others of it.
+/// Soft bodies fill the matrix, since each coordinate of one is coupled with all others of it. Rigid bodies do not, even
+/// where they are few.
 bool is_dense(const ContactProblem& problem)
 {
+    constexpr int of_rigid_body = 6;
     double filled = 0;
     for (const BodyBlock& block : problem.blocks)
-        filled += static_cast<double>(block.mass.size());
+        if (block.size() > of_rigid_body)
+            filled += static_cast<double>(block.mass.size());
     return 8 * filled > static_cast<double>(problem.size) * problem.size;
 }
 

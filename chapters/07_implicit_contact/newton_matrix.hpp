@@ -15,11 +15,11 @@ namespace enduring {
 class NewtonMatrix {
 public:
     /// Masses and levers are others from here on.
-    /// @param new_step  another step has begun, not only another response in the same
-    void begin_response(bool new_step)
+    /// @param solves  how often the same bodies were solved in this step before
+    void begin_response(int solves)
     {
         kind_ = Kind::none;
-        solves_ = new_step ? 0 : solves_;
+        solves_ = solves;
     }
 
     /// How often it was solved since the step began: once in each step of Newton's method, whichever loop asks.

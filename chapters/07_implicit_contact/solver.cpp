@@ -17,11 +17,11 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     Solver solver = chapter06_solver(frictionless);
     solver.name = "chapter 7";
     solver.max_halvings = max_halvings;
-    solver.replace(
-        "impulses", "solve contacts",
-        [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {
-            solve_contacts(world, contacts, settings, *matrix, dt);
-        });
+    solver.replace("impulses", "solve contacts",
+                   [settings, matrices = std::make_shared<IslandMatrices>()](World& world, Contacts& contacts,
+                                                                             double dt) {
+                       solve_contacts(world, contacts, settings, *matrices, dt);
+                   });
     solver.finds_stiffness = true;
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });

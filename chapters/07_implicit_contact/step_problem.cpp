@@ -4,19 +4,28 @@
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace enduring {
 namespace {
 
-bool takes_part(const Contact& contact) { return !contact.held() && !contact.resolved; }
-
-/// The vertices of each body that are in touch, each once and in their order.
-std::vector<std::vector<int>> touched_vertices(const World& world, const Contacts& contacts)
+/// The place of a body among an island's, or none where it does not move.
+std::optional<std::size_t> place_among(const std::vector<int>& bodies, std::size_t body)
 {
-    std::vector<std::vector<int>> vertices(world.bodies.size());
-    for (const Contact& contact : contacts)
-        for (int i = 0; takes_part(contact) && i < contact.vertex_count(); ++i)
-            vertices[body_index(contact, i)].push_back(contact.vertices[static_cast<std::size_t>(i)]);
+    const auto place = std::lower_bound(bodies.begin(), bodies.end(), static_cast<int>(body));
+    if (place == bodies.end() || *place != static_cast<int>(body))
+        return std::nullopt;
+    return static_cast<std::size_t>(place - bodies.begin());
+}
+
+/// The vertices of each body of an island that are in touch, each once and in their order.
+std::vector<std::vector<int>> touched_vertices(const Island& island)
+{
+    std::vector<std::vector<int>> vertices(island.bodies.size());
+    for (const Contact* contact : island.contacts)
+        for (int i = 0; i < contact->vertex_count(); ++i)
+            if (const auto place = place_among(island.bodies, body_index(*contact, i)))
+                vertices[*place].push_back(contact->vertices[static_cast<std::size_t>(i)]);
     for (std::vector<int>& of_body : vertices) {
         std::sort(of_body.begin(), of_body.end());
         of_body.erase(std::unique(of_body.begin(), of_body.end()), of_body.end());
@@ -26,15 +35,14 @@ std::vector<std::vector<int>> touched_vertices(const World& world, const Contact
 
 void add_blocks(const World& world, StepProblem& step)
 {
-    step.block.assign(world.bodies.size(), -1);
-    for (std::size_t body = 0; body < world.bodies.size(); ++body) {
-        if (step.vertices[body].empty())
-            continue;
-        ContactMass of = world.bodies[body]->contact_mass(step.vertices[body]);
+    step.block.assign(step.bodies.size(), -1);
+    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
+        const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
+        ContactMass of = body.contact_mass(step.vertices[place]);
         if (of.mass.rows() == 0)
             continue;
         BodyBlock block{step.problem.size, std::move(of.mass), std::move(of.response)};
-        step.block[body] = static_cast<int>(step.problem.blocks.size());
+        step.block[place] = static_cast<int>(step.problem.blocks.size());
         step.problem.size += block.size();
         step.problem.blocks.push_back(std::move(block));
     }
@@ -44,9 +52,10 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
 {
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const std::size_t body = body_index(contact, i);
-        if (step.block[body] < 0)
+        const auto place = place_among(step.bodies, body);
+        if (!place || step.block[*place] < 0)
             continue;
-        const std::vector<int>& vertices = step.vertices[body];
+        const std::vector<int>& vertices = step.vertices[*place];
         const int vertex = contact.vertices[static_cast<std::size_t>(i)];
         const auto index = static_cast<std::size_t>(
             std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
@@ -54,7 +63,7 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
         const double tau = contact.sliding_normal.isZero(0) ? step.problem.step.centre : 0.5;
         VertexMotion part = world.bodies[body]->contact_motion(vertices, index, tau);
         part.rate *= contact.weights[static_cast<std::size_t>(i)];
-        part.first += step.problem.blocks[static_cast<std::size_t>(step.block[body])].first;
+        part.first += step.problem.blocks[static_cast<std::size_t>(step.block[*place])].first;
         // all vertices of a rigid body move with the same coordinates
         if (row.part_count > 0 &&
             row.parts[static_cast<std::size_t>(row.part_count - 1)].first == part.first) {
@@ -186,28 +195,45 @@ double mass_of(const PairRow& row, const ContactProblem& problem)
 }
 
 //! [max_load]
-double max_load(const World& world, double dt)
+namespace {
+
+double load_of(const Body& body, const Vec3& gravity, double dt)
 {
     constexpr double lever = 10;
+    return body.mass() * (lever * gravity.norm() + body.mean_velocity().norm() / dt);
+}
+
+}  // namespace
+
+double max_load(const World& world, const Island& island, double dt)
+{
     double load = 0;
-    for (const auto& body : world.bodies)
-        load += body->mass() * (lever * world.gravity.norm() + body->mean_velocity().norm() / dt);
+    for (const int body : island.bodies)
+        load += load_of(*world.bodies[static_cast<std::size_t>(body)], world.gravity, dt);
     return load;
 }
 //! [max_load]
 
-StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
+double max_load(const World& world, double dt)
+{
+    double load = 0;
+    for (const auto& body : world.bodies)
+        load += load_of(*body, world.gravity, dt);
+    return load;
+}
+
+StepProblem set_up(const World& world, const Island& island, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step_law, bool first)
 {
     StepProblem step;
     step.problem.step = step_law;
-    step.vertices = touched_vertices(world, contacts);
+    step.bodies = island.bodies;
+    step.vertices = touched_vertices(island);
     add_blocks(world, step);
-    step.problem.rows.reserve(contacts.size());
-    const double most = max_load(world, step_law.dt);
-    for (Contact& contact : contacts) {
-        if (!takes_part(contact))
-            continue;
+    step.problem.rows.reserve(island.contacts.size());
+    const double most = max_load(world, island, step_law.dt);
+    for (Contact* const of_row : island.contacts) {
+        Contact& contact = *of_row;
         PairRow row;
         add_parts(world, contact, step, row);
         const double depth_t0 = update_row(world, contact, step_law, row);
@@ -246,13 +272,13 @@ namespace {
 /// The bodies take what their pairs' impulses have become.
 void apply_generalized_impulse(World& world, const StepProblem& step, const Eigen::VectorXd& momentum)
 {
-    for (std::size_t body = 0; body < world.bodies.size(); ++body) {
-        if (step.block[body] < 0)
+    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
+        if (step.block[place] < 0)
             continue;
-        const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[body])];
-        world.bodies[body]->apply_contact_impulse(step.vertices[body],
-                                                  momentum.segment(block.first, block.size()));
-        world.bodies[body]->update_prediction(step.problem.step.dt);
+        Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
+        const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[place])];
+        body.apply_contact_impulse(step.vertices[place], momentum.segment(block.first, block.size()));
+        body.update_prediction(step.problem.step.dt);
     }
 }
 

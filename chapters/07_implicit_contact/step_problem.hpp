@@ -1,24 +1,26 @@
 #pragma once
 
 #include "chapters/07_implicit_contact/contact_problem.hpp"
+#include "chapters/07_implicit_contact/islands.hpp"
 #include "chapters/07_implicit_contact/pair_memory.hpp"
 #include "common/simulation/contact_parameters.hpp"
 #include "common/simulation/step.hpp"
 
 namespace enduring {
 
-/// The problem of one step, and where it comes from. Masses and levers are those of
+/// The problem of one island in a step, and where it comes from. Masses and levers are those of
 /// the step; the rest of its rows follows the prediction.
 struct StepProblem {
     ContactProblem problem;
     std::vector<Contact*> of_row;            ///< the contact of each row
-    std::vector<std::vector<int>> vertices;  ///< of each body, those in touch
-    std::vector<int> block;                  ///< of each body among the problem's, -1 without coordinates
+    std::vector<int> bodies;                 ///< the island's
+    std::vector<std::vector<int>> vertices;  ///< of each of these, those in touch
+    std::vector<int> block;                  ///< of each of these among the problem's, -1 without coordinates
 };
 
-/// Sets up all pairs that are not held; enduring and new ones get their stiffness for the step.
+/// Sets up an island; its enduring and new pairs get their stiffness for the step.
 /// @param first  the step's first problem: enduring pairs get their stiffness once a step
-StepProblem set_up(const World& world, Contacts& contacts, const StiffnessChoice& choice,
+StepProblem set_up(const World& world, const Island& island, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step, bool first);
 
 /// The mass that a pair feels along its normal: 1 / (n . W n), with W the change of its velocity per impulse; 0 for one
@@ -28,6 +30,8 @@ double mass_of(const PairRow& row, const ContactProblem& problem);
 /// What weight and motion of all bodies can bring upon a pair, with a lever as a wedge has it [N]. What
 /// presses harder than this comes from the pairs themselves.
 double max_load(const World& world, double dt);
+/// The same of an island, where no other bodies can bring anything upon a pair.
+double max_load(const World& world, const Island& island, double dt);
 
 /// Brings normals, velocities and acting impulses of all rows to the present prediction. Friction's limits are taken from the
 /// normal impulses that act, not from what the pairs answer to the motion: this enlarges an error of the motion by h.

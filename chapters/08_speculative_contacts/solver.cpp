@@ -53,11 +53,11 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
                   [search](World& world, Contacts& contacts, double dt) {
                       append_pairs_brought_inside(*search, world, dt, contacts);
                   });
-    solver.append(
-        StepStage::respond, "solve contacts",
-        [settings, matrix = std::make_shared<NewtonMatrix>()](World& world, Contacts& contacts, double dt) {
-            solve_contacts(world, contacts, settings, *matrix, dt);
-        });
+    solver.append(StepStage::respond, "solve contacts",
+                  [settings, matrices = std::make_shared<IslandMatrices>()](World& world, Contacts& contacts,
+                                                                            double dt) {
+                      solve_contacts(world, contacts, settings, *matrices, dt);
+                  });
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
     return solver;

@@ -16,6 +16,9 @@ namespace {
 using chapter07::Box, chapter07::loose_cubes, chapter07::scene_of, chapter07::stack_of,
     chapter07::SolveStatistics;
 
+/// What is measured is processor time, and Bullet has one thread, too.
+constexpr int threads = 1;
+
 /// Processor time of a step [ms].
 struct StepTimes {
     double falling = 0;  ///< mean
@@ -45,6 +48,7 @@ Solver chapter_7(Scene& scene)
 {
     ImplicitSettings settings;
     settings.record = [](const SolveRecord&) {};
+    settings.threads = threads;
     return chapter07_solver(scene.contact, settings);
 }
 
@@ -140,6 +144,7 @@ void time_bunny(const BunnyRun& way, bool quick, Table& table, Report& report)
         rounds += record.rounds;
         newton_steps += record.newton_steps;
     };
+    settings.threads = threads;
     const Solver solver = way.chapter == "7" ? chapter07_solver(scene.contact, settings)
                                              : chapter06_solver(scene.contact);
     const double falls = quick ? 0.2 : 2, rests = quick ? 0.2 : 1, step_ms = 1000 * scene.dt;
@@ -178,6 +183,7 @@ void speed(const RunOptions& options, Report& report)
     against_bullet(options.quick, report);
     growth(options.quick, report);
     bunnies(options.quick, report);
+    report.fact("speed", "threads", threads);
 }
 
 }  // namespace enduring::solvers

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 
 namespace enduring {
@@ -29,7 +30,8 @@ cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
 
 /// While it lives, CHOLMOD's own loops (OpenMP) and OpenBLAS, where that is the system's BLAS, keep to one
 /// thread: a sum must not depend on how many there are, and the blocks are too small to gain. Neither has to
-/// be there: both are asked for by name.
+/// be there: both are asked for by name. The settings are those of the whole program, so two bodies that are factored on two
+/// threads wait for each other.
 class OneThread {
 public:
     OneThread()
@@ -50,6 +52,8 @@ public:
     OneThread& operator=(const OneThread&) = delete;
 
 private:
+    static inline std::mutex only_one;
+    const std::lock_guard<std::mutex> lock_{only_one};
     struct Setting {
         Setting(const char* getter, const char* setter, int one_thread)
             : get(reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, getter))),

@@ -2,6 +2,7 @@
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "chapters/07_implicit_contact/pair_memory.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/07_implicit_contact/tests/only_island.hpp"
 #include "common/simulation/rigid_body.hpp"
 
 #include <doctest/doctest.h>
@@ -205,7 +206,8 @@ TEST_CASE(
         pair.rest_offset = spring.rest_offset;
         pair.load = first * spring.pressed;
         Contacts contacts{pair};
-        const StepProblem step = set_up(scene.world, contacts, choice, {0.5, 0.4}, {1, scene.dt}, false);
+        const StepProblem step = set_up_only_island(scene.world, contacts, choice, {0.5, 0.4}, {1, scene.dt},
+                                                    false);
         REQUIRE(step.problem.rows.size() == 1);
         CHECK(step.problem.rows[0].law.mu == (spring.rubs ? 0.5 : 0));
     }
@@ -305,15 +307,15 @@ TEST_CASE("implicit contact: a second answer in a step leaves the pairs' stiffne
     contacts[0].stiffness = 1e5;
     contacts[0].rest_offset = -5e-3;
     contacts[0].load = 1e9;
-    NewtonMatrix matrix;
+    IslandMatrices matrices;
     ImplicitSettings settings;
     settings.record = [](const SolveRecord&) {};
-    solve_contacts(scene.world, contacts, settings, matrix, scene.dt);
+    solve_contacts(scene.world, contacts, settings, matrices, scene.dt);
     const double stiffness = contacts[0].stiffness, rest_offset = contacts[0].rest_offset;
     CHECK(stiffness > 1e5);
     CHECK(rest_offset != -5e-3);
     contacts.push_back({ContactKind::vertex_plane, 0, 0, 1, -1, {1, -1, -1, -1}, {1, 0, 0, 0}});
-    solve_contacts(scene.world, contacts, settings, matrix, scene.dt);
+    solve_contacts(scene.world, contacts, settings, matrices, scene.dt);
     CHECK(contacts[0].stiffness == stiffness);
     CHECK(contacts[0].rest_offset == rest_offset);
     CHECK(contacts[1].stiffness > 0);

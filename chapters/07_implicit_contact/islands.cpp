@@ -1,0 +1,108 @@
+#include "chapters/07_implicit_contact/islands.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace enduring {
+namespace {
+
+/// Sets of bodies; each is known by its least member.
+class JoinedBodies {
+public:
+    explicit JoinedBodies(std::size_t bodies) : towards_least_(bodies)
+    {
+        std::iota(towards_least_.begin(), towards_least_.end(), 0);
+    }
+
+    int least_of(int body)
+    {
+        while (next(body) != body) {
+            next(body) = next(next(body));  // halves the path for whoever asks again
+            body = next(body);
+        }
+        return body;
+    }
+    void join(int one, int other)
+    {
+        one = least_of(one);
+        other = least_of(other);
+        next(std::max(one, other)) = std::min(one, other);
+    }
+
+private:
+    int& next(int body) { return towards_least_[static_cast<std::size_t>(body)]; }
+
+    std::vector<int> towards_least_;
+};
+
+/// Those of a pair's bodies that move, -1 for one that does not.
+struct MovingBodies {
+    int a = -1, b = -1;
+
+    MovingBodies(const World& world, const Contact& contact)
+    {
+        const auto moves = [&](int body) {
+            return !world.bodies[static_cast<std::size_t>(body)]->is_static();
+        };
+        if (contact.held() || contact.resolved)
+            return;
+        if (moves(contact.body_a))
+            a = contact.body_a;
+        if (contact.kind != ContactKind::vertex_plane && moves(contact.body_b))
+            b = contact.body_b;
+    }
+    int any() const { return std::max(a, b); }
+};
+
+}  // namespace
+
+//! [find_islands]
+std::vector<Island> find_islands(const World& world, Contacts& contacts)
+{
+    JoinedBodies joined(world.bodies.size());
+    std::vector<char> touches(world.bodies.size(), 0);
+    for (const Contact& contact : contacts) {
+        const MovingBodies pair(world, contact);
+        for (const int body : {pair.a, pair.b})
+            if (body >= 0)
+                touches[static_cast<std::size_t>(body)] = 1;
+        if (pair.a >= 0 && pair.b >= 0)
+            joined.join(pair.a, pair.b);
+    }
+    std::vector<Island> islands;
+    std::vector<std::size_t> place(world.bodies.size());  // of a body's island
+    for (std::size_t body = 0; body < world.bodies.size(); ++body) {
+        if (!touches[body])
+            continue;
+        const auto least = static_cast<std::size_t>(joined.least_of(static_cast<int>(body)));
+        if (least == body)
+            islands.emplace_back();
+        place[body] = least == body ? islands.size() - 1 : place[least];
+        islands[place[body]].bodies.push_back(static_cast<int>(body));
+    }
+    for (Contact& contact : contacts)
+        if (const int body = MovingBodies(world, contact).any(); body >= 0)
+            islands[place[static_cast<std::size_t>(body)]].contacts.push_back(&contact);
+    return islands;
+}
+//! [find_islands]
+
+void IslandMatrices::begin_response(const std::vector<Island>& islands, std::size_t bodies, bool new_step)
+{
+    of_body_.resize(bodies);
+    for (const Island& island : islands) {
+        int solves = 0;
+        for (const int body : island.bodies) {
+            std::unique_ptr<NewtonMatrix>& matrix = of_body_[static_cast<std::size_t>(body)];
+            if (matrix && !new_step)
+                solves = std::max(solves, matrix->solves());
+            if (body != island.bodies.front())
+                matrix.reset();
+            else if (!matrix)
+                matrix = std::make_unique<NewtonMatrix>();
+        }
+        of(island).begin_response(solves);
+    }
+}
+
+}  // namespace enduring

@@ -1,0 +1,75 @@
+#include "chapters/07_implicit_contact/threads.hpp"
+#include "common/input/input_error.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace enduring;
+
+namespace {
+
+/// The environment's number of threads, until this goes.
+class WishedThreads {
+public:
+    explicit WishedThreads(const char* wish)
+    {
+        if (const char* before = std::getenv("ENDURING_THREADS"))
+            before_ = before;
+        setenv("ENDURING_THREADS", wish, 1);
+    }
+    ~WishedThreads()
+    {
+        if (before_)
+            setenv("ENDURING_THREADS", before_->c_str(), 1);
+        else
+            unsetenv("ENDURING_THREADS");
+    }
+    WishedThreads(const WishedThreads&) = delete;
+    WishedThreads& operator=(const WishedThreads&) = delete;
+
+private:
+    std::optional<std::string> before_;
+};
+
+}  // namespace
+
+TEST_CASE("threads: the environment's number is taken, and what is none is named")
+{
+    {
+        const WishedThreads one("1");
+        CHECK(allowed_threads() == 1);
+    }
+    for (const char* wrong : {"", "0", "-1", "two", "2.5", "3 ", "1025", "99999999999999999999"}) {
+        const WishedThreads wish(wrong);
+        CHECK_THROWS_WITH_AS(
+            allowed_threads(),
+            ("ENDURING_THREADS is \"" + std::string(wrong) + "\"; it has to be a whole number from 1 to 1024")
+                .c_str(),
+            InputError);
+    }
+}
+
+TEST_CASE("threads: each index is worked on once, and of several exceptions the first one comes out")
+{
+    for (const int threads : {1, 2, 4})
+        for (const std::size_t count : {0u, 1u, 2u, 100u}) {
+            std::vector<int> calls(count, 0);
+            for_each_index(count, threads, [&](std::size_t i) { ++calls[i]; });
+            CHECK(calls == std::vector<int>(count, 1));
+            const auto fail_late = [&](std::size_t i) {
+                ++calls[i];
+                if (i >= 60)
+                    throw std::runtime_error(std::to_string(i));
+            };
+            if (count == 100)
+                CHECK_THROWS_WITH(for_each_index(count, threads, fail_late), "60");
+            else
+                for_each_index(count, threads, fail_late);
+            CHECK(calls == std::vector<int>(count, 2));
+        }
+}

@@ -1,0 +1,78 @@
+#include "chapters/07_implicit_contact/threads.hpp"
+
+#include "common/input/input_error.hpp"
+
+#ifdef ENDURING_TBB
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace enduring {
+namespace {
+
+constexpr int most_threads = 1024;
+
+#ifdef ENDURING_TBB
+constexpr bool has_threads = true;
+
+void run(std::size_t count, int threads, const std::function<void(std::size_t)>& work)
+{
+    using namespace oneapi;
+    // The library makes no more threads than there are cores, unless it is asked for them. Asked anew in each call, its threads
+    // would go to sleep in between.
+    static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most_threads);
+    tbb::task_arena arena(threads);
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+}
+#else
+constexpr bool has_threads = false;
+
+void run(std::size_t, int, const std::function<void(std::size_t)>&) {}
+#endif
+
+}  // namespace
+
+int allowed_threads()
+{
+    int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    if (const char* text = std::getenv("ENDURING_THREADS")) {
+        const char* const end = text + std::strlen(text);
+        const auto [read, error] = std::from_chars(text, end, threads);
+        if (error != std::errc{} || read != end || threads < 1 || threads > most_threads)
+            throw InputError("ENDURING_THREADS is \"" + std::string(text) +
+                             "\"; it has to be a whole number from 1 to " + std::to_string(most_threads));
+    }
+    return has_threads ? threads : 1;
+}
+
+void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work)
+{
+    std::vector<std::exception_ptr> thrown(count);
+    const auto caught = [&](std::size_t i) {
+        try {
+            work(i);
+        } catch (...) {
+            thrown[i] = std::current_exception();
+        }
+    };
+    if (has_threads && threads > 1 && count > 1)
+        run(count, threads, caught);
+    else
+        for (std::size_t i = 0; i < count; ++i)
+            caught(i);
+    for (const std::exception_ptr& exception : thrown)
+        if (exception)
+            std::rethrow_exception(exception);
+}
+
+}  // namespace enduring
