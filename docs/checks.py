@@ -11,7 +11,7 @@ FORMULA = re.compile(r"\\f\$(.+?)\\f\$|\\f\[(.+?)\\f\]", re.S)
 SHAPES = set("""frac tfrac dfrac binom tbinom sqrt left right big Big bigl bigr Bigl Bigr bigg text mathrm mathtt mathbf mathit operatorname boldsymbol
     begin end quad qquad hspace limits nolimits displaystyle textstyle boxed underbrace overbrace phantom pmatrix matrix cases aligned array
     sin cos tan cot arcsin arccos arctan exp log ln max min det tr lim sup inf mod bmod le ge ne leq geq neq ll gg approx sim simeq equiv propto in
-    notin subset to mapsto rightarrow Rightarrow Leftrightarrow iff implies wedge vee cap cup times cdot cdots ldots dots vdots pm mp ast circ
+    notin subset to mapsto leftarrow rightarrow Rightarrow Leftrightarrow iff implies wedge vee cap cup times cdot cdots ldots dots vdots pm mp ast circ
     perp parallel partial nabla int oint sum prod infty forall exists prime colon mid lvert rvert lVert rVert vert Vert lbrace rbrace langle rangle
     lfloor rfloor lceil rceil hat bar tilde dot ddot vec overline underline top T mathrel not , ; : ! \\ { }""".split())
 GREEK = set("""alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta kappa lambda mu nu xi rho sigma tau phi varphi chi psi omega

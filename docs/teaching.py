@@ -4,7 +4,7 @@ import tomllib
 
 from exercise_pages import by_chapter
 
-NOT_TAUGHT = {"Exercises", "Try it", "Further reading", "What changed"}  # sections without minutes of their own
+NOT_TAUGHT = {"Exercises", "For the curious", "Try it", "Further reading", "What changed"}  # sections without minutes of their own
 
 
 class TeachingError(Exception):

@@ -21,6 +21,7 @@ import course_map
 import exercise_pages
 import formulas
 import measured
+import sentences
 import teaching
 from concordance import KINDS, Concordance, heading_of
 
@@ -403,6 +404,7 @@ def weave(root, results_root, out, quick, live=False):
     mistakes += unlisted_errata(root, weaver.tests)
     mistakes += weaver.orphans
     mistakes += what_nothing_explains(root, pages)
+    mistakes += sentences.all_faults(root, pages)
     notes, wrong = written_numbers(pages, results, quick)
     mistakes += wrong
     print("".join(f"{note}\n" for note in notes).replace(f"{root}/", ""), end="", file=sys.stderr)
