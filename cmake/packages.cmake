@@ -55,6 +55,11 @@ if(NOT CHOLMOD_INCLUDE OR NOT CHOLMOD_LIBRARY)
 endif()
 enduring_want(ENDURING_CHOLMOD libsuitesparse-dev "soft bodies take Eigen's solver, and numbers differ in their last digits")
 
+# the serial one: FCLIB's files are small, and its name is the same on every Debian
+pkg_check_modules(HDF5 QUIET hdf5-serial)
+set(ENDURING_HDF5 ${HDF5_FOUND})
+enduring_want(ENDURING_HDF5 libhdf5-dev "chapter 11 reads no problems in HDF5")
+
 if(NOT PROJECT_NAME STREQUAL EnduringContacts OR NOT PROJECT_IS_TOP_LEVEL)
   return()  # what follows is for the course itself: tests, command lines, pictures
 endif()
