@@ -94,7 +94,7 @@ void scoreboard(const RunOptions&, Report& report, const std::filesystem::path& 
         std::cerr << refused << '\n';
     if (folder.problems.empty())
         return;
-    GrowingTable table(report, "scoreboard",
+    GrowingTable table(report, more.empty() ? "scoreboard" : "yours",
                        {"problem", "contacts", "dimension", "springs_h_1e4", "springs_h_1e6", "springs_h_1e8",
                         "remembered", "passes", "newton_steps"},
                        folder.problems.size());
@@ -106,6 +106,12 @@ void scoreboard(const RunOptions&, Report& report, const std::filesystem::path& 
                    error_of_springs(problem, 1e8), solution.error, static_cast<long>(solution.errors.size()),
                    static_cast<long>(solution.newton_steps)});
         scores.push_back({name, problem.dimension, solution});
+    }
+    if (!more.empty()) {  // the book's tables are those of the chapter's own problems
+        report.table("yours", table);
+        report.page_table("yours", table, 2);
+        report.table("yours_profile", profile(scores));
+        return;
     }
     report.table("scoreboard", table);
     report.page_table("scoreboard", table, 2);
