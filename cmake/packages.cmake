@@ -59,6 +59,11 @@ find_package(TBB QUIET CONFIG)
 set(ENDURING_TBB ${TBB_FOUND})
 enduring_want(ENDURING_TBB libtbb-dev "islands of bodies are solved on one core, to the same bytes")
 
+# the serial one: FCLIB's files are small, and its name is the same on every Debian
+pkg_check_modules(HDF5 QUIET hdf5-serial)
+set(ENDURING_HDF5 ${HDF5_FOUND})
+enduring_want(ENDURING_HDF5 libhdf5-dev "chapter 11 reads no problems in HDF5")
+
 if(NOT PROJECT_NAME STREQUAL EnduringContacts OR NOT PROJECT_IS_TOP_LEVEL)
   return()  # what follows is for the course itself: tests, command lines, pictures
 endif()

@@ -185,6 +185,11 @@ function(enduring_chapter number name)
     target_link_libraries(chapter${number}_layer PUBLIC TBB::tbb)
     set_source_files_properties(${folder}/threads.cpp PROPERTIES COMPILE_DEFINITIONS ENDURING_TBB)
   endif()
+  if(name STREQUAL "exact_contact" AND ENDURING_HDF5)
+    set_source_files_properties(${folder}/fclib_file.cpp PROPERTIES COMPILE_DEFINITIONS ENDURING_HDF5)
+    target_include_directories(chapter${number}_layer SYSTEM PRIVATE ${HDF5_INCLUDE_DIRS})
+    target_link_libraries(chapter${number}_layer PRIVATE ${HDF5_LINK_LIBRARIES})
+  endif()
 
   if(PROJECT_IS_TOP_LEVEL AND EXISTS ${folder}/main.cpp)
     enduring_library(chapter${number}_experiments SOURCES ${experiments}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "common/experiments/report/chapter_program.hpp"
+
+#include <filesystem>
+
+namespace enduring::chapter11 {
+
+void spring_error(const RunOptions& options, Report& report);
+/// @param more  a folder of the reader's; nothing if empty
+void scoreboard(const RunOptions& options, Report& report, const std::filesystem::path& more);
+void stack_exact(const RunOptions& options, Report& report);
+
+}  // namespace enduring::chapter11

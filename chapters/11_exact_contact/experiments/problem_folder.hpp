@@ -1,0 +1,29 @@
+#pragma once
+
+#include "chapters/11_exact_contact/friction_problem.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace enduring::chapter11 {
+
+struct NamedProblem {
+    std::string name;  ///< of its file
+    FrictionProblem problem;
+};
+
+struct ProblemFolder {
+    std::vector<NamedProblem> problems;  ///< by name
+    std::vector<std::string>
+        refused;  ///< what was said of each file that is no problem, or one that is not solved here
+};
+
+/// The problems that lie beside the chapter.
+std::filesystem::path own_problems();
+
+/// All files of a folder that end in .dat or .hdf5.
+/// @throws InputError  the folder cannot be read
+ProblemFolder read_problems(const std::filesystem::path& folder);
+
+}  // namespace enduring::chapter11

@@ -1,0 +1,68 @@
+#include "chapters/11_exact_contact/friction_problem.hpp"
+
+#include "common/input/input_error.hpp"
+
+#include <Eigen/SparseCholesky>
+
+#include <string>
+
+namespace enduring {
+namespace {
+
+using Eigen::VectorXd;
+
+void require_size(Eigen::Index found, Eigen::Index wanted, const char* what, const std::string& file)
+{
+    if (found != wanted)
+        throw InputError(file + ": " + what + ": expected " + std::to_string(wanted) + ", found " +
+                         std::to_string(found));
+}
+
+void fill_from_bodies(FrictionProblem& problem, const std::string& file)
+{
+    const BodyEquations& bodies = *problem.bodies;
+    const Eigen::Index numbers = problem.dimension * problem.mu.size(), coordinates = bodies.mass.rows();
+    require_size(bodies.mass.cols(), coordinates, "columns of the matrix M", file);
+    require_size(bodies.levers.rows(), coordinates, "rows of the matrix H", file);
+    require_size(bodies.levers.cols(), numbers, "columns of the matrix H", file);
+    require_size(bodies.force.size(), coordinates, "numbers of the vector f", file);
+    require_size(bodies.given_velocity.size(), numbers, "numbers of the vector w", file);
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> mass(bodies.mass);
+    if (mass.info() != Eigen::Success)
+        throw InputError(file + ": the matrix M is not positive definite");
+    problem.response = bodies.levers.transpose() * Eigen::SparseMatrix<double>(mass.solve(bodies.levers));
+    problem.free_velocity = bodies.levers.transpose() * VectorXd(mass.solve(bodies.force)) +
+                            bodies.given_velocity;
+}
+
+}  // namespace
+
+VectorXd contact_velocities(const FrictionProblem& problem, const VectorXd& impulses)
+{
+    return problem.response * impulses + problem.free_velocity;
+}
+
+void complete(FrictionProblem& problem, const std::filesystem::path& path)
+{
+    const std::string file = path.string();
+    if (problem.dimension != 2 && problem.dimension != 3)
+        throw InputError(file + ": expected dimension 2 or 3, found " + std::to_string(problem.dimension));
+    if (problem.bodies)
+        fill_from_bodies(problem, file);
+    const Eigen::Index numbers = problem.dimension * problem.mu.size();
+    require_size(problem.response.rows(), numbers, "rows of the matrix W", file);
+    require_size(problem.response.cols(), numbers, "columns of the matrix W", file);
+    require_size(problem.free_velocity.size(), numbers, "numbers of the vector q", file);
+    for (Eigen::Index i = 0; i < problem.mu.size(); ++i)
+        if (!(problem.mu[i] >= 0))
+            throw InputError(file + ": mu of contact " + std::to_string(i + 1) +
+                             ": expected a number of at least 0, found " + std::to_string(problem.mu[i]));
+    for (Eigen::Index i = 0; i < problem.mu.size(); ++i)
+        if (problem.response.coeff(problem.dimension * i, problem.dimension * i) < 0)
+            throw InputError(file + ": the matrix W is negative along the normal of contact " +
+                             std::to_string(i + 1));
+    if (!problem.free_velocity.allFinite() || !problem.response.coeffs().allFinite())
+        throw InputError(file + ": a number is not finite");
+}
+
+}  // namespace enduring

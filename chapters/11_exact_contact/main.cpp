@@ -1,0 +1,33 @@
+#include "chapters/11_exact_contact/experiments/experiments.hpp"
+#include "chapters/11_exact_contact/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+int main(int argc, char** argv)
+{
+    using namespace enduring;
+    const auto more = std::make_shared<std::filesystem::path>();
+    ChapterProgram program{
+        "11_exact_contact",
+        "Chapter 11: exact contact",
+        {
+            {"spring_error", "how far springs are from exact contact, over their stiffness and over passes",
+             chapter11::spring_error},
+            {"scoreboard", "public problems of contact, and those in a folder of yours (--problems)",
+             [more](const RunOptions& options, Report& report) {
+                 chapter11::scoreboard(options, report, *more);
+             }},
+            {"stack_exact", "a stack at rest on springs that remember their force: how deep it is pressed",
+             chapter11::stack_exact},
+        },
+    };
+    program.add_options = [more](CLI::App& app) {
+        app.add_option("--problems", *more, "a folder of FCLIB's or Siconos' problems for scoreboard")
+            ->type_name("DIR");
+    };
+    return run_chapter(argc, argv, program,
+                       [](const ContactParameters& parameters) { return chapter11_solver(parameters); });
+}
