@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 
 /// How many edges of a body's surface pass through its faces: every edge is asked about every face that is not
 /// its neighbour in the rest shape, with exact signs. It uses no tree, no pair and no earlier step.
@@ -20,4 +20,4 @@ std::vector<Vec3> self_crossing_points(const Body& body, const RestNeighbours& n
 /// @param known  no less than this is found [m]
 double crossing_depth(const Body& body, const RestNeighbours& neighbours, double known = 0);
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

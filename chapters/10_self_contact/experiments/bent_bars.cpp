@@ -1,10 +1,10 @@
-#include "chapters/09_deep_contacts/experiments/bent_bars.hpp"
+#include "chapters/10_self_contact/experiments/bent_bars.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 namespace {
 
 constexpr double whole_turn = 2 * std::numbers::pi;
@@ -113,16 +113,16 @@ std::vector<Vec3> knot_line(double size, double arm, double thickness)
 TetrahedralMesh overhand_knot(double size, double arm, double thickness, int cells)
 {
     const std::vector<Vec3> line = knot_line(size, arm, thickness);
-    std::vector<double> way{0};
+    std::vector<double> arc{0};
     for (std::size_t i = 1; i < line.size(); ++i)
-        way.push_back(way.back() + (line[i] - line[i - 1]).norm());
-    return bent_bar(way.back(), thickness, thickness, {cells, 1, 1}, [&](double s) {
-        const auto next = std::upper_bound(way.begin() + 1, way.end() - 1, s) - way.begin();
+        arc.push_back(arc.back() + (line[i] - line[i - 1]).norm());
+    return bent_bar(arc.back(), thickness, thickness, {cells, 1, 1}, [&](double s) {
+        const auto next = std::upper_bound(arc.begin() + 1, arc.end() - 1, s) - arc.begin();
         const auto i = static_cast<std::size_t>(next);
         const Vec3 along = (line[i] - line[i - 1]).normalized(), left = left_of(along);
-        const double part = (s - way[i - 1]) / (way[i] - way[i - 1]);
+        const double part = (s - arc[i - 1]) / (arc[i] - arc[i - 1]);
         return CurvePoint{lerp(line[i - 1], line[i], part), left, along.cross(left)};
     });
 }
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 
 /// What soft bodies are made of, and how they are stepped.
 struct SoftVariant {
@@ -72,4 +72,4 @@ struct Folded {
 Folded fold(SoftRun& run, int steps, std::vector<Probe*> probes = {},
             std::function<bool(const World&, const Contacts&)> stop = {});
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

@@ -1,7 +1,8 @@
-#include "chapters/09_deep_contacts/experiments/bent_bars.hpp"
-#include "chapters/09_deep_contacts/experiments/self_crossings.hpp"
-#include "chapters/09_deep_contacts/self_search.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
+#include "chapters/10_self_contact/experiments/bent_bars.hpp"
+#include "chapters/10_self_contact/experiments/self_crossings.hpp"
+#include "chapters/10_self_contact/self_search.hpp"
+#include "chapters/10_self_contact/solver.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/scenes/scene_warnings.hpp"
 #include "common/simulation/deformable_body.hpp"
@@ -9,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <random>
 #include <set>
@@ -20,7 +22,7 @@ namespace {
 constexpr double leg = 0.15, bend = 0.03;
 
 /// Two legs upwards, 6 cm from middle to middle.
-chapter09::CurvePoint fork_curve(double s)
+chapter10::CurvePoint fork_curve(double s)
 {
     const double angle = std::clamp((s - leg) / bend, 0.0, std::numbers::pi);
     const Vec3 along(std::sin(angle), -std::cos(angle), 0), left(std::cos(angle), std::sin(angle), 0);
@@ -30,7 +32,7 @@ chapter09::CurvePoint fork_curve(double s)
 
 TetrahedralMesh fork_mesh(int fineness)
 {
-    return chapter09::bent_bar(2 * leg + std::numbers::pi * bend, 0.02, 0.02,
+    return chapter10::bent_bar(2 * leg + std::numbers::pi * bend, 0.02, 0.02,
                                {20 * fineness, fineness, fineness}, fork_curve);
 }
 
@@ -51,10 +53,10 @@ TEST_CASE("self-detection: of all pairs of features whose boxes overlap each com
     const RestNeighbours& neighbours = *rest_neighbours(*body);
     const SurfaceTopology& surface = body->surface();
     std::mt19937 random(8);
-    std::uniform_real_distribution<double> way(-0.03, 0.03);
+    std::uniform_real_distribution<double> displacement(-0.03, 0.03);
     std::vector<Vec3> end(body->positions_t0().begin(), body->positions_t0().end());
     for (Vec3& x : end)
-        x += Vec3(way(random), way(random), way(random));
+        x += Vec3(displacement(random), displacement(random), displacement(random));
     FaceTree tree(surface, body->positions_t0());
     tree.refit({surface, body->positions_t0(), end});
     CandidatePairs pairs;
@@ -78,6 +80,36 @@ TEST_CASE("self-detection: of all pairs of features whose boxes overlap each com
         CHECK(vertex_face.contains(pair));
     for (const FeaturePair& pair : pairs.edge_edge)
         CHECK(edge_edge.contains(pair));
+}
+
+TEST_CASE("self-detection: each body that asks for it is looked at, and no other")
+{
+    World world;
+    for (const bool self_contact : {false, true, true})
+        world.bodies.push_back(soft_fork(1, 1e5, self_contact));
+    SelfSearch search;
+    search.find_candidates(world, 0.03);
+    std::array<long, 3> of_itself{};
+    const auto count = [&](int a, int, int b, int) { of_itself[static_cast<std::size_t>(a)] += a == b; };
+    search.visit_candidates(count, count);
+    CHECK(of_itself[0] == 0);
+    CHECK(of_itself[1] > 100);
+    CHECK(of_itself[2] == of_itself[1]);
+}
+
+TEST_CASE("self-contact: bodies that do not ask for it move as with chapter 9, to the last bit")
+{
+    std::vector<Vec3> ends[2];
+    for (const bool own : {false, true}) {
+        Scene scene = load_scene(scene_file("initial_overlap"));
+        const Solver solver = own ? chapter10_solver(scene.contact) : chapter09_solver(scene.contact);
+        Contacts contacts;
+        for (int step = 0; step < 40; ++step)
+            advance(scene.world, contacts, solver, scene.dt);
+        for (const auto& body : scene.world.bodies)
+            ends[own].insert(ends[own].end(), body->positions_t0().begin(), body->positions_t0().end());
+    }
+    CHECK((ends[0] == ends[1]));
 }
 
 namespace {
@@ -104,7 +136,7 @@ Clap clap(int fineness, double young, double dt, bool self_contact)
         for (const int v : tips[side])
             body.apply_impulse(v, Vec3((side ? -0.08 : 0.08) / static_cast<double>(tips[side].size()), 0, 0));
     const auto probe = soft_fork(fineness, young, true);  // knows the neighbours
-    const Solver solver = chapter09_solver({});
+    const Solver solver = chapter10_solver({});
     Contacts contacts;
     Clap result;
     double before = 0;
@@ -114,7 +146,7 @@ Clap clap(int fineness, double young, double dt, bool self_contact)
         before = step == 0 ? energy : before;
         result.gain = std::max(result.gain, energy / before - 1);
         result.deep_crossings = std::max(result.deep_crossings,
-                                         chapter09::self_crossings(body, *rest_neighbours(*probe), 2e-4));
+                                         chapter10::self_crossings(body, *rest_neighbours(*probe), 2e-4));
         result.momentum = std::max(result.momentum, body.linear_momentum().norm());
         std::set<FeaturePair> edges;
         for (const Contact& c : contacts)
@@ -157,18 +189,18 @@ TEST_CASE(
     };
     add(fork_mesh(1));
     CHECK(scene_warnings(scene, "fork").empty());
-    add(chapter09::crossed_bar(0.02, 0.02, {40, 1, 1}));
+    add(chapter10::crossed_bar(0.02, 0.02, {40, 1, 1}));
     const std::vector<std::string> warnings = scene_warnings(scene, "bar");
     REQUIRE(warnings.size() == 1);
     CHECK(warnings[0].find("'bar' begins crossed with itself") != std::string::npos);
 
     Body& bar = *scene.world.bodies[0];
-    const long crossings = chapter09::self_crossings(bar, *rest_neighbours(bar));
+    const long crossings = chapter10::self_crossings(bar, *rest_neighbours(bar));
     CHECK(crossings > 0);
-    const Solver solver = chapter09_solver({});
+    const Solver solver = chapter10_solver({});
     Contacts contacts;
     for (int step = 0; step < 100; ++step)
         advance(scene.world, contacts, solver, 0.005);
-    CHECK(chapter09::self_crossings(bar, *rest_neighbours(bar)) >= crossings);
+    CHECK(chapter10::self_crossings(bar, *rest_neighbours(bar)) >= crossings);
     CHECK(bar.energy(scene.world.gravity).total() < 1e-9);
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "chapters/09_deep_contacts/experiments/soft_runs.hpp"
+#include "chapters/10_self_contact/experiments/soft_runs.hpp"
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 
 /// 40 cm of a strip of 2 cm fall on their end.
 SoftRun falling_strip(const SoftVariant& variant);
@@ -16,4 +16,4 @@ SoftRun squashed_ring(const SoftVariant& variant);
 /// A bunny's ears are pulled down to its back and let go. It is weightless, and its feet are held.
 SoftRun pressed_ears(const SoftVariant& variant);
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

@@ -1,12 +1,12 @@
-#include "chapters/09_deep_contacts/experiments/folding_scenes.hpp"
+#include "chapters/10_self_contact/experiments/folding_scenes.hpp"
 
-#include "chapters/09_deep_contacts/experiments/bent_bars.hpp"
+#include "chapters/10_self_contact/experiments/bent_bars.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/read_gmsh.hpp"
 #include "common/input/source_directory.hpp"
 #include "common/simulation/rigid_body.hpp"
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 
 SoftRun falling_strip(const SoftVariant& variant)
 {
@@ -63,4 +63,4 @@ SoftRun pressed_ears(const SoftVariant& variant)
     return run;
 }
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

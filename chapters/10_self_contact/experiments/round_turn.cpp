@@ -1,12 +1,12 @@
-#include "chapters/09_deep_contacts/experiments/round_turn.hpp"
+#include "chapters/10_self_contact/experiments/round_turn.hpp"
 
-#include "chapters/09_deep_contacts/experiments/bent_bars.hpp"
+#include "chapters/10_self_contact/experiments/bent_bars.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -97,13 +97,13 @@ Vec3 inner_side(const RoundTurn& shape, const LinePoint& at)
 TetrahedralMesh rope_mesh(const RoundTurn& shape)
 {
     const std::vector<LinePoint> line = rope_line(shape);
-    std::vector<double> way{0};
+    std::vector<double> arc{0};
     for (std::size_t i = 1; i < line.size(); ++i)
-        way.push_back(way.back() + (line[i].place - line[i - 1].place).norm());
-    const int cells = static_cast<int>(way.back() / shape.cell + 0.5);
-    return bent_bar(way.back(), shape.thickness, shape.width, {cells, 1, 1}, [&](double s) {
+        arc.push_back(arc.back() + (line[i].place - line[i - 1].place).norm());
+    const int cells = static_cast<int>(arc.back() / shape.cell + 0.5);
+    return bent_bar(arc.back(), shape.thickness, shape.width, {cells, 1, 1}, [&](double s) {
         const auto i =
-            static_cast<std::size_t>(std::lower_bound(way.begin(), way.end() - 1, s) - way.begin());
+            static_cast<std::size_t>(std::lower_bound(arc.begin(), arc.end() - 1, s) - arc.begin());
         const Vec3 left = inner_side(shape, line[i]);
         return CurvePoint{line[i].place, left, line[i].along.normalized().cross(left)};
     });
@@ -177,7 +177,7 @@ RoundTurnRun round_turn(const RoundTurn& shape, const SoftVariant& variant, doub
     return {std::move(run), std::move(middle)};
 }
 
-double way_of_turn(const RoundTurn& shape, const RoundTurnRun& turn)
+double displacement_of_turn(const RoundTurn& shape, const RoundTurnRun& turn)
 {
     Vec3 sum = Vec3::Zero();
     for (const int vertex : turn.middle)
@@ -185,4 +185,4 @@ double way_of_turn(const RoundTurn& shape, const RoundTurnRun& turn)
     return turn_radius(shape) * std::atan2(-sum.x(), sum.y());
 }
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

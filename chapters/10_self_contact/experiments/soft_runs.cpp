@@ -1,7 +1,7 @@
-#include "chapters/09_deep_contacts/experiments/soft_runs.hpp"
+#include "chapters/10_self_contact/experiments/soft_runs.hpp"
 
-#include "chapters/09_deep_contacts/experiments/self_crossings.hpp"
-#include "chapters/09_deep_contacts/solver.hpp"
+#include "chapters/10_self_contact/experiments/self_crossings.hpp"
+#include "chapters/10_self_contact/solver.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/simulation/deformable_body.hpp"
@@ -11,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 
 SoftRun soft_run(const SoftVariant& variant)
 {
@@ -143,7 +143,7 @@ Folded fold(SoftRun& soft, int steps, std::vector<Probe*> probes,
         found.unconverged += !record.converged;
     };
     probes.insert(probes.begin(), &watch);
-    Solver solver = pulling(chapter09_solver(soft.scene.contact, settings), soft.pulls);
+    Solver solver = pulling(chapter10_solver(soft.scene.contact, settings), soft.pulls);
     double own_answers = 0;
     clock_own_answers(solver, own_answers);
     const RunResult result = run(soft.scene, solver, probes,
@@ -157,4 +157,4 @@ Folded fold(SoftRun& soft, int steps, std::vector<Probe*> probes,
     return found;
 }
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

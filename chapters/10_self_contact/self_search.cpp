@@ -1,4 +1,4 @@
-#include "chapters/09_deep_contacts/self_search.hpp"
+#include "chapters/10_self_contact/self_search.hpp"
 
 #include <algorithm>
 

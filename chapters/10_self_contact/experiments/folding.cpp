@@ -1,12 +1,12 @@
-#include "chapters/09_deep_contacts/experiments/experiments.hpp"
-#include "chapters/09_deep_contacts/experiments/folding_scenes.hpp"
-#include "chapters/09_deep_contacts/experiments/self_crossings.hpp"
+#include "chapters/10_self_contact/experiments/experiments.hpp"
+#include "chapters/10_self_contact/experiments/folding_scenes.hpp"
+#include "chapters/10_self_contact/experiments/self_crossings.hpp"
 #include "common/experiments/render/moments.hpp"
 #include "common/experiments/report/progress.hpp"
 
 #include <algorithm>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 namespace {
 
 struct Case {
@@ -53,6 +53,17 @@ MarkContacts mark_self_crossings(const World& twin)
     };
 }
 
+/// Edges of all bodies that pass through faces of their own body.
+/// @param twin  see mark_self_crossings()
+long own_crossings(const World& world, const World& twin)
+{
+    long count = 0;
+    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+        if (const RestNeighbours* neighbours = rest_neighbours(*twin.bodies[i]))
+            count += self_crossings(*world.bodies[i], *neighbours);
+    return count;
+}
+
 /// A case without and with contact of the body with itself.
 void show_folds(const Case& shown, Report& report)
 {
@@ -66,6 +77,9 @@ void show_folds(const Case& shown, Report& report)
         MomentsProbe film(run.scene, shown.shown, mark_self_crossings(twin.scene.world),
                           self_contact ? "with, " : "without, ");
         fold(run, static_cast<int>(shown.shown.back() / run.scene.dt) + 2, {&film});
+        if (shown.name == "strip")
+            report.fact("folding", self_contact ? "shown_with" : "shown_without",
+                        static_cast<double>(own_crossings(run.scene.world, twin.scene.world)), 4);
         moments.insert(moments.end(), film.moments().begin(), film.moments().end());
     }
     constexpr int width = 480, height = 270;
@@ -147,4 +161,4 @@ void folding(const RunOptions& options, Report& report)
     report.fact("folding", "share_percent_by_clock", 100 * all.share, 2);
 }
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

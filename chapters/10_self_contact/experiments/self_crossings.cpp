@@ -1,4 +1,4 @@
-#include "chapters/09_deep_contacts/experiments/self_crossings.hpp"
+#include "chapters/10_self_contact/experiments/self_crossings.hpp"
 
 #include "chapters/02_collision_detection/swept_box.hpp"
 #include "chapters/09_deep_contacts/piercing.hpp"
@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 
 namespace {
 
@@ -68,4 +68,4 @@ double crossing_depth(const Body& body, const RestNeighbours& neighbours, double
     return skin;
 }
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

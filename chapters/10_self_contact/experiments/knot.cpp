@@ -1,6 +1,6 @@
-#include "chapters/09_deep_contacts/experiments/bent_bars.hpp"
-#include "chapters/09_deep_contacts/experiments/experiments.hpp"
-#include "chapters/09_deep_contacts/experiments/soft_runs.hpp"
+#include "chapters/10_self_contact/experiments/bent_bars.hpp"
+#include "chapters/10_self_contact/experiments/experiments.hpp"
+#include "chapters/10_self_contact/experiments/soft_runs.hpp"
 #include "common/experiments/render/film_probes.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 namespace {
 
 constexpr double pulled = 1.5, eased = 1.5;  ///< so long [s] the ends are pulled hard, and then less
@@ -99,4 +99,4 @@ void knot(const RunOptions& options, Report& report)
     report.fact("knot", "rough_mm", travel[1][1]);
 }
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

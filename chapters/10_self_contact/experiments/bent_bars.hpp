@@ -4,7 +4,7 @@
 
 #include <functional>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 
 /// A place on a curve, the direction to the left of it and the one that is across to both, of unit length.
 struct CurvePoint {
@@ -39,4 +39,4 @@ TetrahedralMesh crossed_bar(double thickness, double width, std::array<int, 3> c
 /// @param arm   length of each straight end [m]
 TetrahedralMesh overhand_knot(double size, double arm, double thickness, int cells);
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "chapters/09_deep_contacts/experiments/soft_runs.hpp"
+#include "chapters/10_self_contact/experiments/soft_runs.hpp"
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 
 /// A rope that grows out of a post and goes once around it, as one body. Two forces pull along it, one at its
 /// free end and one before the turn; between this place and the post it is slack.
@@ -32,6 +32,6 @@ struct RoundTurnRun {
 RoundTurnRun round_turn(const RoundTurn& shape, const SoftVariant& variant, double force, double ratio);
 
 /// How far the middle of the turn has come along the turn since the scene was made [m]; less than half a turn.
-double way_of_turn(const RoundTurn& shape, const RoundTurnRun& turn);
+double displacement_of_turn(const RoundTurn& shape, const RoundTurnRun& turn);
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10

@@ -1,16 +1,16 @@
-#include "chapters/09_deep_contacts/experiments/experiments.hpp"
-#include "chapters/09_deep_contacts/experiments/round_turn.hpp"
+#include "chapters/10_self_contact/experiments/experiments.hpp"
+#include "chapters/10_self_contact/experiments/round_turn.hpp"
 #include "common/experiments/render/film_probes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace enduring::chapter09 {
+namespace enduring::chapter10 {
 namespace {
 
 constexpr double rough = 0.5, slippery = 0.02;
-constexpr double slipped = 0.02;  ///< the way of a rope that slips, at which a run ends [m]
+constexpr double slipped = 0.02;  ///< displacement of a rope that slips, at which a run ends [m]
 constexpr double begun = 0.001;   ///< and of one that begins to [m]
 
 /// How a rope is pulled.
@@ -42,48 +42,48 @@ RoundTurnRun rope(const Load& load, double mu)
 
 /// What becomes of a rope.
 struct PullOutcome {
-    double way = 0;    ///< of the middle of the turn [m]
-    double creep = 0;  ///< most way between two moments of the second half of the time [m]
+    double displacement = 0;    ///< of the middle of the turn [m]
+    double creep = 0;  ///< most displacement between two moments of the second half of the time [m]
     double time = 0;   ///< when the run ends [s]
     Folded found;
 };
 
-/// @param enough  way at which the run ends [m]
+/// @param enough  displacement at which the run ends [m]
 PullOutcome pull(RoundTurnRun& turn, const Load& load, double duration, double enough,
                  std::vector<Probe*> probes = {})
 {
     PullOutcome outcome;
     const RoundTurn shape = shape_of(load);
-    const double start = way_of_turn(shape, turn);
+    const double start = displacement_of_turn(shape, turn);
     double least = 1e9, most = -1e9;
     WatchProbe watch([&](const World& world, const Contacts&, double) {
-        outcome.way = way_of_turn(shape, turn) - start;
+        outcome.displacement = displacement_of_turn(shape, turn) - start;
         outcome.time = world.time;
         if (world.time < duration / 2)
             return;
-        least = std::min(least, outcome.way);
-        most = std::max(most, outcome.way);
+        least = std::min(least, outcome.displacement);
+        most = std::max(most, outcome.displacement);
     });
     probes.insert(probes.begin(), &watch);
     outcome.found = fold(turn.soft, static_cast<int>(duration / load.dt + 0.5), probes,
-                         [&](const World&, const Contacts&) { return outcome.way > enough; });
+                         [&](const World&, const Contacts&) { return outcome.displacement > enough; });
     outcome.creep = std::max(0.0, most - least);
     return outcome;
 }
 
 /// All outcomes, row by row and the worst of them.
 struct CollectedPulls {
-    Table table{{"dt_s", "pull_n", "ratio", "cell_mm", "friction", "way_mm", "creep_um", "time_s",
+    Table table{{"dt_s", "pull_n", "ratio", "cell_mm", "friction", "displacement_mm", "creep_um", "time_s",
                  "crossings", "deepest_um", "inverted", "unconverged"}};
     PullOutcome held, coarse,
-        slid{.way = 1e9, .found = {}};  ///< coarse: held, with a longer step than the usual one
+        slid{.displacement = 1e9, .found = {}};  ///< coarse: held, with a longer step than the usual one
 
     void add(const Load& load, double mu, const PullOutcome& o)
     {
-        table.add({load.dt, load.force, load.ratio, 1000 * load.cell, mu, 1000 * o.way, 1e6 * o.creep, o.time,
+        table.add({load.dt, load.force, load.ratio, 1000 * load.cell, mu, 1000 * o.displacement, 1e6 * o.creep, o.time,
                    o.found.crossings, 1e6 * o.found.depth, o.found.inverted, o.found.unconverged});
         PullOutcome& worst = mu == slippery ? slid : load.dt > loads[0].dt ? coarse : held;
-        worst.way = mu == slippery ? std::min(worst.way, o.way) : std::max(worst.way, std::abs(o.way));
+        worst.displacement = mu == slippery ? std::min(worst.displacement, o.displacement) : std::max(worst.displacement, std::abs(o.displacement));
         worst.creep = std::max(worst.creep, o.creep);
         worst.time = std::max(worst.time, o.time);
         worst.found.depth = std::max(worst.found.depth, o.found.depth);
@@ -112,13 +112,13 @@ void hold_or_slip(bool quick, Report& report)
     write_png(strip(rows, 1), report.file("round_turn.png"));
     report.table("capstan", all.table);
     report.page_table("capstan", all.table, 3);
-    report.fact("capstan", "held_mm", 1000 * all.held.way, 2);
+    report.fact("capstan", "held_mm", 1000 * all.held.displacement, 2);
     report.fact("capstan", "held_creep_um", 1e6 * all.held.creep, 2);
     report.fact("capstan", "held_depth_um", 1e6 * all.held.found.depth, 2);
-    report.fact("capstan", "coarse_mm", 1000 * all.coarse.way, 2);
+    report.fact("capstan", "coarse_mm", 1000 * all.coarse.displacement, 2);
     report.fact("capstan", "coarse_creep_um", 1e6 * all.coarse.creep, 2);
     report.fact("capstan", "coarse_depth_mm", 1000 * all.coarse.found.depth, 2);
-    report.fact("capstan", "slid_mm", 1000 * all.slid.way, 2);
+    report.fact("capstan", "slid_mm", 1000 * all.slid.displacement, 2);
     report.fact("capstan", "slid_ms", 1000 * all.slid.time, 2);
     report.fact("capstan", "slid_depth_mm", 1000 * all.slid.found.depth, 2);
 }
@@ -160,4 +160,4 @@ void capstan(const RunOptions& options, Report& report)
     let_go(options.quick, report);
 }
 
-}  // namespace enduring::chapter09
+}  // namespace enduring::chapter10
