@@ -1,29 +1,11 @@
 #include "exercises/10_self_contact/1_neighbours.hpp"
 
-#include <algorithm>
+#include <set>
 
 namespace enduring {
 
-// Bellman and Ford: pass over all bonds until no path gets shorter.
-std::vector<double> paths_from(const SoftShape& shape, int vertex)
-{
-    std::vector<double> path(shape.rest.size(), INFINITY);
-    path[vertex] = 0;
-    for (bool shorter = true; shorter;) {
-        shorter = false;
-        for (const auto& [u, v] : shape.bonds) {
-            const double length = (shape.rest[u] - shape.rest[v]).norm();
-            for (const auto& [from, to] : {std::pair(u, v), std::pair(v, u)})
-                if (path[from] + length < path[to]) {
-                    path[to] = path[from] + length;
-                    shorter = true;
-                }
-        }
-    }
-    return path;
-}
-
-// Edge by edge: whoever is within an edge of one of its ends is a neighbour of this end, if the body lies between.
+// Edge by edge: what is within the length of an edge of one of its ends is a neighbour of this end, if the body lies
+// between.
 Neighbours find_neighbours(const SoftShape& shape)
 {
     double longest = 0;
@@ -35,44 +17,44 @@ Neighbours find_neighbours(const SoftShape& shape)
         table[u][u] = true;
     for (const auto& edge : shape.edges)
         for (const int end : edge) {
-            const double reach = (shape.rest[edge[0]] - shape.rest[edge[1]]).norm();
+            const double length = (shape.rest[edge[0]] - shape.rest[edge[1]]).norm();
             const std::vector<double> path = paths_from(shape, end);
             for (std::size_t v = 0; v < count; ++v)
-                if ((shape.rest[end] - shape.rest[v]).norm() <= reach && path[v] <= 2 * longest)
+                if ((shape.rest[end] - shape.rest[v]).norm() <= length && path[v] <= 2 * longest)
                     table[end][v] = table[v][end] = true;
         }
     return table;
 }
 
-// By distances of intervals: two boxes are near if they are so in each coordinate.
-OwnPairs find_own_pairs(const SoftShape& shape, const Neighbours& neighbours, double margin)
+// What is around a feature first: the vertices that are next to it. A feature with one of them may not push.
+FoundPairs find_own_pairs(const SoftShape& shape, const Neighbours& neighbours, double margin)
 {
-    const auto gap = [&](const auto& one, const auto& other, int axis) {
-        const auto [low, high] = std::minmax_element(
-            one.begin(), one.end(), [&](int u, int v) { return shape.now[u][axis] < shape.now[v][axis]; });
-        const auto [low_other, high_other] = std::minmax_element(
-            other.begin(), other.end(),
-            [&](int u, int v) { return shape.now[u][axis] < shape.now[v][axis]; });
-        return std::max(shape.now[*low_other][axis] - shape.now[*high][axis],
-                        shape.now[*low][axis] - shape.now[*high_other][axis]);
+    const auto around = [&](std::span<const int> feature) {
+        std::set<int> all;
+        for (const int vertex : feature)
+            for (int other = 0; other < shape.surface_vertices; ++other)
+                if (neighbours[vertex][other])
+                    all.insert(other);
+        return all;
     };
-    const auto visit = [&](const auto& one, const auto& other) {
-        const bool next_to_it = std::any_of(one.begin(), one.end(), [&](int u) {
-            return std::any_of(other.begin(), other.end(), [&](int v) { return neighbours[u][v]; });
-        });
-        return !next_to_it && gap(one, other, 0) <= 2 * margin && gap(one, other, 1) <= 2 * margin &&
-               gap(one, other, 2) <= 2 * margin;
+    const auto has_one_of = [](std::span<const int> feature, const std::set<int>& vertices) {
+        return std::any_of(feature.begin(), feature.end(), [&](int v) { return vertices.contains(v); });
     };
-    OwnPairs pairs;
-    for (int face = 0; face < static_cast<int>(shape.faces.size()); ++face)
+    FoundPairs pairs;
+    for (int face = 0; face < static_cast<int>(shape.faces.size()); ++face) {
+        const std::set<int> next_to_it = around(shape.faces[face]);
         for (int vertex = 0; vertex < shape.surface_vertices; ++vertex)
-            if (visit(std::array{vertex}, shape.faces[face]))
+            if (!next_to_it.contains(vertex) && are_near(shape, {&vertex, 1}, shape.faces[face], margin))
                 pairs.vertex_face.push_back({vertex, face});
+    }
     std::sort(pairs.vertex_face.begin(), pairs.vertex_face.end());
-    for (int edge = 0; edge < static_cast<int>(shape.edges.size()); ++edge)
+    for (int edge = 0; edge < static_cast<int>(shape.edges.size()); ++edge) {
+        const std::set<int> next_to_it = around(shape.edges[edge]);
         for (int other = edge + 1; other < static_cast<int>(shape.edges.size()); ++other)
-            if (visit(shape.edges[edge], shape.edges[other]))
+            if (!has_one_of(shape.edges[other], next_to_it) &&
+                are_near(shape, shape.edges[edge], shape.edges[other], margin))
                 pairs.edge_edge.push_back({edge, other});
+    }
     return pairs;
 }
 
