@@ -5,7 +5,7 @@
 
 namespace enduring {
 
-/// The search of the chapter before, and the surfaces of bodies that meet themselves against themselves.
+/// Chapter 8's search, and the surfaces of bodies that meet themselves against themselves.
 class SelfSearch final : public ContactSearch {
 protected:
     void find_more(const World& world) override;
