@@ -6,7 +6,7 @@
 
 FILE is a JSON object:
     "scenes"   files, as seen from FILE's folder or from the course's
-    "solvers"  the chapters whose solvers run them, 1 to 9; [9] when left out
+    "solvers"  the chapters whose solvers run them; the last one when left out
     "vary"     {"/path/in/the/scene": [values]}, as in a change of a scene (common/scenes/scene_format.md); {} when left out
     "keep"     {"column": "last TABLE.COLUMN"}, or first, least, most: one number of each run's tables
 Every scene runs with every solver and every choice of values. A run that breaks keeps its row, and `failed` in it says why.
@@ -22,6 +22,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
+CHAPTERS = len(list(ROOT.glob("chapters/[0-9][0-9]_*/solver.hpp")))
 KEYS = {"scenes", "solvers", "vary", "keep"}
 CHOICES = {"first": lambda column: column[0], "last": lambda column: column[-1], "least": min, "most": max}
 SNAKEFILE = '''# Written by ./course study from {file}. On the cores here: snakemake --cores all; on a cluster's queue, as
@@ -59,12 +60,12 @@ def read_study(file):
     if not isinstance(study, dict) or set(study) - KEYS:
         others = f", not {', '.join(sorted(set(study) - KEYS))}" if isinstance(study, dict) else ""
         wrong(f"{file}: an object with the keys {', '.join(sorted(KEYS))}{others}")
-    study = {"solvers": [9], "vary": {}} | study
+    study = {"solvers": [CHAPTERS], "vary": {}} | study
     if not study.get("scenes") or not study.get("keep"):
         wrong(f"{file}: scenes and keep are needed")
     for solver in study["solvers"]:
-        if solver not in range(1, 10):
-            wrong(f"{file}: /solvers: a chapter from 1 to 9, and not {json.dumps(solver)}")
+        if solver not in range(1, CHAPTERS + 1):
+            wrong(f"{file}: /solvers: a chapter from 1 to {CHAPTERS}, and not {json.dumps(solver)}")
     for path, values in study["vary"].items():
         if not path.startswith("/") or not isinstance(values, list) or not values:
             wrong(f"{file}: /vary: a path that begins with / and a list of values, and not {json.dumps({path: values})}")

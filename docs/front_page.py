@@ -22,6 +22,7 @@ PICTURES = {  # each chapter's reference picture, and what is cut out of it firs
     "07_implicit_contact": ("stack", ""),
     "08_speculative_contacts": ("heap", ""),
     "09_deep_contacts": ("bunny_curve", ""),
+    "10_self_contact": ("folded_strip", ""),
 }
 
 

@@ -1,6 +1,6 @@
 // A ball falls to the ground: load a scene, take a chapter's solver,
 // step it, and print the height of the ball.
-#include "chapters/09_deep_contacts/solver.hpp"
+#include "chapters/10_self_contact/solver.hpp"
 #include "common/scenes/scene.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ int main()
 {
     using namespace enduring;
     Scene scene = load_scene(scene_file("falling_sphere"));
-    const Solver solver = chapter09_solver(scene.contact);
+    const Solver solver = chapter10_solver(scene.contact);
     const Body& ball = *scene.world.bodies.front();
 
     Contacts contacts;

@@ -52,7 +52,7 @@ class FromOutside(unittest.TestCase):
         self.assertEqual(said(self.folder / "build/drop"), said(BUILD / "bin/drop"))
         installed = {path.name for path in (self.folder / "prefix").rglob("*") if path.is_file()}
         self.assertIn("friction_law.hpp", installed)
-        self.assertFalse({"chapter_program.hpp", "main.cpp", "chapter09", "drop", "libenduring_render.a"} & installed)
+        self.assertFalse({"chapter_program.hpp", "main.cpp", "chapter10", "drop", "libenduring_render.a"} & installed)
 
     def test_a_course_that_is_added_brings_its_layers_and_nothing_of_its_own_habits(self):
         self.configure(f"-DENDURING_SOURCE={ROOT}")
@@ -63,8 +63,8 @@ class FromOutside(unittest.TestCase):
         self.assertIn("-ffp-contract=off", commands)
         self.assertEqual(len(re.findall(r"-std=(c|gnu)\+\+20 ", commands)), commands.count(" -c "))
         targets = said(*ninja, "-t", "targets", "all")
-        self.assertIn("libchapter09_layer.a:", targets)
-        for ours in ("test_", "bench_", "exercise_", "render", "chapter09_experiments"):
+        self.assertIn("libchapter10_layer.a:", targets)
+        for ours in ("test_", "bench_", "exercise_", "render", "chapter10_experiments"):
             self.assertNotRegex(targets, rf"(?m)^(\S*/)?(lib)?{ours}\S*: (?!phony)")
         # One object of its own and one library of ours: the others compile alike, and drop is linked above.
         said(*ninja, "CMakeFiles/drop.dir" + str(ROOT / "examples/drop.cpp") + ".o", "enduring/libenduring_input.a")

@@ -30,7 +30,7 @@ std::set<FeaturePair> near_on_the_curve(const std::vector<Piercing>& curve)
 //! [near_on_the_curve]
 
 //! [pushes_out]
-/// Lets a pair act at its feet, if these lie on the edges and it pushes along the way out.
+/// Lets a pair act at its feet, if these lie on the edges and it pushes along the separation direction.
 bool pushes_out(const World& world, const Vec3& separation_direction, Contact& pair)
 {
     const PairSurfaces surfaces(world, pair, 0);

@@ -7,7 +7,7 @@ namespace enduring {
 
 /// Appends a pair for each two edges that cross on the border of an overlap and have none, where everything lies
 /// at the start of the step: both feet lie on their edges, inside the other body, and the pair pushes along the
-/// way out, give or take 45 degrees. The pairs endure.
+/// separation direction, give or take 45 degrees. The pairs endure.
 ///
 /// Where the corners of two boxes lie beside each other there is no vertex in either box, and nothing but two edges
 /// that hold them apart.

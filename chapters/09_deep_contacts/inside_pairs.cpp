@@ -13,14 +13,14 @@ namespace {
 //! [append]
 /// A pair for each of the vertices that has none with the other body.
 void append_pairs_of(int body_a, const StillSurface& inner, const std::vector<int>& vertices, int body_b,
-                     const StillSurface& other, const std::vector<Vec3>& ways,
+                     const StillSurface& other, const std::vector<Vec3>& directions,
                      const VertexContacts& in_contact, Contacts& contacts)
 {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const int vertex = vertices[i];
         if (in_contact.find(body_a, vertex, body_b) >= 0)
             continue;
-        const Exit exit = find_exit(other, inner.positions[vertex], ways[i]);
+        const Exit exit = find_exit(other, inner.positions[vertex], directions[i]);
         if (exit.face < 0)
             continue;
         Contact pair{ContactKind::vertex_face, body_a, body_b, vertex, exit.face};
@@ -62,11 +62,11 @@ void InsidePairs::fit_trees(const World& world)
         trees_[i].refit({bodies_[i]->surface(), bodies_[i]->positions_t0(), bodies_[i]->positions_t0()});
 }
 
-void InsidePairs::note_ways(int body_a, const std::vector<int>& vertices, int body_b,
-                            const std::vector<Vec3>& ways)
+void InsidePairs::note_directions(int body_a, const std::vector<int>& vertices, int body_b,
+                                  const std::vector<Vec3>& directions)
 {
     for (std::size_t i = 0; i < vertices.size(); ++i)
-        way_of_vertex_[{body_a, vertices[i], body_b}] = ways[i];
+        direction_of_vertex_[{body_a, vertices[i], body_b}] = directions[i];
 }
 
 void InsidePairs::trace(const World& world)
@@ -87,19 +87,19 @@ void InsidePairs::trace(const World& world)
 
 void InsidePairs::append_pairs(const World& world, Contacts& contacts)
 {
-    way_of_vertex_.clear();
+    direction_of_vertex_.clear();
     const VertexContacts in_contact(contacts);
     for (const auto& [i, j, overlaps] : overlaps_)
         for (const Overlap& overlap : overlaps) {
             const auto &of_a = overlap.vertices_of_a, &of_b = overlap.vertices_of_b;
             const StillSurface a = still(*bodies_[i], trees_[i]), b = still(*bodies_[j], trees_[j]);
-            const std::vector<Vec3> ways_a = ways_(a, of_a, b, overlap.separation_direction),
-                                    ways_b = ways_(b, of_b, a, -overlap.separation_direction);
-            append_pairs_of(i, a, of_a, j, b, ways_a, in_contact, contacts);
-            append_pairs_of(j, b, of_b, i, a, ways_b, in_contact, contacts);
+            const std::vector<Vec3> directions_a = method_(a, of_a, b, overlap.separation_direction),
+                                    directions_b = method_(b, of_b, a, -overlap.separation_direction);
+            append_pairs_of(i, a, of_a, j, b, directions_a, in_contact, contacts);
+            append_pairs_of(j, b, of_b, i, a, directions_b, in_contact, contacts);
             append_crossing_edges(world, i, j, overlap, contacts);
-            note_ways(i, of_a, j, ways_a);
-            note_ways(j, of_b, i, ways_b);
+            note_directions(i, of_a, j, directions_a);
+            note_directions(j, of_b, i, directions_b);
         }
 }
 
@@ -111,16 +111,16 @@ void fade_rest_offset(Contacts& contacts, double keep, const std::function<doubl
             contact.rest_offset = std::min(keep * contact.rest_offset, contact.rest_offset + most(contact));
 }
 
-double InsidePairs::part_along_the_way(const World& world, const Contact& contact) const
+double InsidePairs::part_along_direction(const World& world, const Contact& contact) const
 {
     for (int i = 0; contact.kind != ContactKind::vertex_plane && i < contact.vertex_count(); ++i) {
         const bool of_a = i < contact.vertices_of_a();
-        const auto way = way_of_vertex_.find({of_a ? contact.body_a : contact.body_b,
-                                              contact.vertices[static_cast<std::size_t>(i)],
-                                              of_a ? contact.body_b : contact.body_a});
-        if (way != way_of_vertex_.end())
-            return std::max(0.0,
-                            (of_a ? 1 : -1) * way->second.dot(contact_geometry(world, contact, 0).normal));
+        const auto direction = direction_of_vertex_.find({of_a ? contact.body_a : contact.body_b,
+                                                          contact.vertices[static_cast<std::size_t>(i)],
+                                                          of_a ? contact.body_b : contact.body_a});
+        if (direction != direction_of_vertex_.end())
+            return std::max(
+                0.0, (of_a ? 1 : -1) * direction->second.dot(contact_geometry(world, contact, 0).normal));
     }
     return 1;
 }

@@ -10,24 +10,24 @@
 
 namespace enduring {
 
-/// The way out of each of some vertices that lie in another body, unit length; zero for none.
+/// The separation direction of each of some vertices that lie in another body, unit length; zero for none.
 /// @param separation_direction  of the overlap that they belong to
 using SeparationMethod =
     std::function<std::vector<Vec3>(const StillSurface& inner, const std::vector<int>& vertices,
                                     const StillSurface& outer, const Vec3& separation_direction)>;
 
-/// All vertices share the way of their overlap.
+/// All vertices share the direction of their overlap.
 std::vector<Vec3> overlap_direction(const StillSurface& inner, const std::vector<int>& vertices,
                                     const StillSurface& outer, const Vec3& separation_direction);
 
 /// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
-/// which the way out of their overlap leads; and the edges that cross on its border without one. It needs no
+/// which the separation direction of their overlap leads; and the edges that cross on its border without one. It needs no
 /// history. Between bodies with closed surfaces only.
 ///
 /// The trees are shaped once, so it belongs to one world.
 class InsidePairs {
 public:
-    explicit InsidePairs(SeparationMethod method = overlap_direction) : ways_(std::move(method)) {}
+    explicit InsidePairs(SeparationMethod method = overlap_direction) : method_(std::move(method)) {}
 
     /// Finds where bodies overlap at the start of the step.
     void trace(const World& world);
@@ -40,9 +40,9 @@ public:
         append_pairs(world, contacts);
     }
 
-    /// How much of the way out of its overlap leads along a pair's normal, in [0, 1]; 1 where no vertex of it is
-    /// in an overlap. Asked after append_pairs().
-    double part_along_the_way(const World& world, const Contact& contact) const;
+    /// How much of the separation direction of its overlap lies along a pair's normal, in [0, 1]; 1 where no vertex
+    /// of it is in an overlap. Asked after append_pairs().
+    double part_along_direction(const World& world, const Contact& contact) const;
 
 private:
     /// What two bodies, a < b, have in common.
@@ -53,13 +53,14 @@ private:
 
     void fit_trees(const World& world);
 
-    void note_ways(int body_a, const std::vector<int>& vertices, int body_b, const std::vector<Vec3>& ways);
+    void note_directions(int body_a, const std::vector<int>& vertices, int body_b,
+                         const std::vector<Vec3>& directions);
 
     using Key = std::tuple<int, int, int>;  ///< body_a, vertex, body_b
-    SeparationMethod ways_;
-    std::map<Key, Vec3> way_of_vertex_;   ///< of this step
-    std::vector<BodyOverlaps> overlaps_;  ///< of this step
-    std::vector<const Body*> bodies_;     ///< whose trees these are
+    SeparationMethod method_;
+    std::map<Key, Vec3> direction_of_vertex_;  ///< of this step
+    std::vector<BodyOverlaps> overlaps_;       ///< of this step
+    std::vector<const Body*> bodies_;          ///< whose trees these are
     std::vector<FaceTree> trees_;
 };
 

@@ -121,26 +121,26 @@ private:
     std::vector<int> parent_;
 };
 
-//! [shortest_way]
-/// Of the ways along the normals next to some vertices, the one on which the last of them is out first.
-Vec3 shortest_way(const StillSurface& inner, const std::vector<int>& vertices, const StillSurface& outer)
+//! [shortest_path]
+/// Of the directions along the normals next to some vertices, the one in which the last of them is out first.
+Vec3 shortest_path(const StillSurface& inner, const std::vector<int>& vertices, const StillSurface& outer)
 {
     Vec3 best = Vec3::Zero();
     double shortest = INFINITY;
     for (const int vertex : vertices) {
-        const Vec3 way = nearest_normal(outer, inner.positions[vertex]);
+        const Vec3 direction = nearest_normal(outer, inner.positions[vertex]);
         double longest = 0;
         for (const int other : vertices)
             if (longest < shortest)
-                longest = std::max(longest, find_exit(outer, inner.positions[other], way).distance);
+                longest = std::max(longest, find_exit(outer, inner.positions[other], direction).distance);
         if (longest < shortest) {
             shortest = longest;
-            best = way;
+            best = direction;
         }
     }
     return best;
 }
-//! [shortest_way]
+//! [shortest_path]
 
 }  // namespace
 
@@ -176,23 +176,23 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
         if (sum.area.norm() > cancelled_area * sum.size)
             overlap.separation_direction = -sum.area.normalized();
         else if (!overlap.vertices_of_a.empty())
-            overlap.separation_direction = shortest_way(a, overlap.vertices_of_a, b);
+            overlap.separation_direction = shortest_path(a, overlap.vertices_of_a, b);
         else if (!overlap.vertices_of_b.empty())
-            overlap.separation_direction = -shortest_way(b, overlap.vertices_of_b, a);
+            overlap.separation_direction = -shortest_path(b, overlap.vertices_of_b, a);
         overlaps.push_back(std::move(overlap));
     }
     return overlaps;
 }
 //! [find_overlaps]
 
-Exit find_exit(const StillSurface& surface, const Vec3& point, const Vec3& way)
+Exit find_exit(const StillSurface& surface, const Vec3& point, const Vec3& direction)
 {
     const SweptBox box = surface.tree.box();
-    const Vec3 outside = point + 2 * (box.high - box.low).norm() * way;
+    const Vec3 outside = point + 2 * (box.high - box.low).norm() * direction;
     const double length = (outside - point).norm();
     Exit exit;
     surface.tree.faces_near({point.cwiseMin(outside), point.cwiseMax(outside)}, [&](int face) {
-        if (normal_of(surface, face).dot(way) <= 0)
+        if (normal_of(surface, face).dot(direction) <= 0)
             return;
         const auto [a, b, c] = surface.topology.faces()[face];
         const auto hit = find_edge_triangle_hit(point, outside, surface.positions[a], surface.positions[b],

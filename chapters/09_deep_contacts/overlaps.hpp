@@ -4,7 +4,7 @@
 
 namespace enduring {
 
-/// A volume that two bodies share: the vertices of each that lie in it, and the way out of it.
+/// A volume that two bodies share: the vertices of each that lie in it, and the separation direction.
 struct Overlap {
     std::vector<int> vertices_of_a, vertices_of_b;
     Vec3 separation_direction =
@@ -23,20 +23,20 @@ Vec3 nearest_normal(const StillSurface& surface, const Vec3& point);
 
 /// All volumes that two closed surfaces share.
 ///
-/// The way out is the one on which the volume shrinks fastest: if A moves by a small s, it grows by s times
+/// The separation direction is that in which the volume shrinks fastest: if A moves by a small s, it grows by s times
 /// the integral of A's normals over its surface inside B, so against the vector areas of the curves around
-/// it. Where they cancel, as for a body that is wholly inside another, it is the shortest of the ways along
-/// the normals of the faces that are nearest to its vertices.
+/// it. Where they cancel, as for a body that is wholly inside another, it is the one of the shortest path, of those
+/// along the normals of the faces that are nearest to its vertices.
 std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b);
 
-/// Where a way from a point inside a surface leaves it.
+/// Where a path from a point inside a surface leaves it.
 struct Exit {
     int face = -1;
     std::array<double, 3> weights{};
     double distance = INFINITY;  ///< [m]
 };
 
-/// The first face that a way passes from behind; none (face -1) where rounding hides it.
-Exit find_exit(const StillSurface& surface, const Vec3& point, const Vec3& way);
+/// The first face that a straight path passes from behind; none (face -1) where rounding hides it.
+Exit find_exit(const StillSurface& surface, const Vec3& point, const Vec3& direction);
 
 }  // namespace enduring

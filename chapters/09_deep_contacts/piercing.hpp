@@ -36,7 +36,7 @@ std::vector<Piercing> find_piercings(const StillSurface& a, const StillSurface& 
 /// Where the edge is in the face, but for rounding [m]; for an edge in the plane of the face its middle.
 Vec3 point_of(const Piercing& piercing, const StillSurface& a, const StillSurface& b);
 
-/// How often surface B winds around a point of A: 1 inside, 0 outside. It counts the faces that a way upwards
+/// How often surface B winds around a point of A: 1 inside, 0 outside. It counts the faces that a path upwards
 /// to the outside passes, the point shifted as all of A is.
 int winding_by_ray(const Vec3& point, const StillSurface& b, int shift);
 

@@ -2,20 +2,17 @@
 
 #include "chapters/07_implicit_contact/step_problem.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
-#include "chapters/09_deep_contacts/self_search.hpp"
 
-#include <memory>
 #include <utility>
 
 namespace enduring {
 
 //! [solver]
 Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,
-                        SeparationMethod method)
+                        SeparationMethod method, const std::shared_ptr<ContactSearch>& search)
 {
     const double keep = std::exchange(settings.stiffness.keep, 1);  // slack fades here, not there
     settings.stiffness.rubbing_offset = 100;                        // what is let out does not rub
-    const auto search = std::make_shared<SelfSearch>();
     const auto inside = std::make_shared<InsidePairs>(std::move(method));
     Solver solver = chapter08_solver(parameters, settings, search);
     solver.name = "chapter 9";
@@ -33,7 +30,7 @@ Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings se
                           // what carries more than others can bring upon it does not move out, and is not wound up
                           return contact.load > most ? 0
                                                      : max_depenetration_velocity(world, contact, speed, dt) *
-                                                           dt * inside->part_along_the_way(world, contact);
+                                                           dt * inside->part_along_direction(world, contact);
                       });
                   });
     return solver;

@@ -21,7 +21,7 @@ std::vector<EdgePiercings> piercings_of_edges(const std::vector<Piercing>& pierc
     return all;
 }
 
-/// Calls visit(neighbour, piercings of the edge, gain of winding on the way there).
+/// Calls visit(neighbour, piercings of the edge, gain of winding on the path there).
 template <class Visit>
 void visit_neighbours(const SurfaceTopology& surface, const std::vector<EdgePiercings>& edges, int vertex,
                       Visit&& visit)

@@ -44,7 +44,7 @@ struct MotivatingScene {
     Bound bound;
     double limit;
     std::string reason;    ///< why the line is there
-    std::string expected;  ///< of the chapters 1 to 9 in order: 'p' passes, 'f' fails
+    std::string expected;  ///< of the chapters in order: 'p' passes, 'f' fails
     char with_bullet;      ///< the same of the Bullet library; '-': the question does not apply to it
     Gauge::Reading reading;
     std::vector<double> moments;  ///< worth a picture [s], ascending; the ledger shows the last

@@ -9,6 +9,7 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
+#include "chapters/10_self_contact/solver.hpp"
 #include "common/input/input_error.hpp"
 
 namespace enduring::solvers {
@@ -24,7 +25,10 @@ Solver chapter_solver(int chapter, const ContactParameters& parameters)
         case 7: return chapter07_solver(parameters);
         case 8: return chapter08_solver(parameters);
         case 9: return chapter09_solver(parameters);
-        default: throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to 9 have");
+        case 10: return chapter10_solver(parameters);
+        default:
+            throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to " +
+                             std::to_string(chapters) + " have");
     }
 }
 

@@ -5,9 +5,9 @@
 
 namespace enduring::solvers {
 
-constexpr int chapters = 9;
+constexpr int chapters = 10;
 
-/// The solver of a chapter by its number, 1 to 9.
+/// The solver of a chapter by its number, 1 to `chapters`.
 /// @throws InputError  there is no such chapter
 Solver chapter_solver(int chapter, const ContactParameters& parameters);
 

@@ -19,7 +19,7 @@ std::string solver_name(int column);
 /// One cell of the failure ledger: a scene under one solver.
 struct LedgerCell {
     const MotivatingScene* scene;
-    int column;  ///< the chapter, 1 to 9, or bullet_column
+    int column;  ///< the chapter, from 1 on, or bullet_column
     Outcome outcome;
 
     bool passed() const { return passes(*scene, outcome.value); }

@@ -32,7 +32,7 @@ class Studies(unittest.TestCase):
                               text=True, check=False)
 
     def test_a_mistake_ends_with_2_and_names_its_place(self):
-        for change, said in (({"scenes": ["no.json"]}, "/scenes: there is no file no.json"), ({"solver": [8]}, "not solver"), ({"solvers": [10]}, "/solvers: "),
+        for change, said in (({"scenes": ["no.json"]}, "/scenes: there is no file no.json"), ({"solver": [8]}, "not solver"), ({"solvers": [99]}, "/solvers: "),
                              ({"vary": {"dt": [1]}}, "/vary: "), ({"vary": {"/dt": 1}}, "/vary: "),
                              ({"vary": {"/bodies/none/mass": [1]}}, "no place /bodies/none/mass"),
                              ({"keep": {"e": "mean energy.total_j"}}, "/keep/e: "), ({"keep": {}}, "are needed")):

@@ -1,11 +1,10 @@
 #include "chapters/09_deep_contacts/experiments/experiments.hpp"
-#include "chapters/09_deep_contacts/experiments/soft_runs.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "common/experiments/run/run.hpp"
 
 namespace enduring::chapter09 {
 
-/// What tracing, and looking for the bunny's contact with itself, take of the steps in which it falls into a bowl.
+/// What tracing takes of the steps in which a bunny falls into a bowl.
 void cost(const RunOptions& options, Report& report)
 {
     Scene scene = load_scene(scene_file("bunny_bowl"));
@@ -18,11 +17,6 @@ void cost(const RunOptions& options, Report& report)
     tell("tracing", "trace overlaps");
     tell("search", "find pairs");
     report.fact("cost", "step_ms", 1000 * result.timings.total() / steps, 2);
-
-    Scene meeting = load_scene(scene_file("bunny_bowl"), R"({"/bodies/bunny/self_contact": true})");
-    const RunResult itself = run(meeting, chapter09_solver(meeting.contact), {}, {.steps = steps});
-    const double more = search_time(itself.timings) - search_time(result.timings);
-    report.fact("cost", "self_percent", 100 * more / itself.timings.total(), 2);
 }
 
 }  // namespace enduring::chapter09

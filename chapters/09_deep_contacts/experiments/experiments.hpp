@@ -14,9 +14,6 @@ void born_loaded(const RunOptions& options, Report& report);
 void separation_methods(const RunOptions& options, Report& report);
 void thin(const RunOptions& options, Report& report);
 void missed_vertices(const RunOptions& options, Report& report);
-void folding(const RunOptions& options, Report& report);
-void knot(const RunOptions& options, Report& report);
-void capstan(const RunOptions& options, Report& report);
 void mass_ratios(const RunOptions& options, Report& report);
 void cost(const RunOptions& options, Report& report);
 

@@ -14,8 +14,8 @@
 namespace enduring::chapter09 {
 namespace {
 
-/// How a body comes out; of several ways the worst of each.
-struct Way {
+/// How a body comes out; of several runs the worst of each.
+struct Release {
     double height = -1e9;   ///< of the lowest vertex at the end [m]
     double highest = -1e9;  ///< that after any step
     double fastest = 0;     ///< its centre of mass, while a vertex is more than 1 mm deep [m/s]
@@ -24,7 +24,7 @@ struct Way {
     double energy = -1e9;   ///< of all bodies, at most [J]
     long left = 0;          ///< 1 if a vertex is more than 1 mm deep at the end
 
-    void worsen(const Way& other)
+    void worsen(const Release& other)
     {
         highest = std::max(highest, other.highest);
         fastest = std::max(fastest, other.fastest);
@@ -50,42 +50,42 @@ ImplicitSettings counting(Solves& solves)
     return settings;
 }
 
-Way watch(Scene& scene, const Solver& solver, double duration, const std::vector<Probe*>& more = {})
+Release watch(Scene& scene, const Solver& solver, double duration, const std::vector<Probe*>& more = {})
 {
-    Way way;
+    Release release;
     bool inside = true;
     WatchProbe watch([&](const World& world, const Contacts&, double) {
         const double speed = world.bodies.back()->mean_velocity().norm();
-        way.height = lowest_vertex(world);
-        way.highest = std::max(way.highest, way.height);
-        way.energy = std::max(way.energy, total_energy(world).total());
-        way.moving = speed > 0.01 ? world.time : way.moving;
+        release.height = lowest_vertex(world);
+        release.highest = std::max(release.highest, release.height);
+        release.energy = std::max(release.energy, total_energy(world).total());
+        release.moving = speed > 0.01 ? world.time : release.moving;
         inside = inside && deepest_inside(world) > 1e-3;
-        way.fastest = std::max(way.fastest, inside ? speed : 0);
-        way.rising = std::max(way.rising, inside ? world.bodies.back()->mean_velocity().y() : 0);
+        release.fastest = std::max(release.fastest, inside ? speed : 0);
+        release.rising = std::max(release.rising, inside ? world.bodies.back()->mean_velocity().y() : 0);
     });
     std::vector<Probe*> probes{&watch};
     probes.insert(probes.end(), more.begin(), more.end());
     run(scene, solver, probes, failure_on_purpose({.steps = static_cast<int>(duration / scene.dt + 0.5)}));
-    way.left = deepest_inside(scene.world) > 1e-3;
-    return way;
+    release.left = deepest_inside(scene.world) > 1e-3;
+    return release;
 }
 
 //! [against_a_twin]
-/// The way out of a body, measured against a twin that begins just above and falls to its place of rest:
+/// How a body comes out, measured against a twin that begins just above and falls to its place of rest:
 /// heights over that place, energy over the most that the twin has.
-Way separation_direction(const Surroundings& surroundings, const std::string& body, double depth, double dt,
-                         Solves& solves)
+Release release_of(const Surroundings& surroundings, const std::string& body, double depth, double dt,
+                   Solves& solves)
 {
     constexpr double above = 1e-4;
     Scene twin = scene_inside(surroundings, body, -above, dt),
           scene = scene_inside(surroundings, body, depth, dt);
-    const Way landed = watch(twin, chapter09_solver(twin.contact, counting(solves)), 2);
-    Way way = watch(scene, chapter09_solver(scene.contact, counting(solves)), 4);
-    way.height -= landed.height;
-    way.highest -= landed.height;
-    way.energy -= landed.energy;
-    return way;
+    const Release landed = watch(twin, chapter09_solver(twin.contact, counting(solves)), 2);
+    Release release = watch(scene, chapter09_solver(scene.contact, counting(solves)), 4);
+    release.height -= landed.height;
+    release.highest -= landed.height;
+    release.energy -= landed.energy;
+    return release;
 }
 //! [against_a_twin]
 
@@ -170,19 +170,20 @@ void initial_overlap(const RunOptions& options, Report& report)
     Table page({"inside", "body", "runs", "highest_mm", "fastest_m_per_s", "last_moving_s", "excess_energy_j",
                 "left_inside"});
     Solves solves;
-    Way worst;
+    Release worst;
     double at_rest = 0;  // of those that do not roll
     for (const Surroundings& surroundings : all_surroundings())
         for (const std::string& body : surroundings.inner) {
-            Way of_body;
+            Release of_body;
             long runs = 0;
             for (const double dt :
                  options.quick ? std::vector<double>{0.01} : std::vector<double>{0.01, 1.0 / 60})
                 for (const double depth : depths_for(height_of(surroundings, body), options.quick)) {
-                    const Way way = separation_direction(surroundings, body, depth, dt, solves);
-                    table.add({surroundings.name, body, dt, 1000 * depth, 1000 * way.height,
-                               1000 * way.highest, way.fastest, way.moving, way.energy, way.left});
-                    of_body.worsen(way);
+                    const Release release = release_of(surroundings, body, depth, dt, solves);
+                    table.add({surroundings.name, body, dt, 1000 * depth, 1000 * release.height,
+                               1000 * release.highest, release.fastest, release.moving, release.energy,
+                               release.left});
+                    of_body.worsen(release);
                     ++runs;
                 }
             page.add({surroundings.name, body, runs, 1000 * of_body.highest, of_body.fastest, of_body.moving,

@@ -109,7 +109,7 @@ TEST_CASE("inside pairs: what was traced serves any list of pairs, until the nex
     const auto least_along = [&](const World& of) {
         double least = 1;
         for (const Contact& contact : all)
-            least = std::min(least, inside.part_along_the_way(of, contact));
+            least = std::min(least, inside.part_along_direction(of, contact));
         return least;
     };
     CHECK(least_along(world) < 1);

@@ -70,7 +70,7 @@ void check(const OwnSceneOptions& choice, const Solver& solver, const Report& re
 {
     if ((choice.save > 0 || !choice.resume.empty()) && !solver.can_resume)
         throw InputError("--save and --resume: the solver of " + solver.name +
-                         " remembers more than world and pairs hold; those of chapters 8 and 9 do not");
+                         " remembers more than world and pairs hold; those from chapter 8 on do not");
     if (!choice.resume.empty() &&
         std::filesystem::weakly_canonical(std::filesystem::path(choice.resume).parent_path()) ==
             std::filesystem::weakly_canonical(report.folder()))
