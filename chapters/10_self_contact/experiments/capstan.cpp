@@ -42,9 +42,9 @@ RoundTurnRun rope(const Load& load, double mu)
 
 /// What becomes of a rope.
 struct PullOutcome {
-    double displacement = 0;    ///< of the middle of the turn [m]
-    double creep = 0;  ///< most displacement between two moments of the second half of the time [m]
-    double time = 0;   ///< when the run ends [s]
+    double displacement = 0;  ///< of the middle of the turn [m]
+    double creep = 0;         ///< most displacement between two moments of the second half of the time [m]
+    double time = 0;          ///< when the run ends [s]
     Folded found;
 };
 
@@ -80,10 +80,12 @@ struct CollectedPulls {
 
     void add(const Load& load, double mu, const PullOutcome& o)
     {
-        table.add({load.dt, load.force, load.ratio, 1000 * load.cell, mu, 1000 * o.displacement, 1e6 * o.creep, o.time,
-                   o.found.crossings, 1e6 * o.found.depth, o.found.inverted, o.found.unconverged});
+        table.add({load.dt, load.force, load.ratio, 1000 * load.cell, mu, 1000 * o.displacement,
+                   1e6 * o.creep, o.time, o.found.crossings, 1e6 * o.found.depth, o.found.inverted,
+                   o.found.unconverged});
         PullOutcome& worst = mu == slippery ? slid : load.dt > loads[0].dt ? coarse : held;
-        worst.displacement = mu == slippery ? std::min(worst.displacement, o.displacement) : std::max(worst.displacement, std::abs(o.displacement));
+        worst.displacement = mu == slippery ? std::min(worst.displacement, o.displacement)
+                                            : std::max(worst.displacement, std::abs(o.displacement));
         worst.creep = std::max(worst.creep, o.creep);
         worst.time = std::max(worst.time, o.time);
         worst.found.depth = std::max(worst.found.depth, o.found.depth);
