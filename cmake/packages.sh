@@ -11,11 +11,11 @@ packages_of() { # GROUP...: a line each, as in the list
 
 has_apt() { command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; }
 
-missing_packages() { # GROUP...; what another package provides is not missing: Node.js of NodeSource brings npm, and apt cannot have both
+missing_packages() { # GROUP...
     local wanted installed
     wanted=$(packages_of "$@" | cut -d' ' -f1 | sort)
-    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package} ${Provides}\n' |
-        awk '$1 == "installed" { gsub(/,|\([^)]*\)/, ""); for (i = 2; i <= NF; ++i) print $i }' | sort -u)
+    installed=$({ dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2>/dev/null || true; } | # it fails when it has never heard of one
+        awk '$1 == "installed" { print $2 }' | sort -u)
     comm -23 <(echo "$wanted") <(echo "$installed")
 }
 
