@@ -2,10 +2,11 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/07_implicit_contact/tests/only_island.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/turning_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -61,7 +62,7 @@ TEST_CASE("step problem: a pair slides on where mu_s times its load cannot stop 
             contacts[0].stiffness = 1e6;
             contacts[0].load = 80;
             contacts[0].slip = part * 0.5 * 80 * dt / corner_mass;
-            const StepProblem step = set_up(world, contacts, {}, {0.5, 0.1}, {1, dt}, true);
+            const StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.1}, {1, dt}, true);
             REQUIRE(step.problem.rows.size() == 1);
             CAPTURE(dt);
             CAPTURE(part);
@@ -76,7 +77,7 @@ TEST_CASE("step problem: a pair that holds does not slip, however it moves")
     Contacts contacts{corner_on_plane()};
     contacts[0].stiffness = 1e3;
     contacts[0].slip = 3;
-    StepProblem step = set_up(world, contacts, {}, {0.5, 0.4}, {1, dt}, true);
+    StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, true);
     step.problem.rows.at(0).law.lagged_normal_impulse = 1;
     step.problem.rows.at(0).velocity = Vec3(0.01, 0, 0);
     find_slip(step);
@@ -105,10 +106,19 @@ TEST_CASE("step problem: a load that presses an enduring pair too deep makes it 
         Contacts contacts{corner_on_plane()};
         contacts[0].stiffness = 1e6;
         contacts[0].load = load;
-        set_up(world, contacts, choice, {}, {1, dt}, true);
+        set_up_only_island(world, contacts, choice, {}, {1, dt}, true);
         CAPTURE(load);
         CHECK((contacts[0].stiffness > 1.01e6) == (load > 10));
     }
+}
+
+TEST_CASE("step problem: a vertex that several pairs touch is touched once")
+{
+    World world = cube_above_plane(0, 0.01);
+    world.planes.push_back({"wall", Vec3(-9, 0, 0), Vec3::UnitX()});
+    Contacts contacts{corner_on_plane(5), corner_on_plane(2), corner_on_plane(5)};
+    contacts[2].body_b = 1;
+    CHECK(set_up_only_island(world, contacts, {}, {}, {1, 0.01}, true).vertices[0] == std::vector{2, 5});
 }
 
 TEST_CASE("step problem: a limit of friction is taken from what acts along the normal, and is never negative")
@@ -118,7 +128,7 @@ TEST_CASE("step problem: a limit of friction is taken from what acts along the n
     for (const double along : {4.0, -4.0}) {
         Contacts contacts{corner_on_plane()};
         contacts[0].stiffness = 1e6;
-        StepProblem step = set_up(world, contacts, {}, {0.5, 0.4}, {1, dt}, true);
+        StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, true);
         contacts[0].impulse = Vec3(3, along, 0);
         update_kinematics(world, step);
         CHECK(step.problem.rows.at(0).law.lagged_normal_impulse == std::max(0.0, along));
@@ -131,7 +141,8 @@ TEST_CASE(
     for (const double dt : {0.002, 0.02}) {
         World world = cube_above_plane(0, dt);
         world.bodies.push_back(
-            std::make_unique<TurningBody>("drum", box(Vec3::Ones()), Vec3::Zero(), Vec3(0, 0, 0.3 / dt)));
+            std::make_unique<DrivenBody>("drum", box(Vec3::Ones()), Vec3::Zero(),
+                                         GivenMotion::steady(Vec3::Zero(), Vec3(0, 0, 0.3 / dt))));
         world.bodies[1]->predict(Vec3::Zero(), dt);
         const auto& faces = world.bodies[1]->surface().faces();
         const auto at = [&](int v) { return world.bodies[1]->positions_t0()[static_cast<std::size_t>(v)]; };
@@ -142,7 +153,7 @@ TEST_CASE(
             pair.load = 30;
             pair.stretch = Vec3(1e-5, 2e-5, -3e-5);
             Contacts contacts{pair};
-            const StepProblem step = set_up(world, contacts, {}, {0.5, 0.4}, {1, dt}, false);
+            const StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, false);
             const Vec3 normal = (at(f1) - at(f0)).cross(at(f2) - at(f0)).normalized();
             CHECK((last_impulses(world, step) - dt * (30 * normal - 1e5 * pair.stretch)).norm() < 1e-12);
         }
@@ -166,8 +177,8 @@ TEST_CASE(
         settings.stiffness.k_dt2_over_m = 1e-6;
         settings.max_newton_steps = 0;
         settings.record = [](const SolveRecord&) {};
-        NewtonMatrix matrix;
-        solve_contacts(world, contacts, settings, matrix, dt);
+        IslandMatrices matrices;
+        solve_contacts(world, contacts, settings, matrices, dt);
         REQUIRE(contacts[0].rest_offset == doctest::Approx(-4e-5));
         CHECK(world.attempt.put_in == doctest::Approx(1e10 / 2 * (6e-5 * 6e-5 + 2e-5 * 2e-5) - 5));
     }
@@ -182,8 +193,8 @@ TEST_CASE("implicit contact: a spring is pressed too far by the size of its body
             Contacts contacts;
             for (const int vertex : lower_corners(*world.bodies[0]))
                 contacts.push_back(corner_on_plane(vertex));
-            NewtonMatrix matrix;
-            solve_contacts(world, contacts, {}, matrix, dt);
+            IslandMatrices matrices;
+            solve_contacts(world, contacts, {}, matrices, dt);
             CAPTURE(dt);
             CAPTURE(size);
             CHECK(world.attempt.trouble == (size < 1 ? StepTrouble::too_deep : StepTrouble::none));
@@ -205,8 +216,8 @@ TEST_CASE(
         int told = 0;
         ImplicitSettings settings;
         settings.record = [&](const SolveRecord&) { ++told; };
-        NewtonMatrix matrix;
-        solve_contacts(world, contacts, settings, matrix, dt);
+        IslandMatrices matrices;
+        solve_contacts(world, contacts, settings, matrices, dt);
         for (int vertex = 0; vertex < 8; ++vertex) {
             const Contact& contact = contacts[static_cast<std::size_t>(vertex)];
             CHECK((vertex == upper ? contact.held() : contact.answered()));
@@ -223,8 +234,8 @@ TEST_CASE("implicit contact: what nothing moves and nothing presses is solved at
     SolveRecord last;
     ImplicitSettings settings;
     settings.record = [&](const SolveRecord& record) { last = record; };
-    NewtonMatrix matrix;
-    solve_contacts(world, contacts, settings, matrix, 0.004);  // begins inside: its spring is slack
+    IslandMatrices matrices;
+    solve_contacts(world, contacts, settings, matrices, 0.004);  // begins inside: its spring is slack
     CHECK(last.converged);
     CHECK(last.residual == 0);
     CHECK(last.newton_steps == 0);
@@ -236,8 +247,9 @@ TEST_CASE(
     for (const double dt : {0.002, 0.02})
         for (const double turn : {0.0, 0.2}) {
             World world = cube_above_plane(0, dt);
-            world.bodies.push_back(std::make_unique<TurningBody>("table", box(Vec3(2, 1, 2)), Vec3::Zero(),
-                                                                 Vec3(0, turn / dt, 0)));
+            world.bodies.push_back(
+                std::make_unique<DrivenBody>("table", box(Vec3(2, 1, 2)), Vec3::Zero(),
+                                             GivenMotion::steady(Vec3::Zero(), Vec3(0, turn / dt, 0))));
             world.bodies[1]->predict(Vec3::Zero(), dt);
             int face = 0;
             while (surface_at(*world.bodies[1], 0).face_normal(face).normalized().y() < 0.999)

@@ -2,8 +2,8 @@
 #include "chapters/08_speculative_contacts/tests/moving_surface.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/turning_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,7 +24,8 @@ struct VertexInBlock {
     {
         world.gravity.setZero();
         world.bodies.push_back(
-            std::make_unique<TurningBody>("block", box(Vec3::Ones()), Vec3::Zero(), Vec3(0, 0, turn / dt)));
+            std::make_unique<DrivenBody>("block", box(Vec3::Ones()), Vec3::Zero(),
+                                         GivenMotion::steady(Vec3::Zero(), Vec3(0, 0, turn / dt))));
         SurfaceMesh cube = box(Vec3::Constant(0.3));
         const Vec3 by = Vec3(0, 0.499, 0) - cube.vertices[0];
         for (Vec3& x : cube.vertices)

@@ -6,10 +6,10 @@
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/natural_units.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
-#include "common/simulation/turning_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -121,8 +121,8 @@ TEST_CASE("contact search: a pair on a surface that turns has the sliding normal
         const double dt = 0.004;
         World world;
         world.gravity.setZero();
-        world.bodies.push_back(
-            std::make_unique<TurningBody>("drum", box({2, 1, 1}), Vec3::Zero(), Vec3(0, 0, turn / dt)));
+        world.bodies.push_back(std::make_unique<DrivenBody>(
+            "drum", box({2, 1, 1}), Vec3::Zero(), GivenMotion::steady(Vec3::Zero(), Vec3(0, 0, turn / dt))));
         add_rigid(world, cube_at({0, 0.5 + 0.01 + 1e-7, 0}, 0.02));
         predict(world, dt);
         int bent = 0;

@@ -80,7 +80,7 @@ int vertex_where(const Body& body, const Test& test)
 
 }  // namespace
 
-TEST_CASE("inside pairs: a pair acts where the way out passes its face")
+TEST_CASE("inside pairs: a pair acts where the separation direction passes its face")
 {
     for (const bool floor_first : {true, false}) {
         const World world = block_in_floor(0.13, floor_first);
@@ -146,7 +146,7 @@ TEST_CASE("inside pairs: bodies that moved since the last trace are traced where
 }
 
 TEST_CASE(
-    "letting out: what part of a way leads along a pair is told by any of its vertices that is inside, of either body")
+    "letting out: what part of a separation direction lies along a pair is told by any of its vertices that is inside, of either body")
 {
     for (const bool floor_first : {true, false}) {
         const World world = block_in_floor(0.13, floor_first);
@@ -166,12 +166,13 @@ TEST_CASE(
                   far = vertex_where(f,
                                      [](const Vec3&x) { return x.y() == 0 && x.x() < -0.9 && x.z() < -0.9; });
         const auto part = [&](int body_a, int vertex, int body_b, const Vec3& direction) {
-            return inside.part_along_the_way(world, pair_with_face(world, body_a, vertex, body_b, direction));
+            return inside.part_along_direction(world,
+                                               pair_with_face(world, body_a, vertex, body_b, direction));
         };
         CAPTURE(floor_first);
         const Vec3 up = Vec3::UnitY();
         CHECK(part(block, deep, floor, up) == doctest::Approx(1));
-        CHECK(part(block, deep, floor, -up) == 0);  // against the way
+        CHECK(part(block, deep, floor, -up) == 0);  // against the direction
         CHECK(part(block, deep, floor, Vec3::UnitX()) == doctest::Approx(0));
         CHECK(part(floor, of_floor, block, -up) == doctest::Approx(1));
         CHECK(part(floor, of_floor, block, Vec3::UnitX()) == doctest::Approx(0));
@@ -186,7 +187,7 @@ TEST_CASE(
         World with_planes = block_in_floor(0.13, floor_first);
         with_planes.planes = {{"wall", Vec3(-9, 0, 0), Vec3::UnitX()},
                               {"wall", Vec3(-9, 0, 0), Vec3::UnitX()}};
-        CHECK(inside.part_along_the_way(with_planes, plane) == 1);
+        CHECK(inside.part_along_direction(with_planes, plane) == 1);
     }
 }
 
@@ -206,4 +207,26 @@ TEST_CASE("letting out: as fast as a scene says, however slow that is and howeve
             CAPTURE(dt);
             CHECK(fastest == doctest::Approx(speed).epsilon(0.03));
         }
+}
+
+TEST_CASE(
+    "letting out: between the jaws of a vice, from which nothing is let out, loads do not grow for ever")
+{
+    World world;
+    add_static(world, floor_mesh());
+    for (const double side : {-1.0, 1.0})
+        add_static(world, moved(box({0.5, 1, 1}, {2, 3, 3}), {side * (0.45 - 0.05), 0.52, 0}));
+    add_rigid(world, moved(box(Vec3::Constant(0.4), {2, 2, 2}), {0, 0.2001, 0}));
+    ImplicitSettings quiet;
+    quiet.record = [](const SolveRecord&) {};
+    const Solver solver = chapter09_solver({}, quiet);
+    Contacts contacts;
+    double most = 0;
+    for (int step = 0; step < 60; ++step) {
+        advance(world, contacts, solver, 0.01);
+        for (const Contact& contact : contacts)
+            most = std::max(most, contact.load);
+    }
+    CHECK(most < 1e6);
+    CHECK(most > 1e4);
 }

@@ -1,7 +1,7 @@
 #include "common/geometry/box_shapes.hpp"
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/step_attempt.hpp"
-#include "common/simulation/turning_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -110,7 +110,8 @@ TEST_CASE("energy watch: work is that of the step's own length, by pairs that we
     for (const double dt : {0.002, 0.02}) {
         World world = two_boxes();
         world.bodies.push_back(
-            std::make_unique<TurningBody>("table", box(Vec3(4, 0.1, 4)), Vec3(0.3, 0, 0), Vec3(0, 2, 0)));
+            std::make_unique<DrivenBody>("table", box(Vec3(4, 0.1, 4)), Vec3(0.3, 0, 0),
+                                         GivenMotion::steady(Vec3::Zero(), Vec3(0, 2, 0))));
         for (const auto& body : world.bodies)
             body->predict(Vec3::Zero(), dt);
         CAPTURE(dt);

@@ -53,7 +53,8 @@ TEST_CASE("exit: faces are left from behind only, and of several the first one i
     CHECK(along.distance == doctest::Approx(8.9));
 }
 
-TEST_CASE("way out: where a beam goes through a plate the areas cancel, and the plate's normal is left")
+TEST_CASE(
+    "separation direction: where a beam goes through a plate the areas cancel, and the plate's normal is left")
 {
     std::mt19937 random(4);
     std::uniform_real_distribution<double> number(-1, 1);
@@ -70,7 +71,7 @@ TEST_CASE("way out: where a beam goes through a plate the areas cancel, and the 
     }
 }
 
-TEST_CASE("way out: what holds the other one wholly leaves it the other way")
+TEST_CASE("separation direction: a body that holds the other one wholly leaves it the opposite way")
 {
     const OverlapShape room(box({4, 4, 4}, {3, 3, 3})), small(moved(box({0.5, 0.5, 0.5}), {1.2, 0.3, -0.2}));
     const auto from_small = find_overlaps(small.still(), room.still()),
