@@ -129,3 +129,17 @@ TEST_CASE("newton matrix: another number of pairs needs another factor, though t
     kept.begin_response(0);
     CHECK(kept.solves() == 0);
 }
+
+TEST_CASE("dual friction: a guess that is led from a pair that holds to one that slips fits there")
+{
+    ContactProblem problem = sliding_particle(0.004, 1e5);
+    problem.rows[0].law.lagged_normal_impulse = 0.3;
+    const Vec3 along(0.3, 0, 0.1);                  // it would slip
+    const Vec3 nearly = -along + Vec3(0, 0, 2e-3);  // with this it holds
+    DualFriction friction(problem);
+    friction.follow(nearly, -nearly);
+    const PairAnswer own = answer(problem.rows[0].law, problem.rows[0].velocity, problem.step);
+    REQUIRE(own.slips);
+    REQUIRE_FALSE(answer(problem.rows[0].law, problem.rows[0].velocity + nearly, problem.step).slips);
+    CHECK((friction.hessians(Vec3::Zero())[0] - own.hessian).norm() <= 1e-9 * own.hessian.norm());
+}

@@ -111,3 +111,21 @@ TEST_CASE("pressing mass: where nothing approaches, nothing presses")
         CHECK(mass == 0);
     CHECK_FALSE(stiffen_where_pressed(points.world, points.step, {}));
 }
+
+TEST_CASE("pressing mass: what still moves when its pairs push counts with the speed that it had before")
+{
+    for (const double left : {-0.3, 0.7}) {  // still approaching, or thrown back
+        HeavyOnLight points(0.004, 0);
+        points.world.gravity.setZero();
+        const double came = 2;
+        for (const std::size_t i : {0U, 1U}) {
+            PairRow& row = points.step.problem.rows[i];
+            const double mass = i == 0 ? points.light + points.heavy : points.heavy;
+            row.acting = mass * (came + left) * Vec3::UnitY();
+            row.velocity = i == 0 ? Vec3(0, left, 0) : Vec3(Vec3::Zero());
+        }
+        CAPTURE(left);
+        const std::vector<double> masses = pressing_masses(points.world, points.step);
+        CHECK(masses[0] == doctest::Approx((points.light + points.heavy) * (came + left) / came));
+    }
+}

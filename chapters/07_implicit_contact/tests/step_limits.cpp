@@ -283,3 +283,45 @@ TEST_CASE("solver of chapter 7: its pairs are as stiff as the depth that a scene
     for (const Contact& contact : contacts)
         CHECK(contact.stiffness == doctest::Approx(3 * of_mass).epsilon(0.01));
 }
+
+TEST_CASE(
+    "implicit contact: rounds and steps of Newton's method together keep to the bound, over all responses of a step")
+{
+    const double dt = 0.004;
+    World world = cube_above_plane(1e-9, dt, 1, Vec3(3, -5, 1));
+    Contacts contacts;
+    for (const int vertex : lower_corners(*world.bodies[0]))
+        contacts.push_back(corner_on_plane(vertex));
+    SolveRecord last;
+    ImplicitSettings settings;
+    settings.friction = {0.9, 0.9};
+    settings.tolerance = 0;  // never reached
+    settings.max_newton_steps = 12;
+    settings.record = [&](const SolveRecord& record) { last = record; };
+    IslandMatrices matrices;
+    solve_contacts(world, contacts, settings, matrices, dt);
+    CHECK(last.rounds + last.newton_steps <= 12);
+    CHECK(last.newton_steps > 2);
+    const int first = last.newton_steps;
+    for (int response = 0; response < 3; ++response) {  // each finds one more
+        contacts.push_back(corner_on_plane(lower_corners(*world.bodies[0])[0]));
+        solve_contacts(world, contacts, settings, matrices, dt);
+        CHECK(first + last.newton_steps <= 12);
+    }
+}
+
+TEST_CASE("solver of chapter 7: friction adds no pass, for the pairs' problem has it")
+{
+    const auto passes = [](const FrictionParameters& friction) {
+        ContactParameters parameters;
+        parameters.friction = friction;
+        const Solver solver = chapter07_solver(parameters);
+        std::vector<std::string> names;
+        for (const StepStage stage :
+             {StepStage::refresh, StepStage::detect, StepStage::respond, StepStage::finish})
+            for (const Pass& pass : solver.passes(stage))
+                names.push_back(pass.name);
+        return names;
+    };
+    CHECK(passes(MassSplitting{.mu_s = 0.5, .mu_d = 0.4}) == passes(NoFriction{}));
+}

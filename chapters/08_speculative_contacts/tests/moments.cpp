@@ -147,3 +147,45 @@ TEST_CASE("vertex meeting: whether a corner is in its cone is asked when it pass
     CHECK(meets(-1, 1));
     CHECK_FALSE(meets(1, -1));
 }
+
+TEST_CASE("vertex meeting: in a corner of a room a face is as far off as the farther one of its two rims")
+{
+    SurfaceMesh room = box(Vec3::Ones());
+    for (Face& face : room.faces)
+        std::swap(face[1], face[2]);
+    const MovingSurface inside(room);
+    int met = 0;
+    for (const auto& [x, z] : {std::pair(0.02, 0.03), {0.03, 0.02}})
+        for (const double sx : {1.0, -1.0})
+            for (const double sz : {1.0, -1.0}) {
+                const MovingSurface vertex(particle({sx * (0.5 + x), -0.54, sz * (0.5 + z)}));
+                for (int face = 0; face < 12; ++face)
+                    if (inside.start().face_normal(face).normalized().y() > 0.999)
+                        if (const auto meeting = find_meeting(vertex.step(), 0, inside.step(), face,
+                                                              {0.001, 0.1}, false)) {
+                            CHECK(meeting->cost == doctest::Approx(0.04 + 0.03));
+                            ++met;
+                        }
+            }
+    CHECK(met >= 4);
+}
+
+TEST_CASE(
+    "edge meeting: how far an edge goes on at a saddle follows from the fastest of the ends that pass it")
+{
+    const MovingSurface l(prism_over_l());
+    const int edge = l.edge_between(8, 9);
+    const Vec3 outwards = Vec3(0, 1, 1).normalized(), along = Vec3(0, 1, -1).normalized();
+    Mat3 axes;
+    axes.col(1) = -outwards;
+    axes.col(2) = along;
+    axes.col(0) = axes.col(1).cross(axes.col(2));
+    for (const bool first_end : {true, false}) {
+        MovingSurface above(placed(roof(), 1, Quaternion(axes), Vec3(0.96, 1, 1) + 0.04 * outwards));
+        above.t1[first_end ? 0 : 1] -= 0.12 * outwards;  // its middle goes half as far
+        for (const std::size_t v : {2U, 3U})
+            above.t1[v] -= 0.06 * outwards;
+        CAPTURE(first_end);
+        CHECK(find_edge_meeting(above.step(), above.edge_between(0, 1), l.step(), edge, {0.001, 0.1}, false));
+    }
+}

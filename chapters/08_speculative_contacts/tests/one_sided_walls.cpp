@@ -78,3 +78,9 @@ TEST_CASE("vertex walls: a third wall has to agree with the first one, too")
     CHECK(chosen(l, {near(floors[0], 0.1), near(walls[0], 0.2), near(floors[1], 0.3)}) ==
           Faces{floors[0], walls[0]});
 }
+
+TEST_CASE("vertex walls: the walls of a shallow valley are two")
+{
+    for (const double angle : {0.01, 0.1})
+        CHECK(chosen(MovingSurface(hinge(angle)), {near(0, 0.1), near(1, 0.2)}) == Faces{0, 1});
+}

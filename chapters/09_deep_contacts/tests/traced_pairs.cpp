@@ -1,4 +1,5 @@
 #include "chapters/05_categorisation/normal_span.hpp"
+#include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/09_deep_contacts/experiments/inside_scenes.hpp"
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
@@ -12,6 +13,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace enduring;
 
@@ -149,8 +151,13 @@ TEST_CASE(
     "letting out: what part of a separation direction lies along a pair is told by any of its vertices that is inside, of either body")
 {
     for (const bool floor_first : {true, false}) {
-        const World world = block_in_floor(0.13, floor_first);
+        World world = block_in_floor(0.13, floor_first);
         const int block = floor_first ? 1 : 0, floor = 1 - block;
+        for (int v = 0; v < 8; ++v)  // it turns in the step; what counts is how it begins
+            world.bodies[static_cast<std::size_t>(block)]->apply_impulse(v,
+                                                                         Vec3(0, v % 2 == 0 ? 300 : -300, 0));
+        for (const auto& body : world.bodies)
+            body->predict(Vec3::Zero(), 0.01);
         InsidePairs inside;
         Contacts contacts;
         inside.append_missing(world, contacts);
@@ -229,4 +236,56 @@ TEST_CASE(
     }
     CHECK(most < 1e6);
     CHECK(most > 1e4);
+}
+
+TEST_CASE("letting out: what is slack by little fades by a tenth in a step, once")
+{
+    World world = block_in_floor(1e-4);
+    const Solver solver = chapter09_solver({});
+    Contacts contacts;
+    advance(world, contacts, solver, 0.01);
+    const auto lowest = [&] {
+        double low = 1;
+        for (const Vec3& x : world.bodies[1]->positions_t0())
+            low = std::min(low, x.y());
+        return low;
+    };
+    const double before = lowest();
+    for (int step = 0; step < 6; ++step)
+        advance(world, contacts, solver, 0.01);
+    CHECK(lowest() / before == doctest::Approx(std::pow(0.9, 6)).epsilon(0.05));
+}
+
+TEST_CASE(
+    "crossing edges: it is where they begin the step that counts, and edges nearly along each other push none")
+{
+    for (const double turn : {0.03, 0.09, 0.3}) {
+        SurfaceMesh above = box(Vec3::Ones());
+        const Mat3 about = Eigen::AngleAxisd(turn, Vec3::UnitY()).toRotationMatrix();
+        for (Vec3& x : above.vertices)
+            x = about * x + Vec3(0.01, 1 - 1e-3, 0.02);
+        World world;
+        world.bodies.push_back(
+            std::make_unique<RigidBody>("above", above, mass_properties(above, 1000), Vec3(0, 90, 0)));
+        add_static(world, box(Vec3::Ones()));
+        for (const auto& body : world.bodies)
+            body->predict(Vec3::Zero(), 0.01);  // it will have left
+        InsidePairs inside;
+        Contacts contacts;
+        inside.append_missing(world, contacts);
+        int pairs = 0;
+        for (const Contact& contact : contacts) {
+            if (contact.kind != ContactKind::edge_edge)
+                continue;
+            const auto along = [&](std::size_t i) {
+                return Vec3(contact_vertex(world, contact, static_cast<int>(i) + 1, 0) -
+                            contact_vertex(world, contact, static_cast<int>(i), 0))
+                    .normalized();
+            };
+            CHECK(along(0).cross(along(2)).norm() >= smallest_edge_sine);
+            ++pairs;
+        }
+        CAPTURE(turn);
+        CHECK(pairs > 0);
+    }
 }

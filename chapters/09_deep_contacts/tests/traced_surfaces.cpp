@@ -8,6 +8,8 @@
 
 #include <doctest/doctest.h>
 
+#include <boost/multiprecision/cpp_int.hpp>
+
 #include <cmath>
 #include <random>
 
@@ -157,5 +159,55 @@ TEST_CASE("exact side: whichever coordinate decides, and however small all are, 
             CHECK(side_of_plane({in, zero}, {v, zero}, {w, zero}, 0) == 1);
             in[axis] = -1e-17;
             CHECK(side_of_plane({in, zero}, {v, zero}, {w, zero}, 0) == -1);
+        }
+}
+
+TEST_CASE("separation direction: where a beam goes through a plate with no vertex inside, it is two overlaps")
+{
+    const OverlapShape plate(box({2, 0.1, 2}, {4, 1, 4})),
+        beam(moved(box({0.2, 3, 0.2}, {1, 5, 1}), {0.01, 0.02, 0.03}));
+    for (const auto& overlaps :
+         {find_overlaps(plate.still(), beam.still()), find_overlaps(beam.still(), plate.still())}) {
+        REQUIRE(overlaps.size() == 2);
+        CHECK((overlaps[0].separation_direction + overlaps[1].separation_direction).norm() < 1e-9);
+        CHECK(std::abs(overlaps[0].separation_direction.y()) > 1 - 1e-9);
+        CHECK(overlaps[0].curves.size() == 1);
+    }
+}
+
+TEST_CASE("tracing: two triangles cross in a piece of a line, which is no closed curve")
+{
+    const OverlapShape one({{{-1, 0, -1}, {1, 0, -1}, {0, 0, 2}}, {{0, 1, 2}}}),
+        other({{{-0.3, -1, 0.1}, {0.4, -1, 0.1}, {0.1, 1, 0.2}}, {{0, 1, 2}}});
+    const Intersection intersection = trace_intersection(one.still(), other.still());
+    REQUIRE(intersection.curves.size() == 1);
+    CHECK(intersection.curves[0].piercings.size() == 2);
+    CHECK_FALSE(intersection.curves[0].closed);
+}
+
+TEST_CASE("exact side: the bound of rounding counts all coordinates, each of which may cancel")
+{
+    using Rational = boost::multiprecision::cpp_rational;
+    std::mt19937_64 random(13);
+    std::uniform_real_distribution<double> unit(0.5, 1);
+    const Vec3 zero = Vec3::Zero();
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < 500; ++i) {
+            const int next = (axis + 1) % 3, last = (axis + 2) % 3;
+            Vec3 x, v, w;
+            for (Vec3* of : {&v, &w})
+                for (int k = 0; k < 3; ++k)
+                    (*of)[k] = unit(random);
+            w[last] = v[last] * w[next] / v[next];  // along the axis their product has cancelled
+            x[axis] = unit(random);
+            x[next] = 1e-18 * unit(random);
+            x[last] = 1e-18 * unit(random);
+            const auto term = [&](int a, int b, int c) {
+                return Rational(x[a]) * Rational(v[b]) * Rational(w[c]);
+            };
+            const Rational determinant = term(0, 1, 2) - term(0, 2, 1) + term(1, 2, 0) - term(1, 0, 2) +
+                                         term(2, 0, 1) - term(2, 1, 0);
+            CAPTURE(axis);
+            CHECK(side_of_plane({x, zero}, {v, zero}, {w, zero}, 0) == determinant.sign());
         }
 }
