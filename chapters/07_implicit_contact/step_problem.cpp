@@ -238,7 +238,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         add_parts(world, contact, step, row);
         const double depth_t0 = update_row(world, contact, step_law, row);
         row.turns = contact.kind != ContactKind::edge_edge || !are_nearly_parallel(pair_step(world, contact));
-        if (row.part_count == 0 || row.law.normal.isZero(0) || !gives_way(row))
+        if (row.law.normal.isZero(0) || !gives_way(row))
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
         if (first || contact.stiffness == 0) {

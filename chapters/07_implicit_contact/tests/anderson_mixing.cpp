@@ -36,3 +36,23 @@ TEST_CASE("anderson mixing: rounds that only change the sign of the error end in
         x = mixing.next(x, Eigen::VectorXd(2 - x.array()));
     CHECK((x.array() - 1).matrix().norm() <= 1e-14);
 }
+
+TEST_CASE("anderson mixing: rounds of a linear map of more unknowns than it looks back end, too")
+{
+    std::mt19937 random(2);
+    std::normal_distribution<double> normal;
+    for (const int n : {12, 20, 40}) {
+        const auto number = [&] { return normal(random); };
+        const Eigen::MatrixXd axes =
+            Eigen::MatrixXd::NullaryExpr(n, n, number).householderQr().householderQ();
+        const Eigen::VectorXd factors = Eigen::VectorXd::LinSpaced(n, -1.2, 0.8),
+                              expected = Eigen::VectorXd::NullaryExpr(n, number);
+        const Eigen::MatrixXd map = axes * factors.asDiagonal() * axes.transpose();
+        AndersonMixing mixing;
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
+        for (int round = 0; round < 60; ++round)
+            x = mixing.next(x, expected + map * (x - expected));
+        CAPTURE(n);
+        CHECK((x - expected).norm() <= 1e-8);
+    }
+}

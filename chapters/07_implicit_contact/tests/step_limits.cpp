@@ -1,0 +1,327 @@
+#include "chapters/05_categorisation/normal_span.hpp"
+#include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "chapters/07_implicit_contact/implicit_contact.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/07_implicit_contact/tests/only_island.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/driven_body.hpp"
+#include "common/simulation/rigid_body.hpp"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+using namespace enduring;
+using namespace enduring::chapter07;
+
+namespace {
+
+/// A corner of a cube of 10 kg with the plane below it; it feels a quarter of the cube's mass.
+Contact corner_on_plane(int vertex = 0)
+{
+    return {ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}};
+}
+constexpr double corner_mass = 2.5;
+
+/// A cube whose lower side is at this height, as it will move in a step.
+World cube_above_plane(double height, double dt, double size = 1, const Vec3& velocity = Vec3::Zero())
+{
+    World world;
+    world.gravity.setZero();
+    world.planes.push_back({"ground"});
+    SurfaceMesh mesh = box(Vec3::Constant(size));
+    for (Vec3& x : mesh.vertices)
+        x.y() += 0.5 * size + height;
+    world.bodies.push_back(
+        std::make_unique<RigidBody>("cube", mesh, with_mass(mass_properties(mesh, 1000), 10), velocity));
+    for (const auto& body : world.bodies)
+        body->predict(world.gravity, dt);
+    return world;
+}
+
+std::vector<int> lower_corners(const Body& cube)
+{
+    std::vector<int> lower;
+    for (int v = 0; v < 8; ++v)
+        if (cube.positions_t0()[static_cast<std::size_t>(v)].y() < cube.centre().y())
+            lower.push_back(v);
+    return lower;
+}
+
+}  // namespace
+
+TEST_CASE("step problem: a pair slides on where mu_s times its load cannot stop what it carries in this step")
+{
+    for (const double dt : {0.002, 0.02})
+        for (const double part : {0.0, 0.9, 1.1}) {
+            const World world = cube_above_plane(0, dt);
+            Contacts contacts{corner_on_plane()};
+            contacts[0].stiffness = 1e6;
+            contacts[0].load = 80;
+            contacts[0].slip = part * 0.5 * 80 * dt / corner_mass;
+            const StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.1}, {1, dt}, true);
+            REQUIRE(step.problem.rows.size() == 1);
+            CAPTURE(dt);
+            CAPTURE(part);
+            CHECK(step.problem.rows[0].law.mu == (part > 1 ? 0.1 : 0.5));
+        }
+}
+
+TEST_CASE("step problem: a pair that holds does not slip, however it moves")
+{
+    const double dt = 0.004;
+    const World world = cube_above_plane(-1e-4, dt);
+    Contacts contacts{corner_on_plane()};
+    contacts[0].stiffness = 1e3;
+    contacts[0].slip = 3;
+    StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, true);
+    step.problem.rows.at(0).law.lagged_normal_impulse = 1;
+    step.problem.rows.at(0).velocity = Vec3(0.01, 0, 0);
+    find_slip(step);
+    CHECK(contacts[0].slip == 0);
+}
+
+TEST_CASE("step problem: the most load is ten times all weight and what stops all motion in the step")
+{
+    for (const double dt : {0.002, 0.02}) {
+        World world = cube_above_plane(0, dt, 1, Vec3(3, 0, 4));
+        const SurfaceMesh mesh = box(Vec3::Ones());
+        world.bodies.push_back(
+            std::make_unique<RigidBody>("cube", mesh, with_mass(mass_properties(mesh, 1), 7), Vec3(0, 2, 0)));
+        world.gravity = Vec3(0, -3, 4);
+        CHECK(max_load(world, dt) == doctest::Approx(10 * 5 * 17 + (10 * 5 + 7 * 2) / dt));
+    }
+}
+
+TEST_CASE("step problem: a load that presses an enduring pair too deep makes it stiffer, from step to step")
+{
+    const double dt = 0.004;
+    const World world = cube_above_plane(-1e-4, dt);
+    StiffnessChoice choice;
+    choice.wanted_depth = 1e-5;
+    for (const double load : {5.0, 20.0}) {  // 1e6 N/m and 1e-5 m are 10 N
+        Contacts contacts{corner_on_plane()};
+        contacts[0].stiffness = 1e6;
+        contacts[0].load = load;
+        set_up_only_island(world, contacts, choice, {}, {1, dt}, true);
+        CAPTURE(load);
+        CHECK((contacts[0].stiffness > 1.01e6) == (load > 10));
+    }
+}
+
+TEST_CASE("step problem: a vertex that several pairs touch is touched once")
+{
+    World world = cube_above_plane(0, 0.01);
+    world.planes.push_back({"wall", Vec3(-9, 0, 0), Vec3::UnitX()});
+    Contacts contacts{corner_on_plane(5), corner_on_plane(2), corner_on_plane(5)};
+    contacts[2].body_b = 1;
+    CHECK(set_up_only_island(world, contacts, {}, {}, {1, 0.01}, true).vertices[0] == std::vector{2, 5});
+}
+
+TEST_CASE("step problem: a limit of friction is taken from what acts along the normal, and is never negative")
+{
+    const double dt = 0.004;
+    const World world = cube_above_plane(-1e-4, dt);
+    for (const double along : {4.0, -4.0}) {
+        Contacts contacts{corner_on_plane()};
+        contacts[0].stiffness = 1e6;
+        StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, true);
+        contacts[0].impulse = Vec3(3, along, 0);
+        update_kinematics(world, step);
+        CHECK(step.problem.rows.at(0).law.lagged_normal_impulse == std::max(0.0, along));
+    }
+}
+
+TEST_CASE(
+    "step problem: last impulses are load and stretch over this step's length, by the normal of its start")
+{
+    for (const double dt : {0.002, 0.02}) {
+        World world = cube_above_plane(0, dt);
+        world.bodies.push_back(
+            std::make_unique<DrivenBody>("drum", box(Vec3::Ones()), Vec3::Zero(),
+                                         GivenMotion::steady(Vec3::Zero(), Vec3(0, 0, 0.3 / dt))));
+        world.bodies[1]->predict(Vec3::Zero(), dt);
+        const auto& faces = world.bodies[1]->surface().faces();
+        const auto at = [&](int v) { return world.bodies[1]->positions_t0()[static_cast<std::size_t>(v)]; };
+        for (int face = 0; face < 12; ++face) {
+            const auto [f0, f1, f2] = faces[face];
+            Contact pair{ContactKind::vertex_face, 0, 1, 0, face, {0, f0, f1, f2}, {1, -0.5, -0.25, -0.25}};
+            pair.stiffness = 1e5;
+            pair.load = 30;
+            pair.stretch = Vec3(1e-5, 2e-5, -3e-5);
+            Contacts contacts{pair};
+            const StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, false);
+            const Vec3 normal = (at(f1) - at(f0)).cross(at(f2) - at(f0)).normalized();
+            CHECK((last_impulses(world, step) - dt * (30 * normal - 1e5 * pair.stretch)).norm() < 1e-12);
+        }
+    }
+}
+
+TEST_CASE(
+    "implicit contact: what springs hold where the bodies begin, more than was booked for them, is put in")
+{
+    for (const double dt : {0.002, 0.02}) {
+        World world = cube_above_plane(-1e-4, dt);
+        world.attempt.springs = 5;
+        const std::vector<int> lower = lower_corners(*world.bodies[0]);
+        Contacts contacts{corner_on_plane(lower[0]), corner_on_plane(lower[1])};
+        contacts[0].stiffness = contacts[1].stiffness = 1e10;
+        contacts[0].rest_offset = -4e-5;
+        contacts[1].rest_offset = -3e-4;  // not compressed
+        contacts[1].stretch = Vec3(2e-5, 0, 0);
+        ImplicitSettings settings;
+        settings.stiffness.keep = 1;
+        settings.stiffness.k_dt2_over_m = 1e-6;
+        settings.max_newton_steps = 0;
+        settings.record = [](const SolveRecord&) {};
+        IslandMatrices matrices;
+        solve_contacts(world, contacts, settings, matrices, dt);
+        REQUIRE(contacts[0].rest_offset == doctest::Approx(-4e-5));
+        CHECK(world.attempt.put_in == doctest::Approx(1e10 / 2 * (6e-5 * 6e-5 + 2e-5 * 2e-5) - 5));
+    }
+}
+
+TEST_CASE("implicit contact: a spring is pressed too far by the size of its body, in a step of any length")
+{
+    for (const double dt : {0.002, 0.02})
+        for (const double size : {1.0, 0.1}) {
+            World world = cube_above_plane(1e-9, dt, size, Vec3(0, -0.2 / dt, 0));  // ends 2 mm deep
+            world.attempt.may_be_halved = true;
+            Contacts contacts;
+            for (const int vertex : lower_corners(*world.bodies[0]))
+                contacts.push_back(corner_on_plane(vertex));
+            IslandMatrices matrices;
+            solve_contacts(world, contacts, {}, matrices, dt);
+            CAPTURE(dt);
+            CAPTURE(size);
+            CHECK(world.attempt.trouble == (size < 1 ? StepTrouble::too_deep : StepTrouble::none));
+        }
+}
+
+TEST_CASE(
+    "implicit contact: a pair that is held stays so when the others are answered, and nothing is told of what is thrown away")
+{
+    for (const bool may_be_halved : {true, false}) {
+        const double dt = 0.004;
+        World world = cube_above_plane(1e-9, dt, 0.1, Vec3(0, -0.2 / dt, 0));
+        world.attempt.may_be_halved = may_be_halved;
+        Contacts contacts;
+        for (int vertex = 0; vertex < 8; ++vertex)
+            contacts.push_back(corner_on_plane(vertex));
+        const int upper = 8 - 1 - lower_corners(*world.bodies[0])[0];  // across the cube
+        contacts[static_cast<std::size_t>(upper)].hold(true);
+        int told = 0;
+        ImplicitSettings settings;
+        settings.record = [&](const SolveRecord&) { ++told; };
+        IslandMatrices matrices;
+        solve_contacts(world, contacts, settings, matrices, dt);
+        for (int vertex = 0; vertex < 8; ++vertex) {
+            const Contact& contact = contacts[static_cast<std::size_t>(vertex)];
+            CHECK((vertex == upper ? contact.held() : contact.answered()));
+        }
+        CHECK(world.attempt.trouble == StepTrouble::too_deep);
+        CHECK(told == !may_be_halved);
+    }
+}
+
+TEST_CASE("implicit contact: what nothing moves and nothing presses is solved at once, without gravity, too")
+{
+    World world = cube_above_plane(-1e-3, 0.004);
+    Contacts contacts{corner_on_plane(lower_corners(*world.bodies[0])[0])};
+    SolveRecord last;
+    ImplicitSettings settings;
+    settings.record = [&](const SolveRecord& record) { last = record; };
+    IslandMatrices matrices;
+    solve_contacts(world, contacts, settings, matrices, 0.004);  // begins inside: its spring is slack
+    CHECK(last.converged);
+    CHECK(last.residual == 0);
+    CHECK(last.newton_steps == 0);
+}
+
+TEST_CASE(
+    "pair memory: load and stretch are forces, whatever the length of the step, and the stretch turns with the surface")
+{
+    for (const double dt : {0.002, 0.02})
+        for (const double turn : {0.0, 0.2}) {
+            World world = cube_above_plane(0, dt);
+            world.bodies.push_back(
+                std::make_unique<DrivenBody>("table", box(Vec3(2, 1, 2)), Vec3::Zero(),
+                                             GivenMotion::steady(Vec3::Zero(), Vec3(0, turn / dt, 0))));
+            world.bodies[1]->predict(Vec3::Zero(), dt);
+            int face = 0;
+            while (surface_at(*world.bodies[1], 0).face_normal(face).normalized().y() < 0.999)
+                ++face;
+            const auto [f0, f1, f2] = world.bodies[1]->surface().faces()[face];
+            Contact pair{ContactKind::vertex_face, 0, 1, 0, face, {0, f0, f1, f2}, {1, -0.5, -0.25, -0.25}};
+            pair.stiffness = 1e5;
+            pair.impulse = dt * Vec3(0, 30, 0);
+            pair.friction = dt * Vec3(3, 0, -4);
+            Contacts contacts{pair};
+            remember_pairs(world, contacts, dt);
+            CAPTURE(dt);
+            CAPTURE(turn);
+            CHECK(contacts[0].load == doctest::Approx(30));
+            const Vec3 expected = Eigen::AngleAxisd(turn, Vec3::UnitY()) * Vec3(-3e-5, 0, 4e-5);
+            CHECK((contacts[0].stretch - expected).norm() < 0.02 * expected.norm());
+        }
+}
+
+TEST_CASE("solver of chapter 7: its pairs are as stiff as the depth that a scene wants asks for")
+{
+    const double dt = 0.004, of_mass = 100 * corner_mass / (dt * dt);
+    Scene scene = scene_of({{10, Vec3(0, 0.5, 0)}}, dt);
+    scene.contact.wanted_depth = corner_mass * 9.81 / (3 * of_mass);
+    const Solver solver = chapter07_solver(scene.contact);
+    CHECK(solver.finds_stiffness);
+    Contacts contacts;
+    for (int step = 0; step < 60; ++step)
+        advance(scene.world, contacts, solver, dt);
+    REQUIRE(contacts.size() == 4);
+    for (const Contact& contact : contacts)
+        CHECK(contact.stiffness == doctest::Approx(3 * of_mass).epsilon(0.01));
+}
+
+TEST_CASE(
+    "implicit contact: rounds and steps of Newton's method together keep to the bound, over all responses of a step")
+{
+    const double dt = 0.004;
+    World world = cube_above_plane(1e-9, dt, 1, Vec3(3, -5, 1));
+    Contacts contacts;
+    for (const int vertex : lower_corners(*world.bodies[0]))
+        contacts.push_back(corner_on_plane(vertex));
+    SolveRecord last;
+    ImplicitSettings settings;
+    settings.friction = {0.9, 0.9};
+    settings.tolerance = 0;  // never reached
+    settings.max_newton_steps = 12;
+    settings.record = [&](const SolveRecord& record) { last = record; };
+    IslandMatrices matrices;
+    solve_contacts(world, contacts, settings, matrices, dt);
+    CHECK(last.rounds + last.newton_steps <= 12);
+    CHECK(last.newton_steps > 2);
+    const int first = last.newton_steps;
+    for (int response = 0; response < 3; ++response) {  // each finds one more
+        contacts.push_back(corner_on_plane(lower_corners(*world.bodies[0])[0]));
+        solve_contacts(world, contacts, settings, matrices, dt);
+        CHECK(first + last.newton_steps <= 12);
+    }
+}
+
+TEST_CASE("solver of chapter 7: friction adds no pass, for the pairs' problem has it")
+{
+    const auto passes = [](const FrictionParameters& friction) {
+        ContactParameters parameters;
+        parameters.friction = friction;
+        const Solver solver = chapter07_solver(parameters);
+        std::vector<std::string> names;
+        for (const StepStage stage :
+             {StepStage::refresh, StepStage::detect, StepStage::respond, StepStage::finish})
+            for (const Pass& pass : solver.passes(stage))
+                names.push_back(pass.name);
+        return names;
+    };
+    CHECK(passes(MassSplitting{.mu_s = 0.5, .mu_d = 0.4}) == passes(NoFriction{}));
+}
