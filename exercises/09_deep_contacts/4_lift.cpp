@@ -6,9 +6,15 @@
 
 namespace enduring {
 
-double predicted_seconds() { not_implemented_yet("9.4"); }
+double predicted_seconds()
+{
+    not_implemented_yet("9.4");
+}
 
-double faded(double rest_offset, const Fade& fade, double dt) { not_implemented_yet("9.4"); }
+double faded(double rest_offset, const Fade& fade, double dt)
+{
+    not_implemented_yet("9.4");
+}
 
 int steps_to_fade(double rest_offset, double left, const Fade& fade, double dt)
 {
