@@ -36,6 +36,7 @@ std::vector<int> read_ends(FileWords& words, const char* what, int blocks, int s
 std::vector<int> read_list(FileWords& words, const char* what, int size, int most)
 {
     std::vector<int> list;
+    list.reserve(static_cast<std::size_t>(size));
     for (int i = 0; i < size; ++i)
         list.push_back(words.next_integer(what, 0, most));
     return list;

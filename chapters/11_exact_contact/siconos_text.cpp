@@ -35,12 +35,12 @@ FrictionProblem parse_siconos(const std::string& text, const std::filesystem::pa
               numbers = problem.dimension * contacts;
     Eigen::SparseMatrix<double> first = read_matrix(words, "the first matrix");
     if (is_matrix_next(words, first.rows(), numbers)) {
-        BodyEquations bodies{std::move(first), read_matrix(words, "the matrix H"), {}, {}};
+        BodyEquations bodies{first, read_matrix(words, "the matrix H"), {}, {}};
         bodies.force = read_vector(words, "the vector f", bodies.mass.rows());
         bodies.given_velocity = read_vector(words, "the vector w", numbers);
         problem.bodies = std::move(bodies);
     } else {
-        problem.response = std::move(first);
+        problem.response.swap(first);
         if (problem.response.rows() != numbers || problem.response.cols() != numbers)
             words.fail("the matrix W has " + std::to_string(problem.response.rows()) + " rows and " +
                        std::to_string(problem.response.cols()) + " columns, not " + std::to_string(numbers) +

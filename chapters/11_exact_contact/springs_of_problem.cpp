@@ -59,8 +59,9 @@ std::vector<int> coordinates_of(const std::vector<int>& units, int unit, int fir
     std::vector<int> coordinates;
     for (const int one : units)
         for (int i = 0; i < unit; ++i) {
-            place[static_cast<std::size_t>(unit * one + i)] = first + static_cast<int>(coordinates.size());
-            coordinates.push_back(unit * one + i);
+            const int coordinate = unit * one + i;
+            place[static_cast<std::size_t>(coordinate)] = first + static_cast<int>(coordinates.size());
+            coordinates.push_back(coordinate);
         }
     return coordinates;
 }

@@ -53,6 +53,7 @@ std::vector<int> first_equals(const std::vector<Vec3>& positions)
 {
     std::map<Key, int> first;
     std::vector<int> same;
+    same.reserve(positions.size());
     for (const Vec3& x : positions)
         same.push_back(first.emplace(Key{x.x(), x.y(), x.z()}, static_cast<int>(same.size())).first->second);
     return same;
@@ -73,7 +74,7 @@ SurfaceMesh merged(const SurfaceMesh& mesh, const std::vector<int>& same)
 
 SurfaceMesh welded(const SurfaceMesh& mesh, double distance)
 {
-    const SurfaceMesh exact = merged(mesh, first_equals(mesh.vertices));
+    SurfaceMesh exact = merged(mesh, first_equals(mesh.vertices));
     if (!(distance > 0))
         return exact;
     KeptVertices kept(distance);

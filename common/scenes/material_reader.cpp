@@ -55,7 +55,7 @@ FrictionCoefficients combined(const FrictionCoefficients& one, const FrictionCoe
 
 FrictionCoefficients& place_in(MaterialFriction& friction, int one, int other)
 {
-    return friction.between[static_cast<std::size_t>((one + 1) * (friction.materials + 1) + other + 1)];
+    return friction.between[static_cast<std::size_t>(friction.place_of(one, other))];
 }
 
 void read_pair(const JsonValue& value, const SceneMaterials& materials, MaterialFriction& friction,

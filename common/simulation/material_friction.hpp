@@ -17,9 +17,11 @@ struct MaterialFriction {
     /// (materials + 1) squared: for each material, `none` first, those with each material, `none` first
     std::vector<FrictionCoefficients> between{};
 
+    /// Where those of two materials stand in `between`.
+    int place_of(int one, int other) const { return (one + 1) * (materials + 1) + other + 1; }
     const FrictionCoefficients& of(int one, int other) const
     {
-        return between[static_cast<std::size_t>((one + 1) * (materials + 1) + other + 1)];
+        return between[static_cast<std::size_t>(place_of(one, other))];
     }
 };
 
