@@ -1,3 +1,4 @@
+#include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"
 #include "common/scenes/scene_reader.hpp"
 
@@ -11,12 +12,9 @@ using namespace enduring;
 namespace {
 
 /// A folder with a tetrahedron, whole (one.obj) and with three vertices of its own for each face (pieces.obj).
-struct MeshFolder {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "enduring_mesh_files";
-
+struct MeshFolder : TemporaryFolder {
     MeshFolder()
     {
-        std::filesystem::create_directories(path);
         std::ofstream(path / "one.obj")
             << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
         std::ofstream(path / "pieces.obj")
@@ -24,9 +22,6 @@ struct MeshFolder {
             << "v 0 0 0\nv 0 0 1\nv 0 1 0\nf 7 8 9\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 10 11 12\n";
         std::ofstream(path / "STEP.stp") << "ISO-10303-21;\n";
     }
-    ~MeshFolder() { std::filesystem::remove_all(path); }
-    MeshFolder(const MeshFolder&) = delete;
-    MeshFolder& operator=(const MeshFolder&) = delete;
 
     Scene with(const std::string& shape, const std::string& keys = "") const
     {
