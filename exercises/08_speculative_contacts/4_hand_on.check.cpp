@@ -45,25 +45,25 @@ Wheel wheel(int count, double depth)
 
 }  // namespace
 
-TEST_CASE("depth and compression: what the spring feels is the depth less the slack, and never a pull")
+TEST_CASE("depth and compression: what the spring feels is the depth less the rest offset, and never a pull")
 {
     const FacePlane face{{1, 2, 3}, Vec3(0, 0.6, 0.8)};
     const Vec3 inside = face.point + Vec3(5, 0, 0) - 0.003 * face.normal;
     given("a vertex 3 mm below a face");
     expect("depth", depth_of(face, inside), -0.003, 1e-12, "m");
-    expect("compression, slack 0", compression_of({1, 0, {}}, face, inside), -0.003, 1e-12, "m");
-    expect("compression, slack -1 mm", compression_of({1, -0.001, {}}, face, inside), -0.002, 1e-12, "m");
-    expect("compression, slack -5 mm", compression_of({1, -0.005, {}}, face, inside), 0, 1e-12, "m");
+    expect("compression, rest offset 0", compression_of({1, 0, {}}, face, inside), -0.003, 1e-12, "m");
+    expect("compression, rest offset -1 mm", compression_of({1, -0.001, {}}, face, inside), -0.002, 1e-12, "m");
+    expect("compression, rest offset -5 mm", compression_of({1, -0.005, {}}, face, inside), 0, 1e-12, "m");
     const Vec3 outside = face.point + 0.002 * face.normal;
     given("a vertex 2 mm above a face");
     expect("depth", depth_of(face, outside), 0.002, 1e-12, "m");
-    expect("compression, slack 0", compression_of({1, 0, {}}, face, outside), 0, 1e-12, "m");
+    expect("compression, rest offset 0", compression_of({1, 0, {}}, face, outside), 0, 1e-12, "m");
 }
 
 TEST_CASE("force: out along the normal, and back along the stretch")
 {
     const PairSpring spring{2000, -0.001, {0.0005, 0, 0}};
-    given("stiffness 2000 N/m, slack -1 mm, stretch 0.5 mm along x, 3 mm below a level face");
+    given("stiffness 2000 N/m, rest offset -1 mm, stretch 0.5 mm along x, 3 mm below a level face");
     expect("force", force_of(spring, leaning(0), {0, -0.003, 0}), Vec3(-1, 4, 0), 1e-9, "N");
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("handed on: compression, stiffness and the size of the force stay")
             const Vec3 vertex = -0.003 / between.dot(from.normal) * between;
             const PairSpring spring{5e4, rest_offset, {1e-4, 0, 2e-4}};
             const auto next = handed_on(spring, from, to, vertex, 0.7);
-            given("to a face that leans by ", degrees, " degrees, 3 mm below both, slack ",
+            given("to a face that leans by ", degrees, " degrees, 3 mm below both, rest offset ",
                   1000 * rest_offset, " mm");
             expect_that("it is handed on", next.has_value());
             if (!next)
@@ -103,26 +103,26 @@ TEST_CASE("handed on: compression, stiffness and the size of the force stay")
                    force_of(spring, from, vertex).norm(), 1e-6, "N");
             expect("stretch across its new face", next->stretch.dot(to.normal), 0, 1e-12, "m");
             expect("length of the stretch", next->stretch.norm(), spring.stretch.norm(), 1e-12, "m");
-            expect_that("the slack is not positive", next->rest_offset <= 0);
+            expect_that("the rest offset is not positive", next->rest_offset <= 0);
         }
 }
 
 TEST_CASE(
-    "handed on: below a deeper face it begins slack by the difference, above a nearer one without slack")
+    "handed on: below a deeper face it begins with a rest offset by the difference, above a nearer one without rest offset")
 {
     const FacePlane low{Vec3::Zero(), Vec3::UnitY()}, high{{0, 0.01, 0}, Vec3::UnitY()};
     const PairSpring spring{1e4, 0, {0, 0, 0}};
     const auto up = handed_on(spring, low, high, {0, -0.002, 0}, 0.7),
                down = handed_on(spring, high, low, {0, -0.002, 0}, 0.7);
-    given("2 mm below one face, 12 mm below the other one, slack 0");
+    given("2 mm below one face, 12 mm below the other one, rest offset 0");
     expect_that("it is handed on", up.has_value() && down.has_value());
     if (up && down) {
-        expect("slack, from 2 mm to 12 mm", up->rest_offset, -0.01, 1e-12, "m");
-        expect("slack, from 12 mm to 2 mm", down->rest_offset, 0, 1e-12, "m");
+        expect("rest offset, from 2 mm to 12 mm", up->rest_offset, -0.01, 1e-12, "m");
+        expect("rest offset, from 12 mm to 2 mm", down->rest_offset, 0, 1e-12, "m");
     }
     const PairSpring loose{1e4, -0.005, {0, 0, 0}};
     const auto still_loose = handed_on(loose, low, high, {0, -0.002, 0}, 0.7);
-    given("slack -5 mm, 2 mm deep: not compressed at all");
+    given("rest offset -5 mm, 2 mm deep: not compressed at all");
     expect_that("it is handed on", still_loose.has_value());
     if (still_loose)
         expect("compression on the other face", compression_of(*still_loose, high, {0, -0.002, 0}), 0, 1e-12,
@@ -153,7 +153,7 @@ TEST_CASE("tour: once around a wheel the spring comes back as it was")
         if (!back)
             continue;
         expect("stiffness", back->stiffness, 3e4, 0, "N/m");
-        expect("slack", back->rest_offset, -0.001, 1e-9, "m");
+        expect("rest offset", back->rest_offset, -0.001, 1e-9, "m");
         expect("stretch", back->stretch, spring.stretch, 1e-9, "m");
     }
     const Wheel coarse = wheel(7, 0.004);

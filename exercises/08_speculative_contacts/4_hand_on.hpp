@@ -15,14 +15,14 @@ struct FacePlane {
 /// What a pair of a vertex and a face remembers.
 struct PairSpring {
     double stiffness;    ///< [N/m]
-    double rest_offset;  ///< depth at which it is slack, not positive [m]
+    double rest_offset;  ///< depth at which it pushes nothing, not positive [m]
     Vec3 stretch;        ///< of friction, along the face [m]
 };
 
 /// Depth of a vertex: negative inside [m].
 double depth_of(const FacePlane& face, const Vec3& vertex);
 
-/// Depth less slack where that is negative, and else 0: what the spring is compressed by, not positive [m].
+/// Depth less rest offset where that is negative, and else 0: what the spring is compressed by, not positive [m].
 double compression_of(const PairSpring& spring, const FacePlane& face, const Vec3& vertex);
 
 /// Force on the vertex [N]: along the normal that of the compression, along the face that of the stretch.
@@ -32,7 +32,7 @@ Vec3 force_of(const PairSpring& spring, const FacePlane& face, const Vec3& verte
 Vec3 turned_along(const Vec3& from, const Vec3& to, const Vec3& vector);
 
 /// The spring at another face which takes over from this one: as stiff, as compressed (if the vertex is deep enough for
-/// that; else with no slack), and its stretch turned. None if the cosine of the angle of the two normals is below the
+/// that; else with no rest offset), and its stretch turned. None if the cosine of the angle of the two normals is below the
 /// limit.
 std::optional<PairSpring> handed_on(const PairSpring& spring, const FacePlane& from, const FacePlane& to,
                                     const Vec3& vertex, double least_cosine);

@@ -17,7 +17,7 @@ ImplicitParticle particle_of(double mass, double stiffness, double dt, PositionU
     return particle;
 }
 
-/// With the spring of the slack; `energy` knows the spring of a ground at 0 only.
+/// With the spring of the rest offset; `energy` knows the spring of a ground at 0 only.
 double energy_of(const LettingOut& out, const ImplicitParticle& particle)
 {
     const double compression = std::min(0.0, out.state.height - out.rest_offset);
@@ -48,20 +48,20 @@ TEST_CASE("faded: deep inside it fades by the speed, near the surface by a part"
 {
     const Fade fade;
     given("keep 0.9, speed 0.25 m/s, dt 0.01 s");
-    expect("slack after -0.5 m", faded(-0.5, fade, 0.01), -0.4975, 1e-15, "m");
-    expect("slack after -0.01 m", faded(-0.01, fade, 0.01), -0.009, 1e-15, "m");
-    expect("slack after -0.025 m, where both are the same", faded(-0.025, fade, 0.01), -0.0225, 1e-15, "m");
-    expect("slack after 0", faded(0, fade, 0.01), 0.0, 0, "m");
+    expect("rest offset after -0.5 m", faded(-0.5, fade, 0.01), -0.4975, 1e-15, "m");
+    expect("rest offset after -0.01 m", faded(-0.01, fade, 0.01), -0.009, 1e-15, "m");
+    expect("rest offset after -0.025 m, where both are the same", faded(-0.025, fade, 0.01), -0.0225, 1e-15, "m");
+    expect("rest offset after 0", faded(0, fade, 0.01), 0.0, 0, "m");
 }
 
 TEST_CASE("faded: its arguments count")
 {
     given("keep 0.5, speed 2 m/s, dt 0.1 s");
-    expect("slack after -1 m", faded(-1, {0.5, 2}, 0.1), -0.8, 1e-15, "m");
-    expect("slack after -0.1 m", faded(-0.1, {0.5, 2}, 0.1), -0.05, 1e-15, "m");
+    expect("rest offset after -1 m", faded(-1, {0.5, 2}, 0.1), -0.8, 1e-15, "m");
+    expect("rest offset after -0.1 m", faded(-0.1, {0.5, 2}, 0.1), -0.05, 1e-15, "m");
     given("keep 0.99, speed 2 m/s, dt 0.001 s");
-    expect("slack after -0.3 m", faded(-0.3, {0.99, 2}, 0.001), -0.298, 1e-15, "m");
-    expect("slack after -0.1 m", faded(-0.1, {0.99, 2}, 0.001), -0.099, 1e-15, "m");
+    expect("rest offset after -0.3 m", faded(-0.3, {0.99, 2}, 0.001), -0.298, 1e-15, "m");
+    expect("rest offset after -0.1 m", faded(-0.1, {0.99, 2}, 0.001), -0.099, 1e-15, "m");
 }
 
 TEST_CASE("steps: as many as it takes one by one")
@@ -113,7 +113,7 @@ TEST_CASE("let out: at first it lies where it began, and nothing has been done")
     const LettingOut out = let_out(0.5, {}, {}, 0);
     expect("height", out.state.height, -0.5, 0, "m");
     expect("velocity", out.state.velocity, 0.0, 0, "m/s");
-    expect("slack", out.rest_offset, -0.5, 0, "m");
+    expect("rest offset", out.rest_offset, -0.5, 0, "m");
     expect("work", out.work, 0.0, 0, "J");
 }
 
@@ -123,7 +123,7 @@ TEST_CASE("let out: the first step is an implicit step, seen from a ground that 
     given("0.5 m deep, m 2 kg, k 10 000 N/m, dt 0.01 s, one step");
     const LettingOut out = let_out(0.5, particle, {}, 1);
     const ParticleState seen = step({0, -0.25}, particle);
-    expect("slack", out.rest_offset, -0.4975, 1e-15, "m");
+    expect("rest offset", out.rest_offset, -0.4975, 1e-15, "m");
     expect("height", out.state.height, seen.height - 0.4975, 1e-14, "m");
     expect("velocity", out.state.velocity, seen.velocity + 0.25, 1e-12, "m/s");
     expect("work", out.work, 2 * (seen.velocity + 0.25 + 0.0981) * 0.25, 1e-12, "J");

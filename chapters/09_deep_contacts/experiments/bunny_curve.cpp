@@ -23,7 +23,7 @@ long left_inside(const World& world)
 }
 
 /// Lets the bunny out of the wall: how fast its middle is until it is out, and how many of its vertices are left.
-void let_out(Scene& scene, const RunOptions& options, Report& report)
+void separate(Scene& scene, const RunOptions& options, Report& report)
 {
     double fastest = 0;
     bool out = false;
@@ -65,7 +65,7 @@ void bunny_curve(const RunOptions& options, Report& report)
     report.fact("bunny_curve", "bowl_inside", static_cast<double>(crossing.first_inside), 5);
     report.fact("bunny_curve", "bunny_inside", static_cast<double>(crossing.second_inside), 5);
     report.fact("bunny_curve", "bunny_regions", static_cast<double>(crossing.regions), 5);
-    let_out(scene, options, report);
+    separate(scene, options, report);
 }
 
 }  // namespace enduring::chapter09

@@ -47,7 +47,7 @@ struct Outcome {
     }
 };
 
-Outcome let_out(Scene& scene, double depth, double duration, Probe* film = nullptr)
+Outcome separate(Scene& scene, double depth, double duration, Probe* film = nullptr)
 {
     Outcome outcome;
     ImplicitSettings settings;
@@ -101,7 +101,7 @@ void crossed_beams(const RunOptions& options, Report& report)
                     if (options.quick && (dt != 0.01 || aside > 0))
                         continue;
                     Scene scene = crossed_beams(depth, turn_deg, aside, dt);
-                    const Outcome outcome = let_out(scene, depth, 3);
+                    const Outcome outcome = separate(scene, depth, 3);
                     table.add({1000 * depth, turn_deg, aside, dt, outcome.above_mm, outcome.below_mm,
                                outcome.fastest, outcome.excess_j});
                     worst.worsen(outcome);
@@ -109,7 +109,7 @@ void crossed_beams(const RunOptions& options, Report& report)
     Scene shown = crossed_beams(0.15, 70, 0, 0.01);
     StripProbe film(
         shown, {0, 0.25, 1}, [](auto&&...) {}, 320, 240);
-    let_out(shown, 0.15, 1.1, &film);
+    separate(shown, 0.15, 1.1, &film);
     write_png(film.all(3), report.file("crossed_beams.png"));
     report.table("crossed_beams", table);
     report.fact("crossed_beams", "runs", static_cast<double>(table.rows().size()));

@@ -127,8 +127,8 @@ void show_leaning_block(const RunOptions& options, Report& report)
     watch(scene, chapter09_solver(scene.contact, counting(solves)), 2.2, {&pictures, &film, &accounts});
     write_png(pictures.all(2), report.file("initial_overlap.png"));
     film.finish();
-    report.table("let_out_energy", table);
-    report.plot("chapters/09_deep_contacts/plots/let_out_energy.gp");
+    report.table("depenetration_energy", table);
+    report.plot("chapters/09_deep_contacts/plots/depenetration_energy.gp");
     const SpringAccounts& sums = ledger.accounts();
     report.fact("initial_overlap", "lifted", sums.lifted);
     report.fact("initial_overlap", "gained", total_energy(scene.world).total() - before);

@@ -1,6 +1,6 @@
 #include "chapters/09_deep_contacts/experiments/experiments.hpp"
 #include "chapters/09_deep_contacts/experiments/inside_scenes.hpp"
-#include "chapters/09_deep_contacts/experiments/other_ways.hpp"
+#include "chapters/09_deep_contacts/experiments/other_methods.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "common/experiments/render/moments.hpp"
 #include "common/experiments/report/growing_table.hpp"

@@ -103,7 +103,7 @@ TEST_CASE(
     CHECK(all > 100);
 }
 
-TEST_CASE("crossing edges: beams that cross and begin in each other, with no vertex inside, are let out")
+TEST_CASE("crossing edges: beams that cross and begin in each other, with no vertex inside, separate")
 {
     for (const double turn_deg : {90.0, 33.0}) {
         CAPTURE(turn_deg);

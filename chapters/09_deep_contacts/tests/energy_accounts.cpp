@@ -58,7 +58,7 @@ Missing missing_in(const std::string& body, const Surroundings& surroundings)
 }  // namespace
 
 TEST_CASE(
-    "energy accounts: a cube that is let out gains what the fading slack put in, and the budget closes to rounding")
+    "energy accounts: a cube that separates gains what the fading rest offset put in, and the budget closes to rounding")
 {
     for (const Surroundings& surroundings : {all_surroundings()[0], all_surroundings()[1]}) {
         CAPTURE(surroundings.name);
@@ -71,7 +71,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("energy accounts: what is let out does not rub")
+TEST_CASE("energy accounts: what separates from inside does not rub")
 {
     Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.3, 0.01);
     SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity);
@@ -87,7 +87,7 @@ TEST_CASE("energy accounts: what is let out does not rub")
 }
 
 TEST_CASE(
-    "energy accounts: a run in which a body is let out keeps to its budget, and one in which it is thrown does not")
+    "energy accounts: a run in which a body separates keeps to its budget, and one in which it is thrown does not")
 {
     for (const Surroundings& surroundings : {all_surroundings()[0], all_surroundings()[1]}) {
         CAPTURE(surroundings.name);

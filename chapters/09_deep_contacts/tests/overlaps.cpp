@@ -32,7 +32,7 @@ Vec3 area_of(const SurfaceMesh& a, const SurfaceMesh& b)
 
 }  // namespace
 
-TEST_CASE("way out: two boxes' vector area is how fast the volume that they share grows, wherever they stand")
+TEST_CASE("separation direction: two boxes' vector area is how fast the volume that they share grows, wherever they stand")
 {
     const Vec3 size_a(1, 0.8, 0.6), size_b(2, 2, 2);
     const SurfaceMesh a = box(size_a, {2, 2, 1}), b = box(size_b, {3, 1, 2});
@@ -56,7 +56,7 @@ TEST_CASE("way out: two boxes' vector area is how fast the volume that they shar
         }
 }
 
-TEST_CASE("way out: a ball leaves a floor upwards, and the floor leaves the ball downwards")
+TEST_CASE("separation direction: a ball leaves a floor upwards, and the floor leaves the ball downwards")
 {
     const SurfaceMesh floor = moved(box({4, 1, 4}, {5, 1, 5}), {0, -0.5, 0});
     const SurfaceMesh ball = moved(sphere(0.4, 2), {0.03, 0.1, 0.05});
@@ -70,7 +70,7 @@ TEST_CASE("way out: a ball leaves a floor upwards, and the floor leaves the ball
         CHECK(ball.vertices[vertex].y() < 0);
 }
 
-TEST_CASE("way out: what is wholly inside takes the shortest way, also where it begins at two sides")
+TEST_CASE("separation direction: what is wholly inside takes the shortest path, also where it begins at two sides")
 {
     const SurfaceMesh room = box({4, 4, 4}, {3, 3, 3}), small = box({0.5, 0.5, 0.5});
     const auto right = overlaps_of(moved(small, {1.2, 0.3, -0.2}), room);
@@ -84,7 +84,7 @@ TEST_CASE("way out: what is wholly inside takes the shortest way, also where it 
     CHECK((rod[0].separation_direction + Vec3::UnitY()).norm() < 1e-12);
 }
 
-TEST_CASE("way out: two feet of one body are two overlaps, each with its own way")
+TEST_CASE("separation direction: two feet of one body are two overlaps, each with its own direction")
 {
     const SurfaceMesh wall = box({0.5, 3, 3}, {1, 2, 2});  // two walls, a rod that ends in both
     SurfaceMesh walls = moved(wall, {-1, 0, 0});

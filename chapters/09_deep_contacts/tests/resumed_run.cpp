@@ -5,7 +5,7 @@
 using namespace enduring;
 using namespace enduring::chapter09;
 
-TEST_CASE("resumed run: a body that is let out goes on with the same numbers, to the last bit")
+TEST_CASE("resumed run: a body that separates goes on with the same numbers, to the last bit")
 {
     for (const std::string body : {"leaning block", "fine block", "ball"}) {
         CAPTURE(body);

@@ -7,7 +7,7 @@
 using namespace enduring;
 using namespace enduring::chapter09;
 
-TEST_CASE("scales: what begins inside a plane or a body is let out alike in any size, with any density")
+TEST_CASE("scales: what begins inside a plane or a body separates alike in any size, with any density")
 {
     for (const motivating::ScaleTrial& trial : motivating::inside_scale_trials()) {
         CAPTURE(trial.name);

@@ -148,7 +148,7 @@ TEST_CASE("inside pairs: bodies that moved since the last trace are traced where
 }
 
 TEST_CASE(
-    "letting out: what part of a separation direction lies along a pair is told by any of its vertices that is inside, of either body")
+    "depenetration: what part of a separation direction lies along a pair is told by any of its vertices that is inside, of either body")
 {
     for (const bool floor_first : {true, false}) {
         World world = block_in_floor(0.13, floor_first);
@@ -198,7 +198,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("letting out: as fast as a scene says, however slow that is and however long a step")
+TEST_CASE("depenetration: as fast as a scene says, however slow that is and however long a step")
 {
     using namespace enduring::chapter09;
     for (const double speed : {0.01, 0.1})
@@ -217,7 +217,7 @@ TEST_CASE("letting out: as fast as a scene says, however slow that is and howeve
 }
 
 TEST_CASE(
-    "letting out: between the jaws of a vice, from which nothing is let out, loads do not grow for ever")
+    "depenetration: between the jaws of a vice, from which nothing is let out, loads do not grow for ever")
 {
     World world;
     add_static(world, floor_mesh());
@@ -238,7 +238,7 @@ TEST_CASE(
     CHECK(most > 1e4);
 }
 
-TEST_CASE("letting out: what is slack by little fades by a tenth in a step, once")
+TEST_CASE("depenetration: a small rest offset fades by a tenth in a step, once")
 {
     World world = block_in_floor(1e-4);
     const Solver solver = chapter09_solver({});

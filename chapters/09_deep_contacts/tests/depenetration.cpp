@@ -119,7 +119,7 @@ TEST_CASE("inside pairs: what was traced serves any list of pairs, until the nex
     CHECK(least_along(apart) == 1);
 }
 
-TEST_CASE("letting out: slack fades by a tenth, and no faster than the speed at which a body is let out")
+TEST_CASE("depenetration: the rest offset fades by a tenth, and no faster than the largest depenetration velocity")
 {
     Contacts contacts(3);
     contacts[0].rest_offset = -1e-3;
@@ -130,7 +130,7 @@ TEST_CASE("letting out: slack fades by a tenth, and no faster than the speed at 
     CHECK(contacts[2].rest_offset == 0);
 }
 
-TEST_CASE("letting out: a block that begins in a floor comes up slowly and rests; with chapter 7 it falls")
+TEST_CASE("depenetration: a block that begins in a floor comes up slowly and rests; with chapter 7 it falls")
 {
     for (const double depth : {0.001, 0.05, 0.4})
         for (const double leaning : {0.0, 0.3}) {
@@ -161,7 +161,7 @@ TEST_CASE("letting out: a block that begins in a floor comes up slowly and rests
 }
 
 TEST_CASE(
-    "letting out: with chapter 8 a block rests that begins a millimetre in a floor, and falls from 2 cm")
+    "depenetration: with chapter 8 a block rests that begins a millimetre in a floor, and falls from 2 cm")
 {
     for (const double depth : {0.001, 0.02}) {
         CAPTURE(depth);
@@ -175,7 +175,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("letting out: a block that is laid exactly on triangles is not thrown off, as it was by chapter 6")
+TEST_CASE("depenetration: a block that is laid exactly on triangles is not thrown off, as it was by chapter 6")
 {
     double most[3] = {0, 0, 0};
     for (const double turned : {0.0, 0.3, 0.6, std::numbers::pi / 4}) {
@@ -209,7 +209,7 @@ TEST_CASE("letting out: a block that is laid exactly on triangles is not thrown 
 }
 
 TEST_CASE(
-    "letting out: a ball in a bowl's wall or a cushion, and a block in a plane, come out slowly and stay down")
+    "depenetration: a ball in a bowl's wall or a cushion, and a block in a plane, come out slowly and stay down")
 {
     using namespace enduring::chapter09;
     for (const std::size_t place : {1U, 2U, 3U}) {
@@ -231,7 +231,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("letting out: a scene says how fast")
+TEST_CASE("depenetration: a scene says how fast")
 {
     using namespace enduring::chapter09;
     for (const double speed : {0.1, 0.7}) {
@@ -246,7 +246,7 @@ TEST_CASE("letting out: a scene says how fast")
     }
 }
 
-TEST_CASE("letting out: half-way between two ways out, to a hair, a body takes one and does not wait")
+TEST_CASE("depenetration: half-way between two directions, to a rounding, a body takes one and does not wait")
 {
     using namespace enduring::chapter09;
     for (const auto& ground : {std::pair(0, 1.0), std::pair(3, 0.8)})

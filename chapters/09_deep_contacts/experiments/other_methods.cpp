@@ -1,4 +1,4 @@
-#include "chapters/09_deep_contacts/experiments/other_ways.hpp"
+#include "chapters/09_deep_contacts/experiments/other_methods.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "chapters/09_deep_contacts/experiments/other_ways.hpp"
+#include "chapters/09_deep_contacts/experiments/other_methods.hpp"
 #include "chapters/09_deep_contacts/experiments/random_overlaps.hpp"
 #include "chapters/09_deep_contacts/tests/moved.hpp"
 #include "common/geometry/box_shapes.hpp"
@@ -23,7 +23,7 @@ long count_wrong(const std::vector<Vec3>& ways, const Vec3& right)
 }  // namespace
 
 TEST_CASE(
-    "other ways: over a ledge's corner the nearest boundary sends vertices sideways, the vector area none")
+    "other methods: over a ledge's corner the nearest boundary sends vertices sideways, the vector area none")
 {
     const OverlapShape ledge(moved(box({1, 1, 1}, {9, 9, 9}), {0.45, -0.5, 0.43})),
         cube(moved(box({0.4, 0.4, 0.4}, {5, 5, 5}), {0.013, 0.1, 0.021}));
@@ -43,7 +43,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("other ways: the border hands the floor's normal on inwards, and without a border there is none")
+TEST_CASE("other methods: the border hands the floor's normal on inwards, and without a border there is none")
 {
     const OverlapShape floor(moved(box({2, 1, 2}, {19, 9, 19}), {0, -0.5, 0})),
         cube(moved(box({0.4, 0.4, 0.4}, {5, 5, 5}), {0.013, 0.1, 0.021})),

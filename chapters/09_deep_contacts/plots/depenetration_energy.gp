@@ -4,7 +4,7 @@ set xlabel "time [s]"
 set ylabel "energy [J]"
 set xrange [0:2.2]
 set key above
-data = folder."/let_out_energy.csv"
+data = folder."/depenetration_energy.csv"
 plot data using "time_s":"lifted_j" with lines linetype 1 title "lifted by fading slack", \
      data using "time_s":"bodies_j" with lines linetype 2 title "gained by the block", \
      data using "time_s":"damped_j" with lines linetype 3 title "damped", \
