@@ -10,8 +10,8 @@ StiffnessChoice StiffnessChoice::of_pair(const NaturalUnits& units) const
 {
     StiffnessChoice own = *this;
     own.wanted_depth = depth(units.length);
-    own.doubles_in = scale_parts.doubles_in * units.time();
-    own.max_depenetration_velocity = scale_parts.fading_speed * units.speed;
+    own.doubles_in = parts.doubles_in * units.time();
+    own.max_depenetration_velocity = parts.fading_speed * units.speed;
     return own;
 }
 

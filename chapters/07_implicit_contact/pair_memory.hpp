@@ -18,18 +18,19 @@ struct StiffnessChoice {
     double max_k_dt2_over_m = 1e7;
     /// how deep the load that a pair carries may press it [m]; without it, a part of the pair's size
     std::optional<double> wanted_depth{};
-    double keep = 0.9;  ///< part of a spring's slack that a step keeps
-    /// how many wanted depths the spring of a pair that began inside may still be slack when friction sets in
+    ScaleParts parts = scale_parts;  ///< of a pair's own units: what of_pair() takes
+    double keep = 0.9;               ///< part of a spring's rest offset that a step keeps
+    /// how many wanted depths the spring of a pair that began inside may still lie below its rest offset when friction sets in
     double rubbing_offset = INFINITY;
     /// time in which a stiffness doubles at most, from step to step [s]; of a metre, see of_pair()
     double doubles_in = scale_parts.doubles_in * NaturalUnits{}.time();
-    /// the fastest at which a slack fades [m/s]; of a metre, see of_pair()
+    /// the fastest at which a rest offset fades [m/s]; of a metre, see of_pair()
     double max_depenetration_velocity = scale_parts.fading_speed * NaturalUnits{}.speed;
 
     /// The wanted depth of a pair of this length [m].
     double depth(double length = NaturalUnits{}.length) const
     {
-        return wanted_depth.value_or(scale_parts.wanted_depth * length);
+        return wanted_depth.value_or(parts.wanted_depth * length);
     }
     /// The same for a pair with these units: all its lengths in metres, its speed and its time.
     StiffnessChoice of_pair(const NaturalUnits& units) const;
@@ -40,11 +41,11 @@ struct StiffnessChoice {
 /// @param mass  1 / (n . W n), W the change of its velocity per impulse [kg]
 double wanted_stiffness(double mass, double load, const StiffnessChoice& choice, double dt);
 
-/// Changes a pair's stiffness and no force of its: its spring gets a slack, and friction's another stretch.
+/// Changes a pair's stiffness and no force of its: its spring gets a rest offset, and friction's another stretch.
 void stiffen(Contact& contact, double depth_t0, double stiffness);
 
-/// Gives an enduring pair its stiffness for the step, without a jump of its force: its spring gets a slack,
-/// which fades, but winds no spring up above the most load. A pair that is born inside begins slack altogether;
+/// Gives an enduring pair its stiffness for the step, without a jump of its force: its spring gets a rest offset,
+/// which fades, but winds no spring up above the most load. A pair that is born inside begins uncompressed;
 /// one that comes from outside has none.
 /// @param depth_t0   at the start of the step [m], negative inside
 /// @param mass       as above; asked for a new pair, and where the load asks for more than the pair has

@@ -55,6 +55,9 @@ int main(int argc, char** argv)
                  chapter08::driven},
                 {"harsh", "random scenes as harsh as a stranger's: energy, depth and solves of every step",
                  chapter08::harsh},
+                {"constants",
+                 "a tenth and ten times of each constant of the solver, and three weights over the step",
+                 chapter08::constants},
             },
         },
         [](const ContactParameters& parameters) { return chapter08_solver(parameters); });

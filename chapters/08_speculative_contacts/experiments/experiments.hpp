@@ -25,5 +25,6 @@ void spinning(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);
 void driven(const RunOptions& options, Report& report);
 void harsh(const RunOptions& options, Report& report);
+void constants(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08
