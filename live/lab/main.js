@@ -12,6 +12,8 @@ const CHAPTERS = [[1, "1: particle and plane"], [2, "2: collision detection"], [
 const SPEEDS = [[1, "as the clock"], [0.25, "4 times slower"], [0.0625, "16 times slower"], [0, "step by step"]];
 const OWN = "own", MOST_BYTES = 3e8, MOST_STEPS_A_FRAME = 20, FRAME = 1 / 60;
 
+const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
+
 class Laboratory {
   constructor(box, given) {
     this.box = box;
@@ -218,7 +220,7 @@ class Laboratory {
 
   tell() {
     const frames = this.lanes.map(lane => lane.frames[this.index]), [{ numbers: n }] = frames;
-    const work = ({ numbers: m, milliseconds }) => [m.newton_steps ? `${m.rounds} rounds with ${m.newton_steps} Newton steps` : `${m.rounds} ${m.rounds === 1 ? "round" : "rounds"}`,
+    const work = ({ numbers: m, milliseconds }) => [m.newton_steps ? `${counted(m.rounds, "round")} with ${counted(m.newton_steps, "Newton step")}` : counted(m.rounds, "round"),
       m.thrown_away ? `${m.thrown_away} halved so far` : "", milliseconds ? `${readable(Number(milliseconds.toFixed(1)))} ms a step` : ""].filter(Boolean).join(", ");
     this.state.textContent = `Step ${n.step}, ${n.time.toFixed(3)} s. ` +
       frames.map((frame, i) => `${this.lanes.length > 1 ? `${this.lanes[i].title.textContent}: ` : ""}${frame.numbers.pairs} of ${pairCount(frame)} pairs push; ${work(frame)}.`).join(" ");
