@@ -85,8 +85,10 @@ def ledger_scenes():
 
 
 def all_scenes():
-    light = '{"/bodies/bunny/shape/file": "bunny_363.msh"}'
-    yield {"key": "bunny_363", "group": "To begin with", "title": "a soft bunny falls into a bowl", "text": text_of("bunny_at_rest", light), "note": "With 363 elements.", "solver": 10, "beside": 0}
+    for basis, elements in (("linear", ""), ("quadratic", ", quadratic elements")):
+        patch = json.dumps({"/bodies/bunny/shape/file": "bunny_363.msh", "/bodies/bunny/basis": basis})
+        yield {"key": f"bunny_363_{basis}", "group": "To begin with", "title": f"a soft bunny falls into a bowl{elements}", "text": text_of("bunny_at_rest", patch), "note": f"Here with 363 {basis} elements.",
+               "solver": 10, "beside": 0}
     yield {"key": "tower", "group": "To begin with", "title": "five cubes, edge on edge", "text": text_of("tower"), "note": "", "solver": 10, "beside": 0}
     yield from ledger_scenes()
     for path in sorted((ROOT / "common/scenes").glob("*.json")):
