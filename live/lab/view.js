@@ -1,6 +1,6 @@
 // What is seen of a scene: bodies, planes, shadows and pairs in three dimensions, drawn with three.js.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, DirectionalLight, DoubleSide, Fog, HemisphereLight, InstancedMesh, Line, LineBasicMaterial,
+  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, DirectionalLight, DoubleSide, Fog, GridHelper, HemisphereLight, InstancedMesh, Line, LineBasicMaterial,
   LineSegments, LinearSRGBColorSpace, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, PCFSoftShadowMap, PerspectiveCamera, Plane, Quaternion, Raycaster, Scene, SphereGeometry,
   Vector2, Vector3, WebGLRenderer,
 } from "three";
@@ -107,7 +107,7 @@ export class View {
     sun.shadow.mapSize.set(2048, 2048);
     Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: reach / 100, far: 4 * reach });
     sun.shadow.bias = -2e-4;
-    sun.shadow.normalBias = 2e-3 * this.radius;
+    sun.shadow.normalBias = 1.2e-2 * this.radius;
     sun.shadow.radius = 5;
     this.scene.add(sun, sun.target);
   }
@@ -120,7 +120,16 @@ export class View {
     ground.position.copy(at);
     ground.receiveShadow = true;
     ground.userData.ground = true;
-    this.scene.add(ground);
+    this.scene.add(ground, this.gridOn(ground, up));
+  }
+
+  // Lines a metre apart, or a power of ten of that, by which the eye sees how fast things go.
+  gridOn(ground, up) {
+    const cell = 10 ** Math.round(Math.log10(this.radius / 1.5)), grid = new GridHelper(60 * cell, 60, "#7d848e", "#7d848e");
+    grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), up);
+    grid.position.copy(ground.position).addScaledVector(up, 2e-3 * this.radius);
+    Object.assign(grid.material, { transparent: true, opacity: 0.22, depthWrite: false });
+    return grid;
   }
 
   addMarks() {
@@ -165,7 +174,7 @@ export class View {
     const mark = 0.016 * this.camera.position.distanceTo(this.controls.target) * Math.tan(this.camera.fov * Math.PI / 360);
     for (let i = 0; i < count; ++i) {
       const pair = pairAt(this.frame, i), impulse = size(pair.impulse), chosen = this.chosen === keyOf(pair);
-      const length = largest > 0 ? 0.5 * this.radius * Math.sqrt(impulse / largest) : 0;
+      const length = largest > 0 ? 0.32 * this.radius * Math.sqrt(impulse / largest) : 0;
       const radius = mark * (chosen ? 1.7 : impulse > 0 ? 1 : 0.6);
       this.marks.setMatrixAt(i, at.makeScale(radius, radius, radius).setPosition(...pair.point));
       this.marks.setColorAt(i, chosen ? MARK.chosen : impulse > 0 ? MARK.pushes : MARK.rests);
