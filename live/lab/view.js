@@ -1,6 +1,6 @@
 // What is seen of a scene: bodies, planes, shadows and pairs in three dimensions, drawn with three.js.
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, DirectionalLight, DoubleSide, Fog, GridHelper, HemisphereLight, InstancedMesh, Line, LineBasicMaterial,
+  AmbientLight, BufferAttribute, BufferGeometry, CircleGeometry, Color, DirectionalLight, DoubleSide, Fog, HemisphereLight, InstancedMesh, Line, LineBasicMaterial,
   LineSegments, LinearSRGBColorSpace, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, PCFSoftShadowMap, PerspectiveCamera, Plane, Quaternion, Raycaster, Scene, SphereGeometry,
   Vector2, Vector3, WebGLRenderer,
 } from "three";
@@ -125,10 +125,13 @@ export class View {
 
   // Lines a metre apart, or a power of ten of that, by which the eye sees how fast things go.
   gridOn(ground, up) {
-    const cell = 10 ** Math.round(Math.log10(this.radius / 1.5)), grid = new GridHelper(60 * cell, 60, "#7d848e", "#7d848e");
+    const cell = 10 ** Math.round(Math.log10(this.radius / 1.5)), reach = 30, points = [];
+    for (let i = -reach; i <= reach; ++i)
+      for (let k = -reach; k < reach; ++k) points.push(i, 0, k, i, 0, k + 1, k, 0, i, k + 1, 0, i); // a piece a cell: some drivers drop a line that begins behind the eye
+    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(points.map(x => cell * x)), 3));
+    const grid = new LineSegments(geometry, new LineBasicMaterial({ color: "#7d848e", transparent: true, opacity: 0.3, depthWrite: false }));
     grid.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), up);
     grid.position.copy(ground.position).addScaledVector(up, 2e-3 * this.radius);
-    Object.assign(grid.material, { transparent: true, opacity: 0.22, depthWrite: false });
     return grid;
   }
 
