@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 import lab
-from browser_test import DESKTOP, PHONE, WebDriverWait, browser, open_page, screen
+from browser_test import DESKTOP, PHONE, ActionChains, By, WebDriverWait, browser, drag, open_page, screen
 
 ROOT = Path(__file__).resolve().parent.parent
 STEPS = 100
@@ -32,6 +32,9 @@ engine.load(text, 'test.json', chapter).then(async loaded => {
          mean: (performance.now() - begun) / steps, worst });
 });"""
 PLAY = """const [steps, done] = arguments, lab = window.laboratory; (async () => { for (let i = 0; i < steps; ++i) await lab.stepOnce(); done(lab.state.textContent); })();"""
+# Where a point of space is on the canvas, from its middle [px].
+ON_SCREEN = """const { camera, canvas } = window.laboratory.lanes[0].view, at = new camera.position.constructor(...eval(arguments[0])).project(camera);
+return [Math.round(at.x * canvas.clientWidth / 2), Math.round(-at.y * canvas.clientHeight / 2)];"""
 KNOWN_NOISE = ("GPU stall", "software WebGL", "swiftshader")
 
 
@@ -113,6 +116,32 @@ def hand_faults(driver):
         yield f"a pulled cube is at {lifted} m"
 
 
+def pointer_faults(driver):
+    """A click on a mark tells the pair, a drag beside the bodies turns the view, and a drag of a body pulls it."""
+    run = driver.execute_script
+    tower = "const done = arguments[0], lab = window.laboratory; lab.sceneChoice.value = 'tower'; lab.chooseScene().then(async () => { for (let i = 0; i < 12; ++i) await lab.stepOnce(); done(); })"
+    driver.execute_async_script(tower)
+    view = driver.find_element(By.CSS_SELECTOR, ".lab-view canvas")
+    run("arguments[0].scrollIntoView({block: 'center'})", view)
+    place = run(ON_SCREEN, "window.laboratory.lanes[0].frames[window.laboratory.index].pairs.subarray(5, 8)")
+    ActionChains(driver).move_to_element_with_offset(view, *place).click().perform()
+    if "since step" not in run("return window.laboratory.pairBox.textContent"):
+        yield "a click on a mark tells no pair"
+    before = run("return window.laboratory.lanes[0].view.looks().eye")
+    drag(driver, view, (20, 60), (80, 10))
+    if run("return window.laboratory.lanes[0].view.looks().eye") == before:
+        yield "the view does not turn when it is dragged"
+    place = run(ON_SCREEN, "window.laboratory.lanes[0].frames[window.laboratory.index].positions.slice(-24).reduce((sum, x, i) => { sum[i % 3] += x / 8; return sum; }, [0, 0, 0])")
+    run("window.laboratory.pairsShown.click()")
+    ActionChains(driver).move_to_element_with_offset(view, *place).click_and_hold().move_by_offset(40, -60).pause(1).perform()
+    if run("return window.laboratory.lanes[0].view.grip?.body") != 5 or not run("return window.laboratory.playing"):
+        yield "a drag of the uppermost cube does not pull it"
+    ActionChains(driver).release().perform()
+    if run("return window.laboratory.lanes[0].view.grip"):
+        yield "the hand does not let go"
+    run("window.laboratory.pairsShown.click(); window.laboratory.play(false)")
+
+
 def faults(page, program):
     """All that is wrong with the laboratory of a page."""
     if program is None or not Path(program).is_file():
@@ -133,6 +162,7 @@ def faults(page, program):
                 yield f"{width} px wide on a screen of {looks['width']} px"
         yield from use_faults(driver)
         yield from hand_faults(driver)
+        yield from pointer_faults(driver)
         yield from number_faults(driver, program)
         yield from (f"console: {entry['message'][:160]}" for entry in driver.get_log("browser") if entry["level"] == "SEVERE" or
                     entry["level"] == "WARNING" and not any(noise in entry["message"] for noise in KNOWN_NOISE))
