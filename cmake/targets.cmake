@@ -234,6 +234,18 @@ function(enduring_bullet_baseline)
   enduring_tests(test_bullet_baseline SOURCES ${tests} USES bullet_baseline enduring_run LABEL solvers PREFIX bullet)
 endfunction()
 
+# What the laboratory of the book does, without a browser: its tests, and the program `laboratory`, with which the page's numbers are compared.
+function(enduring_laboratory)
+  set(folder ${PROJECT_SOURCE_DIR}/live)
+  file(GLOB tests CONFIGURE_DEPENDS ${folder}/lab/tests/*.cpp)
+  enduring_library(enduring_laboratory SOURCES ${folder}/laboratory.cpp ${PROJECT_SOURCE_DIR}/chapters/solvers/chapter_solver.cpp
+                   USES chapter10_layer enduring_scenes)
+  add_executable(laboratory ${folder}/lab/native.cpp)
+  target_link_libraries(laboratory PRIVATE enduring_laboratory CLI11::CLI11)
+  enduring_reuse_precompiled(laboratory enduring_headers)
+  enduring_tests(test_laboratory SOURCES ${tests} USES enduring_laboratory LABEL solvers PREFIX laboratory)
+endfunction()
+
 function(enduring_solvers)
   set(folder ${PROJECT_SOURCE_DIR}/chapters/solvers)
   file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)

@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import checks
+import lab
 import live
 import weave
 
@@ -140,6 +141,7 @@ def main():
     copy_mathjax(html)
     if options.live:
         live.bring(html)
+        lab.bring(html)
     mend_member_lists(html)
     if faults := [*leftovers(html), *checks.link_faults(html)]:
         sys.exit("\n".join(faults))

@@ -16,7 +16,7 @@ def possible():
 
 
 def compile_module():
-    """build/live/live.js, the module with the compiled code inside it.
+    """build/live/live.js, the module of the figures, and lab.js, that of the laboratory, with the compiled code inside them.
     @throws SystemExit when the compiler is missing, or refuses"""
     if not possible():
         sys.exit("The live figures need emscripten. On Debian: apt-get install emscripten   (or: ./course setup)")
@@ -24,8 +24,8 @@ def compile_module():
     run(["cmake", "--build", str(WORK)])
 
 
-def run(command):
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, env=os.environ | {"NODE_PATH": NODE_MODULES})
+def run(command, environment=None):
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, env=os.environ | {"NODE_PATH": NODE_MODULES} | (environment or {}))
     if done.returncode:
         sys.exit(f"The live figures were not built: {' '.join(command)}\n{(done.stdout + done.stderr)[-3000:]}")
 

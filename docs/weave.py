@@ -20,6 +20,7 @@ import checks
 import course_map
 import exercise_pages
 import formulas
+import lab
 import measured
 import sentences
 import teaching
@@ -201,6 +202,12 @@ def live_block(figure, name, caption, live):
     return with_caption(figure, f"\\htmlonly[block]\n{shown}\n\\endhtmlonly", caption)
 
 
+def lab_block(live):
+    """The laboratory, where the layers were compiled for the browser."""
+    told = lab.BLOCK.format(place="live/") if live else '<p class="live-note">The laboratory stands here in the live book: <code>./course docs --live</code>. By itself: <code>./course lab</code></p>'
+    return f"\\htmlonly[block]\n{told}\n\\endhtmlonly"
+
+
 def table_block(page, name, caption, results):
     rows = results.file(page, "table", name + ".md").read_text(encoding="utf-8").strip()
     box = '<div class="data wide">' if rows.splitlines()[0].count("|") > 9 else '<div class="data">'
@@ -290,7 +297,7 @@ class Weaver:
             return reference(self.pages, page, match[1], match[2].strip())
         parts = measured.CODE.split(text)
         parts[::2] = [re.sub(r"@(test|figref|tabref)\{([^}]*)\}", replaced, self.numbers(page, part)) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|map|api|changes|minutes|goals|local)\b.*|<!--(?:(?:\w+/)?\w+\.\w+)?-->.*", part)),
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|lab|map|api|changes|minutes|goals|local)\b.*|<!--(?:(?:\w+/)?\w+\.\w+)?-->.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")
@@ -308,6 +315,8 @@ class Weaver:
             return link_block(self, match[1])
         if line.startswith("@local{"):
             return ""
+        if line.strip() == "@lab":
+            return lab_block(self.live)
         if line.strip() == "@map":
             return course_map.map_block(self.chapters, self.by_label)
         if line.strip() == "@api":

@@ -1,0 +1,81 @@
+"""The laboratory's menu, its links, and what it reads of the course."""
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "docs")]
+import lab  # noqa: E402
+
+MODULE = ROOT / "build/live/lab.js"
+NODE = shutil.which("node") or shutil.which("nodejs")
+STEP_ALL = """
+const given = JSON.parse(require('fs').readFileSync(0, 'utf8'));
+require(MODULE)().then(lab => {
+  for (const [name, text] of Object.entries(given.meshes)) lab.add_mesh(name, text);
+  const told = given.scenes.map(({ key, text, solver }) => [key, lab.load(text, `${key}.json`, solver).error ?? lab.advance(1).error ?? 'steps']);
+  told.push(['broken', lab.load('{"name": "x", "dt": 9, "duration": 1, "bodies": []}', 'own.json', 10).error]);
+  console.log(JSON.stringify(told));
+});"""
+LINKS = """import { readLink, writeLink } from LINK;
+const view = { eye: [1.25, -2, 3e-7], target: [0, 0.5, 0] };
+const own = { scene: 'own', solver: 7, beside: 6, step: 40, view, text: '{"name": "Würfel ÷ &=#"}' };
+console.log(JSON.stringify([readLink(writeLink(own)), readLink('scene=tower&eye=1,2&text=%%%'), writeLink(own)]));"""
+
+
+class Menu(unittest.TestCase):
+    def test_it_has_every_row_of_the_failure_ledger(self):
+        rows = re.findall(r"Bound::at_(?:most|least)", (ROOT / "chapters/motivating_scenes/motivating_scenes.cpp").read_text(encoding="utf-8"))
+        self.assertEqual(len(list(lab.ledger_scenes())), len(rows))
+
+    def test_a_row_begins_with_the_first_solver_that_passes_and_the_last_one_that_fails(self):
+        rows = {row["key"]: row for row in lab.ledger_scenes()}
+        self.assertEqual([(rows[f"ledger_{name}"]["solver"], rows[f"ledger_{name}"]["beside"]) for name in ("ground", "hooked", "deep", "folded")], [(1, 0), (6, 5), (7, 6), (10, 9)])
+
+    def test_no_two_scenes_share_a_key_and_each_mesh_is_there(self):
+        scenes = list(lab.all_scenes())
+        self.assertEqual(len({scene["key"] for scene in scenes}), len(scenes))
+        self.assertEqual({name for scene in scenes for name in re.findall(r'"file": "([^"]+)"', scene["text"])}, set(lab.MESHES))
+
+    def test_a_change_leads_into_lists_by_name_merges_objects_and_removes_by_null(self):
+        scene = {"bodies": [{"name": "a", "shape": {"file": "x", "scale": 2}}], "dt": 1, "old": 2}
+        self.assertEqual(lab.changed(scene, {"/bodies/a/shape": {"file": "y"}, "dt": 3, "old": None}), {"bodies": [{"name": "a", "shape": {"file": "y", "scale": 2}}], "dt": 3})
+
+    def test_a_scene_of_ones_own_brings_the_meshes_beside_it(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "my.json").write_text('{"shape": {"file": "part.obj"}, "other": {"file": "bunny_363.msh"}}')
+            (Path(folder) / "part.obj").write_text("v 0 0 0\n")
+            scene, meshes = lab.own_scene(Path(folder) / "my.json")
+        self.assertEqual((scene["title"], meshes), ("my.json", {"part.obj": "v 0 0 0\n"}))
+
+
+@unittest.skipUnless(NODE, "needs node")
+class Links(unittest.TestCase):
+    def test_a_link_holds_what_was_written_and_leaves_out_what_cannot_be_read(self):
+        calls = LINKS.replace("LINK", json.dumps((ROOT / "live/lab/link.js").as_uri()))
+        with tempfile.TemporaryDirectory() as folder:
+            script, copy = Path(folder) / "test.mjs", Path(folder) / "link.mjs"
+            shutil.copyfile(ROOT / "live/lab/link.js", copy)
+            script.write_text(calls.replace((ROOT / "live/lab/link.js").as_uri(), copy.as_uri()))
+            read, cut, written = json.loads(subprocess.run([NODE, script], capture_output=True, text=True, check=True).stdout)
+        self.assertEqual(read, {"scene": "own", "solver": 7, "beside": 6, "step": 40, "text": '{"name": "Würfel ÷ &=#"}', "view": {"eye": [1.25, -2, 3e-7], "target": [0, 0.5, 0]}})
+        self.assertEqual((cut["scene"], cut["view"], cut["text"]), ("tower", None, None))
+        self.assertRegex(written, r"^[\w.,=&-]+$")
+
+
+@unittest.skipUnless(NODE and MODULE.is_file(), "needs node and the compiled laboratory (./course docs --live)")
+class Module(unittest.TestCase):
+    def test_every_scene_of_the_menu_steps_under_its_solver_and_a_mistake_is_told_with_its_place(self):
+        done = subprocess.run([NODE, "-e", STEP_ALL.replace("MODULE", json.dumps(str(MODULE)))], input=json.dumps(lab.data()), capture_output=True, text=True, check=True)
+        told = dict(json.loads(done.stdout))
+        self.assertIn("own.json: /dt: expected a number from 1e-06 to 1 [s], found 9", told.pop("broken"))
+        self.assertEqual(set(told.values()), {"steps"}, told)
+
+
+if __name__ == "__main__":
+    unittest.main()

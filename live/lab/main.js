@@ -1,0 +1,324 @@
+// The laboratory: a page's box with scenes, solvers, steps, curves and pairs. What is computed, engine.js asks of the compiled layers;
+// what is seen, view.js draws.
+import { Curves, LANE_COLOURS } from "./curves.js";
+import { Engine } from "./engine.js";
+import { readLink, writeLink } from "./link.js";
+import { keyOf, pairAt, pairCount, readable, rowsOf } from "./pairs.js";
+import { button, element, labelled, select } from "./parts.js";
+import { View } from "./view.js";
+
+const CHAPTERS = [[1, "1: particle and plane"], [2, "2: collision detection"], [3, "3: penalty impulses"], [4, "4: friction"], [5, "5: categorisation"], [6, "6: redefinition"],
+                  [7, "7: implicit contact"], [8, "8: speculative contacts"], [9, "9: deep contacts"], [10, "10: self-contact"]];
+const SPEEDS = [[1, "as the clock"], [0.25, "4 times slower"], [0.0625, "16 times slower"], [0, "step by step"]];
+const OWN = "own", MOST_BYTES = 3e8, MOST_STEPS_A_FRAME = 20, FRAME = 1 / 60;
+
+const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
+
+class Laboratory {
+  constructor(box, given) {
+    this.box = box;
+    this.given = given;
+    this.lanes = [];
+    this.index = 0;
+    this.begun = 0;
+    this.makeControls();
+    this.curves = new Curves(this.curvesBox);
+    new MutationObserver(() => this.retheme()).observe(document.documentElement, { attributes: true, attributeFilter: ["class"] });
+    new ResizeObserver(() => this.drawCurves()).observe(this.curvesBox);
+    addEventListener("hashchange", () => { if (location.hash.slice(1) !== this.written) this.openLink(); });
+    this.ready = this.openLink();
+    this.tick = this.tick.bind(this);
+    requestAnimationFrame(this.tick);
+  }
+
+  // ------------------------------------------------------------------------------------------------------ the controls
+  makeControls() {
+    const groups = new Map();
+    for (const scene of this.given.scenes) groups.set(scene.group, [...groups.get(scene.group) ?? [], [scene.key, scene.title]]);
+    this.sceneChoice = select([...groups.entries(), ["Your own", [[OWN, "the text below"]]]], () => this.chooseScene());
+    this.solverChoice = select(CHAPTERS, () => this.reload());
+    this.besideChoice = select([[0, "none"], ...CHAPTERS], () => this.reload());
+    this.speedChoice = select(SPEEDS, () => this.restartClock());
+    this.playButton = button("▶ play", "space bar", () => this.play(!this.playing));
+    this.pairsShown = element("input", { type: "checkbox", checked: true });
+    this.pairsShown.addEventListener("input", () => this.lanes.forEach(lane => lane.view.showPairs(this.pairsShown.checked)));
+    const steps = element("div", { className: "lab-bar" }, [
+      this.playButton, button("◀ back", "left arrow", () => this.show(this.index - 1)), button("step ▶", "right arrow", () => this.stepOnce()),
+      button("↺ reset", "key R", () => this.reload()), labelled("speed", this.speedChoice), labelled("pairs", this.pairsShown)]);
+    this.slider = element("input", { type: "range", min: 0, max: 0, value: 0, className: "lab-time", ariaLabel: "steps that were shown" });
+    this.slider.addEventListener("input", () => { this.play(false); this.show(Number(this.slider.value)); });
+    this.about = element("p", { className: "lab-about" });
+    this.views = element("div", { className: "lab-views" });
+    this.curvesBox = element("div", { className: "lab-curves" });
+    this.state = element("p", { className: "lab-state", ariaLive: "off" });
+    this.pairBox = element("div", { className: "lab-pair" });
+    this.text = element("textarea", { spellcheck: false, rows: 14, ariaLabel: "the scene's text" });
+    this.message = element("pre", { className: "lab-message", hidden: true });
+    this.message.setAttribute("role", "alert");
+    const own = element("details", { className: "lab-own" }, [
+      element("summary", { textContent: "The scene's text: change it" }), this.text,
+      element("div", { className: "lab-bar" }, [button("run this text", "", () => { this.sceneChoice.value = OWN; this.reload(); })])]);
+    const keep = element("div", { className: "lab-bar" }, [
+      button("copy a link", "to this scene, its solvers, step and view", () => this.copyLink()), button("save a picture", "", () => this.savePicture()),
+      button("view from the start", "key Home", () => this.resetView())]);
+    this.box.replaceChildren(
+      element("div", { className: "lab-bar" }, [labelled("scene", this.sceneChoice), labelled("solver of chapter", this.solverChoice), labelled("beside it", this.besideChoice)]),
+      this.about, this.message, this.views, this.slider, steps, this.state, this.curvesBox, this.pairBox, keep, own);
+    this.box.addEventListener("keydown", event => this.key(event));
+  }
+
+  key(event) {
+    if (/^(TEXTAREA|SELECT)$/.test(event.target.tagName) || event.ctrlKey || event.metaKey || event.altKey) return;
+    const does = { " ": () => this.play(!this.playing), ArrowRight: () => this.stepOnce(), ArrowLeft: () => this.show(this.index - 1), r: () => this.reload(), Home: () => this.resetView() }[event.key];
+    if (!does || event.key === " " && event.target.tagName === "BUTTON" || event.target === this.slider && event.key !== " ") return;
+    event.preventDefault();
+    does();
+  }
+
+  // ------------------------------------------------------------------------------------------------------- the scenes
+  chooseScene() {
+    const scene = this.given.scenes.find(({ key }) => key === this.sceneChoice.value);
+    if (scene) {
+      this.text.value = scene.text;
+      if (scene.solver) this.solverChoice.value = scene.solver;
+      if (scene.beside !== undefined) this.besideChoice.value = scene.beside;
+    }
+    return this.reload();
+  }
+
+  // Reads the text anew, under each of the solvers. `keepView`: the camera of a link.
+  async reload(keepView = null) {
+    const turn = ++this.begun, known = this.given.scenes.find(({ key }) => key === this.sceneChoice.value);
+    this.play(false);
+    const chapters = [Number(this.solverChoice.value), Number(this.besideChoice.value)].filter(chapter => chapter > 0);
+    while (this.lanes.length > chapters.length) this.endLane(this.lanes.pop());
+    while (this.lanes.length < chapters.length) this.lanes.push(this.makeLane());
+    const file = known && this.text.value === known.text ? `${known.key}.json` : "own.json";
+    const loaded = await Promise.all(this.lanes.map((lane, i) => lane.engine.load(this.text.value, file, chapters[i])));
+    if (turn !== this.begun) return;
+    const failed = loaded.find(({ error }) => error);
+    this.say(failed?.error ?? loaded[0].scene.warnings.join("\n"), !failed);
+    if (failed) return;
+    this.lanes.forEach((lane, i) => {
+      const same = lane.scene && JSON.stringify([lane.scene.name, lane.scene.bodies.map(body => body.name)]) === JSON.stringify([loaded[i].scene.name, loaded[i].scene.bodies.map(body => body.name)]);
+      const looked = same ? lane.view.looks() : null;
+      Object.assign(lane, { scene: loaded[i].scene, broken: null, frames: [this.kept(loaded[i].frame)] });
+      lane.title.textContent = `chapter ${chapters[i]}`;
+      lane.title.style.setProperty("--lane", LANE_COLOURS[i]);
+      lane.view.showsPairs = this.pairsShown.checked;
+      lane.view.canvas.setAttribute("aria-label", `${lane.scene.name} under the solver of chapter ${chapters[i]}. Drag beside bodies to turn the view, drag a body to pull it.`);
+      lane.view.show(lane.scene, lane.frames[0]);
+      if (keepView ?? looked) lane.view.look(keepView ?? looked);
+    });
+    this.about.textContent = [known?.note, this.lanes[0].scene.description].filter(Boolean).join(" ");
+    this.choose(null);
+    this.index = 0;
+    this.until = this.lanes[0].scene.duration;
+    this.show(0);
+  }
+
+  makeLane() {
+    const place = element("div", { className: "lab-view" }), title = element("span", { className: "lab-lane" });
+    place.append(title);
+    this.views.append(place);
+    const lane = { place, title, view: new View(place), engine: new Engine(this.given.meshes), frames: [] };
+    lane.view.onmove = view => this.moved(view);
+    lane.view.onchoose = key => this.choose(key);
+    lane.view.onpull = (view, grip) => this.pull(lane, grip);
+    return lane;
+  }
+
+  endLane(lane) {
+    lane.engine.end();
+    lane.view.end();
+    lane.place.remove();
+  }
+
+  // Frames are kept with single precision for what is drawn; tables and curves have all digits.
+  kept(frame) {
+    return { ...frame, exact: frame.positions, positions: new Float32Array(frame.positions) };
+  }
+
+  // --------------------------------------------------------------------------------------------------------- the steps
+  get last() { return this.lanes[0] ? this.lanes[0].frames.length - 1 : 0; }
+  get broken() { return this.lanes.length > 0 && this.lanes.every(lane => lane.broken); }
+
+  async advance(steps) {
+    if (this.computing || this.broken || !this.lanes.length) return;
+    const turn = this.begun;
+    this.computing = true;
+    const frames = await Promise.all(this.lanes.map(lane => lane.broken ? lane.frames.at(-1) : lane.engine.advance(steps)));
+    this.computing = false;
+    if (turn !== this.begun) return;
+    this.lanes.forEach((lane, i) => {
+      if (frames[i].error) lane.broken = frames[i].error;
+      const frame = frames[i].error || lane.broken ? lane.frames.at(-1) : this.kept(frames[i]);
+      delete lane.frames.at(-1).exact;
+      lane.frames.push(frame);
+    });
+    const most = Math.max(200, MOST_BYTES / this.lanes.reduce((sum, { frames: [first] }) => sum + first.positions.byteLength + 4000, 0));
+    while (this.last > most) for (const lane of this.lanes) lane.frames.shift();
+    const broken = this.lanes.filter(lane => lane.broken).map(lane => `${lane.title.textContent} ended: ${lane.broken}`);
+    if (broken.length) this.say(broken.join("\n"), false);
+    if (this.broken) this.play(false);
+  }
+
+  async stepOnce() {
+    this.play(false);
+    if (this.index === this.last) await this.advance(1);
+    this.show(this.index + 1);
+  }
+
+  show(index) {
+    if (!this.lanes.length || !this.lanes[0].frames.length) return;
+    this.index = Math.max(0, Math.min(index, this.last));
+    this.slider.max = this.last;
+    this.slider.value = this.index;
+    for (const lane of this.lanes) {
+      lane.view.update(lane.frames[this.index]);
+      lane.view.placeSpring();
+    }
+    this.drawCurves();
+    this.tell();
+  }
+
+  play(yes) {
+    this.playing = yes && !this.broken;
+    this.playButton.textContent = this.playing ? "❚❚ pause" : "▶ play";
+    const now = this.lanes[0]?.frames[this.index]?.numbers.time ?? 0;
+    if (this.playing && now >= this.until - 1e-9) this.until += this.lanes[0].scene.duration;
+    this.restartClock();
+  }
+
+  restartClock() { this.clock = { at: performance.now(), time: this.lanes[0]?.frames[this.index]?.numbers.time ?? 0 }; }
+
+  async tick(now) {
+    requestAnimationFrame(this.tick);
+    if (!this.playing || this.computing || !this.lanes.length) return;
+    const speed = Number(this.speedChoice.value), { dt } = this.lanes[0].scene, time = this.lanes[0].frames[this.index].numbers.time;
+    const due = speed ? this.clock.time + speed * (now - this.clock.at) / 1000 : time + dt;
+    if (due < time + dt * 0.999) return;
+    if (due > time + 4 * Math.max(dt, FRAME)) this.clock = { at: now, time: time + dt }; // it cannot keep pace: what was missed is not made up for
+    if (time >= this.until - 1e-9) { this.play(false); return; }
+    const steps = Math.max(1, Math.min(MOST_STEPS_A_FRAME, Math.floor((due - time) / dt + 1e-3)));
+    if (this.index === this.last) await this.advance(steps);
+    this.show(this.index + 1);
+  }
+
+  pull(lane, grip) {
+    if (grip && this.index < this.last) this.show(this.last);
+    lane.engine.hold(grip?.body ?? -1, grip?.face ?? 0, grip?.target ?? [0, 0, 0]);
+    if (grip && !this.playing) this.play(true);
+  }
+
+  // ---------------------------------------------------------------------------------------------------- what it tells
+  say(message, mild) {
+    this.message.hidden = !message;
+    this.message.textContent = message;
+    this.message.classList.toggle("mild", mild);
+  }
+
+  tell() {
+    const frames = this.lanes.map(lane => lane.frames[this.index]), [{ numbers: n }] = frames;
+    const work = ({ numbers: m, milliseconds }) => [m.newton_steps ? `${counted(m.rounds, "round")} with ${counted(m.newton_steps, "Newton step")}` : counted(m.rounds, "round"),
+      m.thrown_away ? `${m.thrown_away} halved so far` : "", milliseconds ? `${readable(Number(milliseconds.toFixed(1)))} ms a step` : ""].filter(Boolean).join(", ");
+    this.state.textContent = `Step ${n.step}, ${n.time.toFixed(3)} s. ` +
+      frames.map((frame, i) => `${this.lanes.length > 1 ? `${this.lanes[i].title.textContent}: ` : ""}${frame.numbers.pairs} of ${pairCount(frame)} pairs push; ${work(frame)}.`).join(" ");
+    this.tellPair();
+  }
+
+  choose(key) {
+    this.chosen = key;
+    for (const lane of this.lanes) lane.view.choose(key);
+    this.tellPair();
+  }
+
+  tellPair() {
+    const found = this.lanes.map(lane => {
+      const frame = lane.frames[this.index];
+      for (let i = 0; frame && i < pairCount(frame); ++i) if (keyOf(pairAt(frame, i)) === this.chosen) return rowsOf(pairAt(frame, i), lane.scene);
+      return null;
+    });
+    const rows = found.find(Boolean);
+    if (!rows) {
+      this.pairBox.replaceChildren(element("p", { textContent: this.chosen ? "These features are no pair in this step." : "Click the mark of a pair to read its values." }));
+      return;
+    }
+    const head = this.lanes.length > 1 ? [element("tr", {}, [element("th"), ...this.lanes.map(lane => element("th", { textContent: lane.title.textContent }))])] : [];
+    const body = rows.map(([name], row) => element("tr", {}, [element("th", { textContent: name }), ...found.map(its => element("td", { textContent: its?.[row][1] ?? "no pair" }))]));
+    this.pairBox.replaceChildren(element("table", {}, [...head, ...body]));
+  }
+
+  drawCurves() { if (this.curves && this.lanes[0]?.frames.length) this.curves.draw(this.lanes, this.index); }
+
+  retheme() {
+    for (const lane of this.lanes) lane.view.theme();
+    this.drawCurves();
+  }
+
+  // ------------------------------------------------------------------------------------------------- view, link, picture
+  moved(view) {
+    if (this.moving) return;
+    this.moving = true; // the other view follows
+    for (const lane of this.lanes) if (lane.view !== view && lane.view.scene) lane.view.look(view.looks());
+    this.moving = false;
+  }
+
+  resetView() {
+    for (const { view, scene } of this.lanes) view.look(scene.camera_given ? { eye: [...scene.eye], target: [...scene.target] } : view.afar());
+  }
+
+  link() {
+    return writeLink({ scene: this.sceneChoice.value, text: this.sceneChoice.value === OWN || !this.given.scenes.some(({ text }) => text === this.text.value) ? this.text.value : null, solver: this.solverChoice.value,
+      beside: this.besideChoice.value, step: this.lanes[0].frames[this.index].numbers.step, view: this.lanes[0].view.looks() });
+  }
+
+  async copyLink() {
+    this.written = this.link();
+    history.replaceState(null, "", `#${this.written}`);
+    try {
+      await navigator.clipboard.writeText(location.href);
+      this.say("The link is copied, and stands in the address line.", true);
+    } catch {
+      this.say("The link stands in the address line.", true);
+    }
+  }
+
+  async openLink() {
+    const link = readLink(location.hash.slice(1)), first = this.given.scenes[0];
+    const scene = this.given.scenes.find(({ key }) => key === link.scene) ?? (link.text ? null : first);
+    this.sceneChoice.value = link.text || !scene ? OWN : scene.key;
+    this.text.value = link.text ?? scene.text;
+    this.solverChoice.value = CHAPTERS.some(([chapter]) => chapter === link.solver) ? link.solver : link.scene ? 10 : scene?.solver ?? 10;
+    this.besideChoice.value = CHAPTERS.some(([chapter]) => chapter === link.beside) ? link.beside : link.scene ? 0 : scene?.beside ?? 0;
+    await this.reload(link.view);
+    for (let step = 0; step < (link.step ?? 0) && !this.broken; ++step) {
+      await this.advance(1);
+      if (step % 5 === 4) this.show(this.last);
+    }
+    this.show(this.last);
+  }
+
+  savePicture() {
+    for (const lane of this.lanes) lane.view.drawNow();
+    const pictures = this.lanes.map(lane => lane.view.canvas), whole = element("canvas", { width: pictures.reduce((sum, { width }) => sum + width, 0), height: pictures[0].height });
+    let at = 0;
+    for (const picture of pictures) {
+      whole.getContext("2d").drawImage(picture, at, 0);
+      at += picture.width;
+    }
+    element("a", { href: whole.toDataURL("image/png"), download: `${this.lanes[0].scene.name}_${this.lanes[0].frames[this.index].numbers.step}.png` }).click();
+  }
+}
+
+const box = document.querySelector("[data-lab]");
+const failed = error => {
+  box.textContent = `The laboratory needs WebAssembly and WebGL; this browser says: ${error.message}`;
+  box.dataset.lab = "failed";
+};
+try {
+  window.laboratory = new Laboratory(box, window.LABORATORY);
+  window.laboratory.ready.then(() => { box.dataset.lab = "ready"; }, failed);
+} catch (error) {
+  failed(error);
+}

@@ -1,0 +1,112 @@
+#include "live/laboratory.hpp"
+
+#include "common/input/input_error.hpp"
+#include "common/input/json_document.hpp"
+#include "common/simulation/contact_geometry.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace enduring;
+using laboratory::Laboratory;
+
+namespace {
+
+/// A cube of 2 kg a centimetre above the ground, or without weight.
+std::string cube(const std::string& gravity = "[0, -9.81, 0]")
+{
+    return R"({"name": "cube", "dt": 0.01, "duration": 1, "gravity": )" + gravity +
+           R"(, "planes": [{"name": "ground"}],
+               "bodies": [{"name": "cube", "type": "rigid", "shape": {"box": {"size": [1, 1, 1]}}, "mass": 2, "position": [0, 0.51, 0]}]})";
+}
+
+void steps(Laboratory& lab, int count)
+{
+    for (int i = 0; i < count; ++i)
+        lab.step();
+}
+
+}  // namespace
+
+TEST_CASE("laboratory: a mistake in a scene's text is told with its place")
+{
+    CHECK_THROWS_WITH_AS(
+        Laboratory(R"({"name": "x", "dt": 9, "duration": 1, "bodies": []})", "own.json", {}, 10),
+        doctest::Contains("own.json: /dt: expected a number from 1e-06 to 1 [s]"), InputError);
+    CHECK_THROWS_AS(Laboratory(cube(), "own.json", {}, 11), InputError);
+}
+
+TEST_CASE("laboratory: without a hand it steps as the chapter's solver does, to the last bit")
+{
+    for (const int chapter : {3, 6, 7, 10}) {
+        CAPTURE(chapter);
+        const std::string text = read_text_file(scene_file("tower"));
+        Laboratory lab(text, "tower.json", {}, chapter), again(text, "tower.json", {}, chapter);
+        again.hold({1, 0, Vec3(0, 5, 0)});
+        again.hold({});
+        steps(lab, 20);
+        steps(again, 20);
+        CHECK(lab.scene().world.bodies.back()->positions_t0()[3] ==
+              again.scene().world.bodies.back()->positions_t0()[3]);
+        CHECK(lab.solver().name == "chapter " + std::to_string(chapter));
+    }
+}
+
+TEST_CASE("laboratory: a hand brings the face that it holds to where it points")
+{
+    for (const int chapter : {1, 6, 10}) {
+        CAPTURE(chapter);
+        Laboratory lab(cube("[0, 0, 0]"), "cube.json", {}, chapter);
+        const Vec3 target(0.4, 3, -0.2);
+        lab.hold({0, 0, target});
+        steps(lab, 600);
+        const Body& body = *lab.scene().world.bodies.front();
+        Vec3 middle = Vec3::Zero();
+        for (const int vertex : body.surface().faces().front())
+            middle += body.positions_t0()[static_cast<std::size_t>(vertex)] / 3;
+        CHECK((middle - target).norm() < 0.1);  // of 2.9 m; the body still swings about it
+    }
+}
+
+TEST_CASE("laboratory: in the hand's first step a body at rest gains k d dt / (1 + c dt + k dt^2) of speed")
+{
+    using Hand = laboratory::Hand;
+    Laboratory lab(cube("[0, 0, 0]"), "cube.json", {}, 10);
+    const Body& body = *lab.scene().world.bodies.front();
+    Vec3 middle = Vec3::Zero();
+    for (const int vertex : body.surface().faces().front())
+        middle += body.positions_t0()[static_cast<std::size_t>(vertex)] / 3;
+    lab.hold({0, 0, middle + Vec3(0, 0.5, 0)});
+    lab.step();
+    const double dt = 0.01;
+    CHECK(body.mean_velocity().y() ==
+          doctest::Approx(Hand::stiffness * 0.5 * dt / (1 + Hand::damping * dt + Hand::stiffness * dt * dt)));
+}
+
+TEST_CASE("laboratory: a resting cube has four pairs that carry its weight, and tells since when")
+{
+    Laboratory lab(cube(), "cube.json", {}, 10);
+    steps(lab, 100);
+    double impulse = 0;
+    for (const laboratory::PairNumbers& pair : lab.pairs()) {
+        impulse += pair.impulse.y();
+        CHECK(pair.kind == ContactKind::vertex_plane);
+        CHECK(pair.since < 90);
+        CHECK(pair.point.y() == doctest::Approx(pair.depth));
+    }
+    const laboratory::StepNumbers numbers = lab.numbers();
+    CHECK(numbers.pairs == 4);
+    CHECK(impulse == doctest::Approx(2 * 9.81 * 0.01).epsilon(1e-3));
+    CHECK(numbers.step == 100);
+    CHECK(numbers.gravitational == doctest::Approx(2 * 9.81 * 0.5).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "laboratory: the solvers of part I count rounds of response, those of part II Newton's steps as well")
+{
+    Laboratory first(cube(), "cube.json", {}, 3), second(cube(), "cube.json", {}, 7);
+    steps(first, 30);
+    steps(second, 30);
+    CHECK(first.numbers().rounds > 0);
+    CHECK(first.numbers().newton_steps == 0);
+    CHECK(second.numbers().newton_steps > 0);
+}

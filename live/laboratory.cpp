@@ -1,0 +1,135 @@
+#include "live/laboratory.hpp"
+
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/09_deep_contacts/solver.hpp"
+#include "chapters/10_self_contact/solver.hpp"
+#include "chapters/solvers/chapter_solver.hpp"
+#include "common/scenes/scene_reader.hpp"
+#include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/energy.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace enduring::laboratory {
+namespace {
+
+/// The same as chapter_solver(), and what it solves is told to `record`.
+Solver recorded_solver(int chapter, const ContactParameters& parameters,
+                       std::function<void(const SolveRecord&)> record)
+{
+    ImplicitSettings settings;
+    settings.record = std::move(record);
+    switch (chapter) {
+        case 7: return chapter07_solver(parameters, settings);
+        case 8: return chapter08_solver(parameters, settings);
+        case 9: return chapter09_solver(parameters, settings);
+        case 10: return chapter10_solver(parameters, settings);
+        default: return solvers::chapter_solver(chapter, parameters);
+    }
+}
+
+std::tuple<ContactKind, int, int, int, int> features_of(const Contact& contact)
+{
+    return {contact.kind, contact.body_a, contact.feature_a, contact.body_b, contact.feature_b};
+}
+
+}  // namespace
+
+Laboratory::Laboratory(const std::string& text, const std::string& file,
+                       const std::vector<std::filesystem::path>& meshes, int chapter)
+    : scene_(read_scene(text, "", file, {meshes})),
+      solver_(recorded_solver(chapter, scene_.contact, [this](const SolveRecord& record) {
+          rounds_ += record.rounds;
+          newton_steps_ += record.newton_steps;
+      }))
+{
+    const auto pulled = [this](World& world, Contacts&, double dt) { pull(world, dt); };
+    const std::vector<Pass>& refresh = solver_.passes(StepStage::refresh);
+    if (refresh.empty())
+        solver_.append(StepStage::refresh, "hand", pulled);
+    else
+        solver_.insert_before(std::string(refresh.front().name), "hand", pulled);
+}
+
+/// The damped spring's impulse at the end of the step, so that no step is too long for it.
+void Laboratory::pull(World& world, double dt) const
+{
+    if (hand_.body < 0)
+        return;
+    Body& body = *world.bodies[static_cast<std::size_t>(hand_.body)];
+    const Face& corners = body.surface().faces()[static_cast<std::size_t>(hand_.face)];
+    Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
+    for (const int vertex : corners) {
+        place += body.position(vertex, 0) / 3;
+        velocity += body.velocity(vertex) / 3;
+    }
+    const double k = Hand::stiffness * body.mass(), c = Hand::damping * body.mass();
+    const Vec3 force = (k * (hand_.target - place - dt * velocity) - c * velocity) /
+                       (1 + dt * Hand::damping + dt * dt * Hand::stiffness);
+    for (const int vertex : corners)
+        push_from_outside(world, static_cast<std::size_t>(hand_.body), vertex, dt / 3 * force);
+    body.update_prediction(dt);
+}
+
+void Laboratory::step()
+{
+    rounds_ = newton_steps_ = 0;
+    const bool implicit = solver_.finds_stiffness;
+    advance(scene_.world, contacts_, solver_, scene_.dt, [&](const std::string& pass) {
+        if (!implicit && pass == "apply impulses")
+            ++rounds_;
+    });
+    note_pairs();
+}
+
+void Laboratory::note_pairs()
+{
+    std::map<PairKey, int> since;
+    for (const Contact& contact : contacts_) {
+        const auto known = since_.find(features_of(contact));
+        since[features_of(contact)] = known == since_.end() ? scene_.world.step : known->second;
+    }
+    since_ = std::move(since);
+}
+
+StepNumbers Laboratory::numbers() const
+{
+    const World& world = scene_.world;
+    const Energy energy = total_energy(world);
+    StepNumbers numbers;
+    numbers.time = world.time;
+    numbers.step = world.step;
+    numbers.kinetic = energy.kinetic;
+    numbers.gravitational = energy.gravitational;
+    numbers.elastic = energy.elastic;
+    numbers.springs = spring_energy(contacts_);
+    for (const Contact& contact : contacts_)
+        if (contact.is_spring()) {
+            numbers.depth = std::max(numbers.depth, -contact_geometry(world, contact, 1).depth);
+            numbers.pairs += contact.impulse.isZero() ? 0 : 1;
+        }
+    numbers.rounds = rounds_;
+    numbers.newton_steps = newton_steps_;
+    numbers.thrown_away = world.thrown_away;
+    numbers.ended_badly = world.ended_badly;
+    return numbers;
+}
+
+std::vector<PairNumbers> Laboratory::pairs() const
+{
+    std::vector<PairNumbers> pairs;
+    pairs.reserve(contacts_.size());
+    for (const Contact& contact : contacts_) {
+        const ContactGeometry at = contact_geometry(scene_.world, contact, 1);
+        const auto met = since_.find(features_of(contact));
+        pairs.push_back({contact.kind, contact.body_a, contact.body_b, contact.feature_a, contact.feature_b,
+                         at.p, at.normal, at.depth, contact.impulse, contact.friction, contact.stiffness,
+                         contact.rest_offset, contact.load, contact.slip, contact.is_spring(),
+                         met == since_.end() ? scene_.world.step : met->second});
+    }
+    return pairs;
+}
+
+}  // namespace enduring::laboratory

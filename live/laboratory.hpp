@@ -1,0 +1,88 @@
+#pragma once
+
+#include "common/scenes/scene.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+/// What the book's laboratory does with the layers: a scene from its text, under the solver of a chapter, step by step.
+namespace enduring::laboratory {
+
+/// What a laboratory has to say about a step that was taken.
+struct StepNumbers {
+    double time = 0;                                                  ///< [s]
+    int step = 0;                                                     ///< committed so far
+    double kinetic = 0, gravitational = 0, elastic = 0, springs = 0;  ///< [J]
+    double depth = 0;                                                 ///< of the deepest pair [m]
+    int pairs = 0;                                                    ///< that push
+    /// of the response: of detection and response together in chapters 1 to 6, of the implicit problem from chapter 7 on
+    int rounds = 0;
+    int newton_steps = 0;  ///< of all parts of the step; from chapter 7 on
+    long thrown_away = 0;  ///< attempts so far that were taken again in halves
+    long ended_badly = 0;  ///< parts of steps so far that could not be halved any more
+};
+
+/// A pair as its table shows it.
+struct PairNumbers {
+    ContactKind kind;
+    int body_a, body_b, feature_a, feature_b;
+    Vec3 point, normal;      ///< of A [m]; out of B
+    double depth;            ///< [m], negative inside
+    Vec3 impulse, friction;  ///< on A in the last step [N s]
+    double stiffness, rest_offset, load, slip;
+    bool pushes;  ///< neither held nor resolved
+    int since;    ///< the step in which these features met
+};
+
+/// A hand that pulls a body by one of its faces with a spring and a damper.
+struct Hand {
+    /// Of a body's own mass [1/s^2]: the spring brings it in a quarter of a second. A tenth: it hangs behind. Ten times: it
+    /// presses the body through thin plates under the solvers of part I.
+    static constexpr double stiffness = 40;
+    static constexpr double damping = 10;  ///< of its own mass [1/s], a little below critical
+
+    int body = -1;  ///< by its place; -1: nothing is held
+    int face = 0;
+    Vec3 target = Vec3::Zero();  ///< [m]
+};
+
+/// A scene under a solver.
+class Laboratory {
+public:
+    /// @param text     a scene file
+    /// @param file     how messages call it
+    /// @param meshes   folders where its meshes are searched
+    /// @param chapter  whose solver, 1 to 10
+    /// @throws InputError  a mistake in the text, with its place; no such chapter
+    Laboratory(const std::string& text, const std::string& file,
+               const std::vector<std::filesystem::path>& meshes, int chapter);
+    Laboratory(const Laboratory&) = delete;  // the solver's passes know where it is
+    Laboratory& operator=(const Laboratory&) = delete;
+
+    const Scene& scene() const { return scene_; }
+    const Solver& solver() const { return solver_; }
+    /// @throws std::runtime_error  what advance() throws
+    void step();
+    StepNumbers numbers() const;
+    std::vector<PairNumbers> pairs() const;
+    /// The hand's force acts in each step until it lets go.
+    void hold(const Hand& hand) { hand_ = hand; }
+
+private:
+    using PairKey = std::tuple<ContactKind, int, int, int, int>;
+
+    void pull(World& world, double dt) const;
+    void note_pairs();
+
+    Scene scene_;
+    Solver solver_;
+    Contacts contacts_;
+    Hand hand_;
+    std::map<PairKey, int> since_;
+    int rounds_ = 0, newton_steps_ = 0;
+};
+
+}  // namespace enduring::laboratory
