@@ -37,7 +37,8 @@ struct Struck {
     Vec3 normal = Vec3::UnitY();
     Vec3 velocity = Vec3::Zero();         ///< of p against q, behind the commit [m/s]
     Vec3 velocity_driven = Vec3::Zero();  ///< the part of bodies that do not answer
-    double restitution = 0;
+    Vec3 running = Vec3::Zero();          ///< of the surfaces [m/s]
+    double restitution = 0, mu = 0;
     bool meets = false;  ///< was open at the start, and met faster than what rests does
 };
 
@@ -135,10 +136,11 @@ MatrixXd response_of(const IslandImpact& island)
 }
 
 /// Masses and levers are those behind the commit.
-IslandImpact impact_of(const World& world, const Island& part, double dt)
+IslandImpact impact_of(const World& world, const Island& part, const FrictionCoefficients& friction,
+                       double dt)
 {
     IslandImpact island;
-    island.step = set_up(world, part, {}, {}, {0, dt}, false);
+    island.step = set_up(world, part, {}, friction, {0, dt}, false);
     const StepProblem& step = island.step;
     island.gravity = gravity_on(world, step);
     island.momentum = VectorXd::Zero(step.problem.size);
@@ -146,6 +148,9 @@ IslandImpact impact_of(const World& world, const Island& part, double dt)
     for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         const Contact& contact = *step.of_row[i];
         island.pairs.push_back(struck(world, contact, dt));
+        if (step.problem.rows[i].law.mu > 0)
+            island.pairs.back().mu = pair_friction(world, contact, friction).mu_d;
+        island.pairs.back().running = running_of_surfaces(world, contact);
         const Vec3 impulse = contact.impulse + contact.friction;
         step.problem.rows[i].add_impulse(impulse, island.momentum);
         work += impulse.dot(island.pairs.back().velocity);
@@ -175,7 +180,7 @@ VectorXd leaving_velocities(const IslandImpact& island, VectorXd& impulses)
     VectorXd touching(count), restitution(count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const Struck& pair = island.pairs[static_cast<std::size_t>(i)];
-        touching[i] = pair.meets ? touching_speed(pair.impact) : 0;
+        touching[i] = pair.meets ? touching_speed(pair.impact) : std::max(0.0, pair.impact.free_speed);
         restitution[i] = pair.restitution;
     }
     const VectorXd stopping = stopping_impulses(island.response, touching);
@@ -214,6 +219,8 @@ Bounce bounce_of(const IslandImpact& island)
 /// smallest ones that do.
 VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
 {
+    if (bounce.pairs.empty())
+        return VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
     const auto count = static_cast<Eigen::Index>(bounce.pairs.size());
     MatrixXd response(count, count);
     VectorXd missing(count);
@@ -225,7 +232,7 @@ VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
             response(i, j) = island.response(bounce.pairs[at], bounce.pairs[static_cast<std::size_t>(j)]);
     }
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor;
-    factor.setThreshold(1e-9);  // of the largest response; where masses differ more, the lighter body decides
+    factor.setThreshold(1e-6);  // of the largest response; where masses differ more, the lighter body decides
     factor.compute(response);
     const VectorXd solved = factor.solve(missing);
     VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
@@ -241,37 +248,90 @@ void let_go(Contact& contact)
     contact.stretch.setZero();
 }
 
+//! [rub]
+/// What acts on the pairs of an island to send them back.
+struct SendingBack {
+    VectorXd impulses;           ///< along the normals [N s]
+    std::vector<Vec3> friction;  ///< [N s]
+    VectorXd momentum;           ///< of both
+    double slope = 0;            ///< impulses . velocities before [J]
+    double driven = 0;           ///< work of bodies that move as given, and of surfaces that run [J]
+};
+
+void add_push(const IslandImpact& island, std::size_t pair, const Vec3& impulse, SendingBack& back)
+{
+    island.step.problem.rows[pair].add_impulse(impulse, back.momentum);
+    back.slope += impulse.dot(island.pairs[pair].velocity);
+    back.driven -= impulse.dot(island.pairs[pair].velocity_driven);
+}
+
+/// Friction of the impulses along the normals, against the slip at the moment at which the pairs that bounce are stopped: no more than
+/// mu times the impulse of its pair, and no more than stops it.
+void rub(const IslandImpact& island, const Bounce& bounce, SendingBack& back)
+{
+    const StepProblem& step = island.step;
+    const VectorXd stopping = impulses_for(
+        island, {bounce.pairs, VectorXd::Zero(static_cast<Eigen::Index>(bounce.pairs.size()))});
+    VectorXd stopped = VectorXd::Zero(step.problem.size);
+    for (std::size_t i = 0; i < island.pairs.size(); ++i)
+        step.problem.rows[i].add_impulse(stopping[static_cast<Eigen::Index>(i)] * island.pairs[i].normal,
+                                         stopped);
+    VectorXd change = times_response(step.problem, stopped);
+    for (int sweep = 0; sweep < restitution_limits.friction_sweeps; ++sweep)
+        for (std::size_t i = 0; i < island.pairs.size(); ++i) {
+            const Struck& pair = island.pairs[i];
+            const double limit = pair.mu * back.impulses[static_cast<Eigen::Index>(i)];
+            if (!(limit > 0))
+                continue;
+            const PairRow& row = step.problem.rows[i];
+            const Mat3 along = Mat3::Identity() - pair.normal * pair.normal.transpose();
+            const Vec3 slip = along * (pair.velocity + pair.running + row.rate_of(change));
+            const double largest = (along * row.response(step.problem.blocks) * along).operatorNorm();
+            Vec3 next = back.friction[i] - slip / largest;
+            if (next.norm() > limit)
+                next *= limit / next.norm();
+            VectorXd added = VectorXd::Zero(step.problem.size);
+            row.add_impulse(next - back.friction[i], added);
+            change += times_response(step.problem, added);
+            back.friction[i] = next;
+        }
+    for (std::size_t i = 0; i < island.pairs.size(); ++i) {
+        add_push(island, i, back.friction[i], back);
+        back.driven -= back.friction[i].dot(island.pairs[i].running);
+    }
+}
+//! [rub]
+
 //! [send_back]
 void send_back(World& world, IslandImpact& island, const Bounce& bounce, double dt)
 {
-    VectorXd impulses = impulses_for(island, bounce);
-    VectorXd momentum = VectorXd::Zero(island.step.problem.size);
-    double slope = 0, driven = 0;
-    for (std::size_t i = 0; i < island.pairs.size(); ++i) {
-        const Struck& pair = island.pairs[i];
-        const double impulse = impulses[static_cast<Eigen::Index>(i)];
-        island.step.problem.rows[i].add_impulse(impulse * pair.normal, momentum);
-        slope += impulse * pair.normal.dot(pair.velocity);
-        driven -= impulse * pair.normal.dot(pair.velocity_driven);
-    }
-    // Energy as the steps count it falls with the fall and comes back here (see touching_speed()).
-    const double counted = std::max(0.0, -dt / 2 * island.gravity.dot(island.momentum + momentum));
-    const double part = allowed_part(slope, impulses.dot(island.response * impulses), island.lost + counted);
+    SendingBack back{impulses_for(island, bounce), std::vector<Vec3>(island.pairs.size(), Vec3::Zero()),
+                     VectorXd::Zero(island.step.problem.size)};
     for (std::size_t i = 0; i < island.pairs.size(); ++i)
-        island.step.of_row[i]->impulse += part * impulses[static_cast<Eigen::Index>(i)] *
-                                          island.pairs[i].normal;
+        add_push(island, i, back.impulses[static_cast<Eigen::Index>(i)] * island.pairs[i].normal, back);
+    rub(island, bounce, back);
+    // What steps keep in a fall is E + dt / 2 g . p, with the momentum p: of this nothing is gained.
+    const double of_step = dt / 2 * island.gravity.dot(island.momentum),
+                 of_this = dt / 2 * island.gravity.dot(back.momentum);
+    const double curvature = back.momentum.dot(times_response(island.step.problem, back.momentum));
+    const double part = allowed_part(back.slope + of_this, curvature, island.lost + of_step);
+    for (std::size_t i = 0; i < island.pairs.size(); ++i) {
+        Contact& contact = *island.step.of_row[i];
+        contact.impulse += part * back.impulses[static_cast<Eigen::Index>(i)] * island.pairs[i].normal;
+        contact.friction += part * back.friction[i];
+    }
     for (const Eigen::Index pair : bounce.pairs)
         let_go(*island.step.of_row[static_cast<std::size_t>(pair)]);
-    kick(world, island.step, part * momentum);
-    world.driven += part * driven;
-    world.attempt.put_in += part * driven + counted;
+    kick(world, island.step, part * back.momentum);
+    world.driven += part * back.driven;
+    world.attempt.put_in += part * back.driven + std::max(0.0, -of_step - part * of_this);
 }
 //! [send_back]
 
 }  // namespace
 
 //! [restitute]
-void restitute(World& world, Contacts& contacts, double dt)
+void restitute(World& world, Contacts& contacts, const FrictionCoefficients& friction, double dt)
 {
     if (!world.restitution.any())
         return;
@@ -279,7 +339,7 @@ void restitute(World& world, Contacts& contacts, double dt)
         const Island part = struck_part(world, island, dt);
         if (part.contacts.empty())
             continue;
-        IslandImpact impact = impact_of(world, part, dt);
+        IslandImpact impact = impact_of(world, part, friction, dt);
         const bool any_meets = std::any_of(impact.pairs.begin(), impact.pairs.end(),
                                            [](const Struck& pair) { return pair.meets; });
         if (!any_meets)

@@ -30,12 +30,15 @@ struct RestitutionLimits {
     /// Of g dt: the least speed at touch of an impact. At rest gravity brings g dt in a step, and what falls through the width of one step
     /// up to twice as much. A tenth: a pile trembles for ever. Ten times: a ball of e = 0.5 and dt 10 ms ends its bounces at 5 cm, not at 2 mm.
     double least_speed = 2;
+    /// over the pairs that rub in an impact. A tenth: a cube that lands flat keeps some slip. Ten times: time only.
+    int friction_sweeps = 20;
 };
 inline constexpr RestitutionLimits restitution_limits;
 //! [restitution_limits]
 
 /// Behind the commit: pairs that met in this step send their bodies back, as the coefficients of restitution of the world say.
-/// Only velocities change, by impulses along the normals of pairs that carried an impulse in this step. Without coefficients nothing is done.
-void restitute(World& world, Contacts& contacts, double dt);
+/// Only velocities change, by impulses of pairs that carried one in this step: along their normals, and friction of these. Without coefficients nothing is done.
+/// @param friction  of all pairs; a world's materials come before it
+void restitute(World& world, Contacts& contacts, const FrictionCoefficients& friction, double dt);
 
 }  // namespace enduring

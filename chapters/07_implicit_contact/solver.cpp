@@ -26,7 +26,10 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     solver.finds_stiffness = true;
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
-    solver.append(StepStage::settle, "restitution", restitute);
+    solver.append(StepStage::settle, "restitution",
+                  [friction = settings.friction](World& world, Contacts& contacts, double dt) {
+                      restitute(world, contacts, friction, dt);
+                  });
     return solver;
 }
 //! [solver]

@@ -61,7 +61,10 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
                   });
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
-    solver.append(StepStage::settle, "restitution", restitute);
+    solver.append(StepStage::settle, "restitution",
+                  [friction = settings.friction](World& world, Contacts& contacts, double dt) {
+                      restitute(world, contacts, friction, dt);
+                  });
     return solver;
 }
 //! [solver]

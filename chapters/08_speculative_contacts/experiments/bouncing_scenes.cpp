@@ -60,7 +60,7 @@ double counted_energy(const World& world, double dt)
 {
     double sum = total_energy(world).total();
     for (const auto& one : world.bodies)
-        sum -= dt / 2 * world.gravity.dot(one->linear_momentum());
+        sum += dt / 2 * world.gravity.dot(one->linear_momentum());
     return sum;
 }
 //! [counted]
