@@ -3,6 +3,7 @@
 #include "chapters/07_implicit_contact/generalized_reflection.hpp"
 #include "chapters/07_implicit_contact/step_problem.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/natural_units.hpp"
 
 #include <Eigen/QR>
 
@@ -42,9 +43,12 @@ struct Struck {
     bool meets = false;  ///< was open at the start, and met faster than what rests does
 };
 
-bool has_pushed(const Contact& contact)
+/// Whether a pair carried an impulse, and not what rounding leaves of none.
+bool has_pushed(const World& world, const Contact& contact, double dt)
 {
-    return contact.answered() && contact.is_spring() && contact.stiffness > 0 && !contact.impulse.isZero(0);
+    return contact.answered() && contact.is_spring() && contact.stiffness > 0 &&
+           contact.impulse.norm() >
+               contact.stiffness * dt * restitution_limits.least_length * natural_length(world, contact);
 }
 
 Struck struck(const World& world, const Contact& contact, double dt)
@@ -67,19 +71,25 @@ Struck struck(const World& world, const Contact& contact, double dt)
     return one;
 }
 
+/// Whether its surfaces were apart at the start of the step, or just touched. What was pressed then rests, or is an impact of an earlier step.
+bool was_open(const World& world, const Contact& contact, const Struck& pair)
+{
+    return pair.impact.gap_t0 > -restitution_limits.least_length * natural_length(world, contact);
+}
+
 /// Of an island, the pairs that pushed and their bodies. Empty where none of them can bounce.
 Island struck_part(const World& world, const Island& island, double dt)
 {
     Island part;
     bool any_meets = false;
     for (Contact* const contact : island.contacts) {
-        if (!has_pushed(*contact))
+        if (!has_pushed(world, *contact, dt))
             continue;
         part.contacts.push_back(contact);
         for (int i = 0; i < contact->vertex_count(); ++i)
             part.bodies.push_back(static_cast<int>(body_index(*contact, i)));
         const Struck one = struck(world, *contact, dt);
-        any_meets = any_meets || (one.restitution > 0 && one.impact.gap_t0 > 0);
+        any_meets = any_meets || (one.restitution > 0 && was_open(world, *contact, one));
     }
     if (!any_meets)
         return {};
@@ -164,7 +174,8 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
         pair.impact.acceleration = pair.normal.dot(row.rate_of(island.gravity));
         const double least = std::max(restitution_limits.least_speed * world.gravity.norm() * dt,
                                       scale_parts.least_answer * natural_length(world, *step.of_row[i]) / dt);
-        pair.meets = pair.restitution > 0 && pair.impact.gap_t0 > 0 && -touching_speed(pair.impact) > least;
+        pair.meets = pair.restitution > 0 && was_open(world, *step.of_row[i], pair) &&
+                     -touching_speed(pair.impact) > least;
     }
     island.response = response_of(island);
     return island;
