@@ -14,6 +14,7 @@ namespace enduring::chapter08 {
 namespace {
 
 using json = nlohmann::json;
+constexpr double ball_height = 1, ball_radius = 0.1;  // [m]
 
 Scene read_bouncing(const json& scene) { return read_scene(scene.dump(), "", "bouncing.json", {}); }
 
@@ -80,13 +81,15 @@ EnergyOfRun watch_energy(Scene& scene, double moving)
 
 }  // namespace
 
-double kept_height(double e, Floor floor, double dt)
+namespace {
+
+/// A ball above a floor.
+Scene ball_scene(double e, Floor floor, double dt, double duration)
 {
-    constexpr double height = 1, radius = 0.1;
-    json text = bouncing_text("ball", e, dt, 1.5);
+    json text = bouncing_text("ball", e, dt, duration);
     if (floor == Floor::plane)
         text["planes"] = json::array({json::object({{"name", "ground"}})});
-    text["bodies"] = json::array({ball_at("ball", radius, {0, radius + height, 0})});
+    text["bodies"] = json::array({ball_at("ball", ball_radius, {0, ball_radius + ball_height, 0})});
     if (floor != Floor::plane) {
         const double aside = floor == Floor::triangles ? 0.13 : 0;  // else on a vertex of the floor
         text["bodies"].push_back({{"name", "floor"},
@@ -94,8 +97,15 @@ double kept_height(double e, Floor floor, double dt)
                                   {"shape", {{"plane_grid", {{"size", {4, 4}}, {"cells", {4, 4}}}}}},
                                   {"position", {aside, 0, aside / 2}}});
     }
-    Scene scene = read_bouncing(text);
-    double highest = 0, last = height;
+    return read_bouncing(text);
+}
+
+}  // namespace
+
+double kept_height(double e, Floor floor, double dt)
+{
+    Scene scene = ball_scene(e, floor, dt, 1.5);
+    double highest = 0, last = ball_height;
     bool rises = false;
     watch_steps(scene, [&](const World& world) {
         const double now = lowest_vertex(*world.bodies[0]);
@@ -105,7 +115,18 @@ double kept_height(double e, Floor floor, double dt)
         highest = rises ? now : highest;
         return over;
     });
-    return highest / height;
+    return highest / ball_height;
+}
+
+std::vector<double> heights_of_ball(double e, double dt, double duration)
+{
+    Scene scene = ball_scene(e, Floor::plane, dt, duration);
+    std::vector<double> heights{ball_height};
+    watch_steps(scene, [&](const World& world) {
+        heights.push_back(lowest_vertex(*world.bodies[0]));
+        return false;
+    });
+    return heights;
 }
 
 Scene cradle_scene(double e, double gap, double dt)
@@ -113,6 +134,7 @@ Scene cradle_scene(double e, double gap, double dt)
     constexpr double radius = 0.05;
     json text = bouncing_text("cradle", e, dt, 1);
     text["gravity"] = {0, 0, 0};
+    text["planes"] = json::array({json::object({{"name", "below"}, {"point", {0, -1.2 * radius, 0}}})});
     text["bodies"] = json::array();
     for (int i = 0; i < 5; ++i) {
         json one = ball_at("ball " + std::to_string(i), radius,
@@ -137,21 +159,15 @@ Cradle cradle(double e, double gap, double dt)
     return end;
 }
 
-Scene cube_scene(double e, double dt)
+EnergyOfRun cube_on_corner(double e, double mu, double dt, double duration)
 {
-    json text = bouncing_text("cube", e, dt, 4);
+    json text = bouncing_text("cube", e, dt, duration, mu);
     text["planes"] = json::array({json::object({{"name", "ground"}})});
     json cube = rigid_at("cube", {{"box", {{"size", {0.4, 0.4, 0.4}}}}}, {0, 1, 0});
     cube["rotation"] = {{"axis", {1, 0.2, -0.7}}, {"angle_deg", 50}};
     text["bodies"] = json::array({cube});
-    return read_bouncing(text);
-}
-
-EnergyOfRun cube_on_corner(double e, double dt, double duration)
-{
-    Scene scene = cube_scene(e, dt);
-    scene.duration = duration;
-    return watch_energy(scene, 0.65 * 9.81);  // its fall, until it lies
+    Scene scene = read_bouncing(text);
+    return watch_energy(scene, 0.65 * 9.81);  // its fall, to its corner
 }
 
 EnergyOfRun soft_cubes(double e, double dt, const std::string& response)

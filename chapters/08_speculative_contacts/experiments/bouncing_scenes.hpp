@@ -13,6 +13,9 @@ enum class Floor { plane, triangles, corner_of_triangles };
 /// A ball that falls a metre: the part of its height that the first bounce keeps; e^2 by formula.
 double kept_height(double e, Floor floor, double dt);
 
+/// The height of such a ball over a plane in each step of some seconds [m].
+std::vector<double> heights_of_ball(double e, double dt, double duration);
+
 /// Five equal balls in a line, without weight; the first one comes with 1 m/s.
 struct Cradle {
     std::vector<double> velocities;  ///< at the end [m/s]
@@ -29,8 +32,7 @@ struct EnergyOfRun {
 };
 
 /// A cube that falls on its corner, half a metre, and bounces for some seconds.
-Scene cube_scene(double e, double dt);
-EnergyOfRun cube_on_corner(double e, double dt, double duration = 4);
+EnergyOfRun cube_on_corner(double e, double mu, double dt, double duration = 4);
 
 /// Two soft cubes that fly at each other, without weight.
 EnergyOfRun soft_cubes(double e, double dt, const std::string& response = "implicit");
