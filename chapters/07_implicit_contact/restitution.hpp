@@ -28,7 +28,7 @@ double speed_after(const PairImpact& impact, double leaving);
 //! [restitution_limits]
 struct RestitutionLimits {
     /// Of g dt: the least speed at touch of an impact. At rest gravity brings g dt in a step, and what falls through the width of one step
-    /// up to twice as much. A tenth: a pile trembles for ever. Ten times: a ball of e = 0.5 and dt 10 ms ends its bounces at 5 cm, not at 2 mm.
+    /// up to twice as much. A tenth: a pile trembles for ever. Ten times: a ball of e = 0.5 and dt 10 ms ends its bounces at 20 cm, not at 2 mm.
     double least_speed = 2;
     /// Of the pair's length: the depth that counts as none. A spring of 100 m / dt^2 is pressed by this when it answers the least that counts
     /// as an answer (ScaleParts::least_answer). A tenth: rounding bounces. Ten times: what begins in touch and comes in slowly does not bounce.

@@ -116,9 +116,10 @@ void tell_energy(const RunOptions& options, Report& report)
     Table rest({"e", "dt_s", "at_rest_s"});
     double latest = 0;
     for (const double dt : bounce_steps(options))
-        for (const double e : {0.0, 0.5, 0.9, 0.99}) {
-            rest.add({e, dt, rest_of_stack(e, dt)});
-            latest = std::max(latest, rest_of_stack(e, dt));
+        for (const double e : {0.0, 0.5, 0.9}) {
+            const double at_rest = rest_of_stack(e, dt);
+            rest.add({e, dt, at_rest});
+            latest = std::max(latest, at_rest);
         }
     report.table("bouncing_rest", rest);
     report.fact("bouncing", "at_rest_s", latest, 2);
