@@ -90,8 +90,8 @@ void draw_cradle(Report& report)
     MomentsProbe pictures(scene, {0, 0.2, 0.42});
     run(scene, chapter08_solver(scene.contact), {&pictures});
     std::vector<Moment> moments = pictures.moments();
-    frame_together(moments, {0.25, 0.45, 1}, 2.2);
-    write_png(draw_moments(moments, 1, 720, 330), report.file("bouncing_cradle.png"));
+    frame_together(moments, {0.15, 0.45, 1}, 3.2);
+    write_png(draw_moments(moments, 1, 720, 225), report.file("bouncing_cradle.png"));
 }
 
 /// What gains nothing, and what comes to rest.

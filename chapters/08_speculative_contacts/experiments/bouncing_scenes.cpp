@@ -142,6 +142,8 @@ Scene cradle_scene(double e, double gap, double dt)
         one["locked"] = {{"translation", {"y", "z"}}, {"rotation", {"x", "y", "z"}}};
         if (i == 0)
             one["velocity"] = {1, 0, 0};
+        if (i == 0 || i == 4)
+            one["look"]["color"] = i == 0 ? json{0.6, 0.2, 0.1} : json{0.1, 0.22, 0.48};
         text["bodies"].push_back(one);
     }
     return read_bouncing(text);
