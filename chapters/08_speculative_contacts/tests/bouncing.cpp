@@ -34,7 +34,7 @@ TEST_CASE("bouncing: a cradle of five balls hands its momentum on, without gaps 
 
 TEST_CASE("bouncing: balls with gaps meet one after the other, each pair with its own (1 + e) / 2")
 {
-    for (const double e : {0.25, 0.75}) {
+    for (const double e : {0.5, 0.75}) {
         const Cradle end = cradle(e, 0.01, 0.005);
         CHECK(end.velocities[4] == doctest::Approx(std::pow((1 + e) / 2, 4)).epsilon(1e-3));
     }
