@@ -5,6 +5,7 @@
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/natural_units.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
 #include <algorithm>
