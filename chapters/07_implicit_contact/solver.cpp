@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 
 #include "chapters/06_redefinition/solver.hpp"
+#include "chapters/07_implicit_contact/restitution.hpp"
 
 #include <memory>
 
@@ -25,6 +26,10 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     solver.finds_stiffness = true;
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
+    solver.append(StepStage::settle, "restitution",
+                  [friction = settings.friction](World& world, Contacts& contacts, double dt) {
+                      restitute(world, contacts, friction, dt);
+                  });
     return solver;
 }
 //! [solver]

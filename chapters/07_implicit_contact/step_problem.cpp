@@ -313,6 +313,17 @@ void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impu
 }
 //! [apply_impulses]
 
+void kick(World& world, const StepProblem& step, const Eigen::VectorXd& momentum)
+{
+    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
+        if (step.block[place] < 0)
+            continue;
+        const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[place])];
+        world.bodies[static_cast<std::size_t>(step.bodies[place])]->kick(
+            step.vertices[place], momentum.segment(block.first, block.size()), step.problem.step.dt);
+    }
+}
+
 void find_slip(StepProblem& step)
 {
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {

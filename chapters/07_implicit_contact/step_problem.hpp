@@ -43,6 +43,9 @@ Eigen::VectorXd last_impulses(const World& world, const StepProblem& step);
 /// Gives each pair this impulse, and brings the difference to the bodies and their prediction.
 void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impulses);
 
+/// Behind the commit of a step of dt: brings a momentum of the coordinates to the bodies; nothing moves.
+void kick(World& world, const StepProblem& step, const Eigen::VectorXd& momentum);
+
 /// Which pairs slip, and how fast.
 void find_slip(StepProblem& step);
 

@@ -1,5 +1,6 @@
 #include "chapters/08_speculative_contacts/solver.hpp"
 
+#include "chapters/07_implicit_contact/restitution.hpp"
 #include "chapters/08_speculative_contacts/contact_memory.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/natural_units.hpp"
@@ -60,6 +61,10 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
                   });
     solver.append(StepStage::finish, "remember pairs",
                   [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
+    solver.append(StepStage::settle, "restitution",
+                  [friction = settings.friction](World& world, Contacts& contacts, double dt) {
+                      restitute(world, contacts, friction, dt);
+                  });
     return solver;
 }
 //! [solver]

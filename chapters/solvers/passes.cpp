@@ -10,7 +10,8 @@ void passes(const RunOptions&, Report& report)
     const std::vector<std::pair<StepStage, std::string>> stages{{StepStage::refresh, "refresh"},
                                                                 {StepStage::detect, "detect"},
                                                                 {StepStage::respond, "respond"},
-                                                                {StepStage::finish, "finish"}};
+                                                                {StepStage::finish, "finish"},
+                                                                {StepStage::settle, "settle"}};
     ContactParameters parameters;
     parameters.friction = MassSplitting{};
     Table table({"chapter", "stage", "pass"});

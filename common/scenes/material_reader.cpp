@@ -7,7 +7,7 @@ namespace enduring {
 namespace {
 
 constexpr std::size_t max_materials = 100, max_pairs = 5000;
-const NumberRange coefficient_range{0, 10};
+const NumberRange coefficient_range{0, 10}, restitution_range{0, 1};
 
 /// With one of the two given, mu_d follows where it must.
 FrictionCoefficients read_coefficients(const JsonValue& value, const FrictionCoefficients& otherwise)
@@ -22,16 +22,17 @@ FrictionCoefficients read_coefficients(const JsonValue& value, const FrictionCoe
 }
 
 SceneMaterial read_material(const JsonValue& value, const SceneMaterials& before,
-                            const FrictionCoefficients& of_scene)
+                            const ContactOfAll& of_scene)
 {
-    value.require_keys({"name", "density", "mu_s", "mu_d"});
+    value.require_keys({"name", "density", "mu_s", "mu_d", "restitution"});
     SceneMaterial material{value.at("name").text()};
     if (std::any_of(before.begin(), before.end(),
                     [&](const SceneMaterial& one) { return one.name == material.name; }))
         value.at("name").complain("another material is already called \"" + material.name + "\"");
     if (const std::optional<JsonValue> density = value.find("density"))
         material.density = density->number({1e-3, 1e6, true, true, "kg/m^3"});
-    material.friction = read_coefficients(value, of_scene);
+    material.friction = read_coefficients(value, of_scene.friction);
+    material.restitution = value.number_or("restitution", restitution_range, of_scene.restitution);
     return material;
 }
 
@@ -47,33 +48,52 @@ int index_of(const JsonValue& name, const SceneMaterials& materials)
 
 //! [combined]
 /// Of two materials that no pair names: the geometric mean of what each has against itself.
-FrictionCoefficients combined(const FrictionCoefficients& one, const FrictionCoefficients& other)
-{
-    return {std::sqrt(one.mu_s * other.mu_s), std::sqrt(one.mu_d * other.mu_d)};
-}
+double combined(double one, double other) { return std::sqrt(one * other); }
 //! [combined]
 
-FrictionCoefficients& place_in(MaterialFriction& friction, int one, int other)
+/// The tables where no pair is named.
+MaterialTables combined_tables(const SceneMaterials& materials, const ContactOfAll& of_scene)
 {
-    return friction.between[static_cast<std::size_t>(friction.place_of(one, other))];
+    MaterialTables tables;
+    tables.friction.materials = tables.restitution.materials = static_cast<int>(materials.size());
+    tables.restitution.between.clear();
+    std::vector<ContactOfAll> all{of_scene};
+    for (const SceneMaterial& material : materials)
+        all.push_back({material.friction, material.restitution});
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = 0; j < all.size(); ++j) {
+            const ContactOfAll &one = all[i], &other = all[j];
+            tables.friction.between.push_back(
+                i == j ? one.friction
+                       : FrictionCoefficients{combined(one.friction.mu_s, other.friction.mu_s),
+                                              combined(one.friction.mu_d, other.friction.mu_d)});
+            tables.restitution.between.push_back(i == j ? one.restitution
+                                                        : combined(one.restitution, other.restitution));
+        }
+    return tables;
 }
 
-void read_pair(const JsonValue& value, const SceneMaterials& materials, MaterialFriction& friction,
+void read_pair(const JsonValue& value, const SceneMaterials& materials, MaterialTables& tables,
                std::vector<std::pair<int, int>>& known)
 {
-    value.require_keys({"between", "mu_s", "mu_d"});
+    value.require_keys({"between", "mu_s", "mu_d", "restitution"});
     const std::vector<JsonValue> names = value.at("between").items(2, 2);
     const auto [one, other] = std::minmax({index_of(names[0], materials), index_of(names[1], materials)});
     if (std::find(known.begin(), known.end(), std::pair(one, other)) != known.end())
         value.at("between").complain("another entry has the same two materials");
     known.emplace_back(one, other);
-    const FrictionCoefficients given = read_coefficients(value, friction.of(one, other));
-    place_in(friction, one, other) = place_in(friction, other, one) = given;
+    const FrictionCoefficients friction = read_coefficients(value, tables.friction.of(one, other));
+    const double restitution = value.number_or("restitution", restitution_range,
+                                               tables.restitution.of(one, other));
+    for (const auto& [from, to] : {std::pair(one, other), std::pair(other, one)}) {
+        tables.friction.between[static_cast<std::size_t>(tables.friction.place_of(from, to))] = friction;
+        tables.restitution.between[tables.restitution.place_of(from, to)] = restitution;
+    }
 }
 
 }  // namespace
 
-SceneMaterials read_materials(const JsonValue& root, const FrictionCoefficients& of_scene, Mistakes& mistakes)
+SceneMaterials read_materials(const JsonValue& root, const ContactOfAll& of_scene, Mistakes& mistakes)
 {
     SceneMaterials materials;
     if (const std::optional<JsonValue> list = root.find("materials"))
@@ -82,23 +102,15 @@ SceneMaterials read_materials(const JsonValue& root, const FrictionCoefficients&
     return materials;
 }
 
-MaterialFriction read_material_friction(const JsonValue& root, const SceneMaterials& materials,
-                                        const FrictionCoefficients& of_scene, Mistakes& mistakes)
+MaterialTables read_material_tables(const JsonValue& root, const SceneMaterials& materials,
+                                    const ContactOfAll& of_scene, Mistakes& mistakes)
 {
-    MaterialFriction friction;
-    friction.materials = static_cast<int>(materials.size());
-    const int first = MaterialFriction::none;
-    const auto of = [&](int material) {
-        return material == first ? of_scene : materials[static_cast<std::size_t>(material)].friction;
-    };
-    for (int one = first; one < friction.materials; ++one)
-        for (int other = first; other < friction.materials; ++other)
-            friction.between.push_back(one == other ? of(one) : combined(of(one), of(other)));
+    MaterialTables tables = combined_tables(materials, of_scene);
     std::vector<std::pair<int, int>> known;
     if (const std::optional<JsonValue> list = root.find("material_pairs"))
         for (const JsonValue& entry : list->items(0, max_pairs))
-            mistakes.gather([&] { read_pair(entry, materials, friction, known); });
-    return friction;
+            mistakes.gather([&] { read_pair(entry, materials, tables, known); });
+    return tables;
 }
 
 int material_of(const JsonValue& entry, const SceneMaterials& materials)

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -20,9 +21,11 @@ namespace {
 constexpr std::size_t max_planes = 100;
 const NumberRange stiffness_range{0, 1e12, false, true, "N/m"};
 
-ContactParameters read_contact(const JsonValue& value)
+/// @param restitution  is set to that of all bodies without a material, if it is given
+ContactParameters read_contact(const JsonValue& value, double& restitution)
 {
-    value.require_keys({"method", "stiffness", "friction", "max_depenetration_velocity", "wanted_depth"});
+    value.require_keys(
+        {"method", "stiffness", "friction", "max_depenetration_velocity", "wanted_depth", "restitution"});
     ContactParameters contact;
     Mistakes mistakes;
     mistakes.gather([&] {
@@ -40,6 +43,7 @@ ContactParameters read_contact(const JsonValue& value)
     read_if_given("max_depenetration_velocity", {0, 10, false, true, "m/s"},
                   contact.max_depenetration_velocity);
     read_if_given("wanted_depth", {0, 1, false, true, "m"}, contact.wanted_depth);
+    mistakes.gather([&] { restitution = value.number_or("restitution", {0, 1}, restitution); });
     mistakes.gather([&] {
         if (const std::optional<JsonValue> friction = value.find("friction"))
             contact.friction = read_friction(*friction, contact.stiffness);
@@ -141,9 +145,10 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
         scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"},
                                              scene.world.gravity);
     });
+    double restitution = 0;
     mistakes.gather([&] {
         if (const std::optional<JsonValue> contact = root.find("contact")) {
-            scene.contact = read_contact(*contact);
+            scene.contact = read_contact(*contact, restitution);
             scene.gives_stiffness = contact->find("stiffness").has_value();
         }
     });
@@ -151,11 +156,14 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
         scene.camera_given = root.find("camera").has_value();
         scene.camera = scene.camera_given ? read_camera(root.at("camera")) : scene.camera;
     });
-    const FrictionCoefficients of_scene = coefficients_of(scene.contact.friction);
+    const ContactOfAll of_scene{coefficients_of(scene.contact.friction), restitution};
     SceneMaterials materials;
     mistakes.gather([&] { materials = read_materials(root, of_scene, mistakes); });
-    mistakes.gather(
-        [&] { scene.world.friction = read_material_friction(root, materials, of_scene, mistakes); });
+    mistakes.gather([&] {
+        MaterialTables tables = read_material_tables(root, materials, of_scene, mistakes);
+        scene.world.friction = std::move(tables.friction);
+        scene.world.restitution = std::move(tables.restitution);
+    });
     mistakes.gather([&] { read_planes(root, materials, names, scene, mistakes); });
     mistakes.gather([&] { read_bodies(root, surroundings, materials, names, scene, mistakes); });
     mistakes.complain();

@@ -113,6 +113,13 @@ public:
     /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
     virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/)
     {}
+    /// After a step of dt [s] is committed, adds an impulse on the coordinates to the velocities; nothing moves.
+    void kick(std::span<const int> touched, const Eigen::VectorXd& impulse, double dt)
+    {
+        apply_contact_impulse(touched, impulse);
+        update_prediction(dt);
+        positions_t1_ = positions_t0_;
+    }
 
     /// The work of forces from outside but gravity in the step as it is predicted [J].
     virtual double driven_work(double /*dt*/) const { return 0; }

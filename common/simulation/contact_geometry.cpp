@@ -86,18 +86,34 @@ double pair_stiffness(const World& world, const Contact& contact, double of_all_
     return world.planes[contact.body_b].stiffness.value_or(of_all_pairs);
 }
 
+namespace {
+
+/// Those of A and B.
+std::pair<int, int> materials_of(const World& world, const Contact& contact)
+{
+    const auto b = static_cast<std::size_t>(contact.body_b);
+    return {
+        world.bodies[static_cast<std::size_t>(contact.body_a)]->material(),
+        contact.kind == ContactKind::vertex_plane ? world.planes[b].material : world.bodies[b]->material()};
+}
+
+}  // namespace
+
 const FrictionCoefficients& pair_friction(const World& world, const Contact& contact,
                                           const FrictionCoefficients& of_all_pairs)
 {
     if (world.friction.materials == 0)
         return of_all_pairs;
-    const auto b = static_cast<std::size_t>(contact.body_b);
-    const int one = world.bodies[static_cast<std::size_t>(contact.body_a)]->material(),
-              other = contact.kind == ContactKind::vertex_plane ? world.planes[b].material
-                                                                : world.bodies[b]->material();
+    const auto [one, other] = materials_of(world, contact);
     if (one == MaterialFriction::none && other == MaterialFriction::none)
         return of_all_pairs;
     return world.friction.of(one, other);
+}
+
+double pair_restitution(const World& world, const Contact& contact)
+{
+    const auto [one, other] = materials_of(world, contact);
+    return world.restitution.of(one, other);
 }
 
 Vec3 running_of_surfaces(const World& world, const Contact& contact)

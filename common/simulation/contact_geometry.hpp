@@ -31,6 +31,9 @@ double pair_stiffness(const World& world, const Contact& contact, double of_all_
 const FrictionCoefficients& pair_friction(const World& world, const Contact& contact,
                                           const FrictionCoefficients& of_all_pairs);
 
+/// The coefficient of restitution between a pair's two materials.
+double pair_restitution(const World& world, const Contact& contact);
+
 /// How the surface of A runs against that of B, on bodies that have a surface velocity [m/s].
 Vec3 running_of_surfaces(const World& world, const Contact& contact);
 

@@ -250,6 +250,7 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     world.attempt.put_in += driven;
     commit(world, dt);
     done("commit");
+    run_passes(solver.passes(StepStage::settle), world, contacts, dt, done);
 }
 //! [advance]
 

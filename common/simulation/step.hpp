@@ -2,6 +2,7 @@
 
 #include "common/simulation/body.hpp"
 #include "common/simulation/contact.hpp"
+#include "common/simulation/material_restitution.hpp"
 
 #include <array>
 #include <cstdint>
@@ -56,6 +57,7 @@ struct World {
     long ended_badly = 0;       ///< steps, or parts of steps, that could not be halved any more
     double driven = 0;          ///< work of all that drives bodies from outside but gravity, so far [J]
     MaterialFriction friction;  ///< between the materials of bodies and planes, if they have any
+    MaterialRestitution restitution;
 };
 
 /// Pushes a vertex of a body, from a pass; the step's energy takes the work of the push for what was put in on purpose.
@@ -74,7 +76,8 @@ enum class StepStage {
     refresh,  ///< once, before any detection: resolve, dismiss or redefine the pairs that endure
     detect,   ///< append new crossings as waiting contacts
     respond,  ///< give every waiting contact its impulses; the step applies them, all together
-    finish    ///< once, from the last prediction, before it becomes the state: friction anchors move
+    finish,   ///< once, from the last prediction, before it becomes the state: friction anchors move
+    settle  ///< once, when the prediction is the state: velocities may change (Body::kick()), and nothing moves
 };
 
 /// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line: a
@@ -120,7 +123,7 @@ private:
     void require_free(const std::string& called) const;
     std::string all_names() const;
 
-    std::array<std::vector<Pass>, 4> lists_;  ///< by stage
+    std::array<std::vector<Pass>, 5> lists_;  ///< by stage
 };
 
 /// Told the name of each pass when it is done, to measure it or to look at what it changed.
@@ -134,7 +137,7 @@ void apply_impulses(World& world, Contacts& contacts);
 /// One step of the thesis' scheme (its section 3.3, made precise in the book's page on the step):
 ///   predict; refresh passes; at most 5 x (detect, respond, apply
 ///   impulses, update the prediction) until nothing new
-///   appears; finish; commit velocities, then positions. Pairs found by the
+///   appears; finish; commit velocities, then positions; settle. Pairs found by the
 ///   last detection stay, waiting, for the next step.
 /// A step that does not end well is thrown away and taken in halves, each of them a step of its own with half of dt, as far
 /// as the solver's max_halvings goes; the pairs then tell their impulses of the last part.

@@ -24,6 +24,7 @@ void turntable(const RunOptions& options, Report& report);
 void spinning(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);
 void driven(const RunOptions& options, Report& report);
+void bouncing(const RunOptions& options, Report& report);
 void harsh(const RunOptions& options, Report& report);
 void constants(const RunOptions& options, Report& report);
 

@@ -85,7 +85,7 @@ bool touch(const Contacts& contacts, int one, int other)
 
 }  // namespace
 
-TEST_CASE("solver of chapter 8: four passes, one of each stage, and none stands around another one")
+TEST_CASE("solver of chapter 8: five passes, one of each stage, and none stands around another one")
 {
     const Solver solver = chapter08_solver({});
     const auto names = [&](StepStage stage) {
@@ -99,6 +99,7 @@ TEST_CASE("solver of chapter 8: four passes, one of each stage, and none stands 
     CHECK(names(StepStage::detect) == Names{"find pairs brought inside"});
     CHECK(names(StepStage::respond) == Names{"solve contacts"});
     CHECK(names(StepStage::finish) == Names{"remember pairs"});
+    CHECK(names(StepStage::settle) == Names{"restitution"});
     CHECK(solver.finds_stiffness);
 }
 

@@ -151,6 +151,33 @@ TEST_CASE("scene: materials give density and friction, a pair by its own entry o
     check(-1, -1, 0.25, 0.16);
 }
 
+TEST_CASE(
+    "scene: a coefficient of restitution is the scene's, a material's, or a pair's, else the geometric mean")
+{
+    CHECK(!driven("{}").world.restitution.any());
+    CHECK(driven(R"({"contact": {"restitution": 0.25}})").world.restitution.of(-1, -1) == 0.25);
+    const MaterialRestitution e = driven(R"({"contact": {"restitution": 0.25},
+        "materials": [{"name": "clay", "restitution": 0}, {"name": "steel", "restitution": 0.64}, {"name": "wood"}],
+        "material_pairs": [{"between": ["wood", "steel"], "restitution": 0.5}]})")
+                                      .world.restitution;
+    const auto check = [&](int one, int other, double expected) {
+        CAPTURE(one);
+        CAPTURE(other);
+        CHECK(e.of(one, other) == doctest::Approx(expected));
+        CHECK(e.of(other, one) == doctest::Approx(expected));
+    };
+    check(1, 1, 0.64);
+    check(2, 2, 0.25);
+    check(-1, 1, 0.4);
+    check(1, 2, 0.5);
+    check(0, 1, 0);
+    check(-1, -1, 0.25);
+    CHECK(complaint(R"({"contact": {"restitution": 1.1}})") ==
+          "driven.json: /contact/restitution: expected a number from 0 to 1, found 1.1");
+    CHECK(complaint(R"({"materials": [{"name": "ice", "restitution": -0.1}]})") ==
+          "driven.json: /materials/0/restitution: expected a number from 0 to 1, found -0.1");
+}
+
 TEST_CASE("scene: mistakes in what drives a body are named with their place")
 {
     CHECK(

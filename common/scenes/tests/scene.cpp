@@ -208,7 +208,7 @@ TEST_CASE("scene: wrong types are named with what was expected")
           "ball.json: /contact/method: expected one of \"dpf\", \"cpf\", found \"cpg\"");
     CHECK(
         complaint(R"({"contact": 5})") ==
-        "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", \"max_depenetration_velocity\", \"wanted_depth\", found 5");
+        "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", \"max_depenetration_velocity\", \"wanted_depth\", \"restitution\", found 5");
     CHECK(complaint(R"({"/bodies/0/look/smooth": 1})") ==
           "ball.json: /bodies/0/look/smooth: expected true or false, found 1");
     CHECK(complaint(R"({"/bodies/0/type": 7})") ==

@@ -1,0 +1,187 @@
+#include "chapters/07_implicit_contact/restitution.hpp"
+
+#include "chapters/07_implicit_contact/generalized_reflection.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "common/scenes/scene_reader.hpp"
+#include "common/simulation/contact_state.hpp"
+#include "common/simulation/state_archive.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace enduring;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Balls of a kilogram in a line, each touching the next: how their pairs answer.
+MatrixXd line_of_balls(int balls)
+{
+    MatrixXd pairs = MatrixXd::Zero(balls - 1, balls);
+    for (int i = 0; i + 1 < balls; ++i) {
+        pairs(i, i) = -1;
+        pairs(i, i + 1) = 1;
+    }
+    return pairs;
+}
+
+/// A matrix at random whose rows are pairs and whose columns are coordinates of unit mass.
+MatrixXd random_pairs(int pairs, int coordinates, std::mt19937& random)
+{
+    std::normal_distribution<double> number;
+    return MatrixXd::NullaryExpr(pairs, coordinates, [&] { return number(random); });
+}
+
+/// A ball or two above the ground.
+Scene falling(const std::string& restitution)
+{
+    return read_scene(R"({"name": "f", "dt": 0.01, "duration": 1, "planes": [{"name": "ground"}],
+        "contact": {"friction": {"model": "mass_splitting"})" +
+                          restitution + R"(}, "bodies": [
+        {"name": "a", "type": "rigid", "shape": {"box": {"size": [0.2, 0.2, 0.2]}}, "mass": 1, "position": [0, 0.6, 0],
+         "rotation": {"axis": [1, 2, 3], "angle_deg": 33}},
+        {"name": "b", "type": "rigid", "shape": {"sphere": {"radius": 0.1, "subdivisions": 1}}, "mass": 1, "position": [0.7, 0.5, 0]}]})",
+                      "", "f.json", {});
+}
+
+/// All numbers at the end of some steps.
+std::vector<double> numbers_after(Scene scene, const Solver& solver, int steps)
+{
+    Contacts contacts;
+    for (int step = 0; step < steps; ++step)
+        advance(scene.world, contacts, solver, scene.dt);
+    StateArchive archive;
+    for (const auto& body : scene.world.bodies)
+        body->visit_state(archive);
+    for (Contact& contact : contacts)
+        visit_state(archive, contact);
+    return archive.numbers();
+}
+
+}  // namespace
+
+TEST_CASE("reflections: a line of balls hands its momentum on, ball by ball")
+{
+    for (const int balls : {2, 3, 5, 20}) {
+        const MatrixXd pairs = line_of_balls(balls);
+        VectorXd velocities = VectorXd::Zero(balls);
+        velocities[0] = 1;
+        velocities += pairs.transpose() * reflecting_impulses(pairs * pairs.transpose(), pairs * velocities);
+        VectorXd expected = VectorXd::Zero(balls);
+        expected[balls - 1] = 1;
+        CAPTURE(balls);
+        CHECK((velocities - expected).norm() < 1e-6);
+    }
+}
+
+TEST_CASE("reflections: two balls that hit three send two on")
+{
+    const MatrixXd pairs = line_of_balls(5);
+    VectorXd velocities(5), expected(5);
+    velocities << 1, 1, 0, 0, 0;
+    expected << 0, 0, 0, 1, 1;
+    velocities += pairs.transpose() * reflecting_impulses(pairs * pairs.transpose(), pairs * velocities);
+    CHECK((velocities - expected).norm() < 1e-6);
+}
+
+TEST_CASE("reflections: random impacts keep the kinetic energy, end without approach, and never pull")
+{
+    std::mt19937 random(5);
+    for (int run = 0; run < 200; ++run) {
+        const MatrixXd pairs = random_pairs(1 + run % 6, 6, random);
+        const VectorXd before = random_pairs(6, 1, random);
+        const VectorXd impulses = reflecting_impulses(pairs * pairs.transpose(), pairs * before);
+        const VectorXd after = before + pairs.transpose() * impulses;
+        CAPTURE(run);
+        CHECK(std::abs(after.squaredNorm() / before.squaredNorm() - 1) < 1e-10);
+        CHECK((pairs * after).minCoeff() > -1e-6 * before.norm());
+        CHECK(impulses.minCoeff() >= 0);
+    }
+}
+
+TEST_CASE(
+    "reflections: the impact without restitution leaves nobody approaching, and who got an impulse stays")
+{
+    std::mt19937 random(6);
+    for (int run = 0; run < 200; ++run) {
+        const MatrixXd pairs = random_pairs(1 + run % 5, 6, random);
+        const VectorXd before = pairs * VectorXd(random_pairs(6, 1, random));
+        const MatrixXd response = pairs * pairs.transpose();
+        const VectorXd impulses = stopping_impulses(response, before);
+        const VectorXd after = before + response * impulses;
+        CAPTURE(run);
+        CHECK(impulses.minCoeff() >= 0);
+        CHECK(after.minCoeff() > -1e-6);
+        CHECK(std::abs(after.dot(impulses)) < 1e-6);
+    }
+}
+
+TEST_CASE("reflections: the allowed part of some impulses brings exactly the energy that is allowed")
+{
+    for (const double slope : {-3.0, -0.5, 0.0, 2.0})
+        for (const double curvature : {0.5, 4.0, 30.0})
+            for (const double allowed : {0.01, 0.4, 2.0}) {
+                const double part = allowed_part(slope, curvature, allowed);
+                const double brought = part * slope + part * part * curvature / 2;
+                CHECK(part > 0);
+                CHECK(brought <= allowed + 1e-12);
+                if (part < 1)
+                    CHECK(brought == doctest::Approx(allowed));
+            }
+    CHECK(allowed_part(1, 1, -1) == 0);
+    CHECK(allowed_part(-2, 1, -1) == 1);
+}
+
+TEST_CASE("restitution: the velocity at touch is that of a fall, wherever in the step the ground lies")
+{
+    constexpr double g = 9.81, dt = 0.01;
+    for (const double height : {0.2, 0.2037, 0.2083, 0.5, 1.0}) {
+        double y = height, v = 0;
+        while (y + dt * (v - g * dt) > 0) {
+            v -= g * dt;
+            y += dt * v;
+        }
+        const PairImpact impact{.gap_t0 = y, .free_speed = v - g * dt, .acceleration = -g, .dt = dt};
+        // at rest at first: the velocity belongs to the start of the run, not to the middle of a step
+        const double fall = std::sqrt(2 * g * height + g * g * dt * dt / 4);
+        CHECK(touching_speed(impact) == doctest::Approx(-fall).epsilon(1e-12));
+        // and what leaves with it comes to this height again: half a step of weight before the first step
+        const double leaves = speed_after(impact, fall);
+        CHECK(leaves == doctest::Approx(fall + g * dt / 2));
+    }
+    CHECK(touching_speed({.gap_t0 = 0.1, .free_speed = 1, .acceleration = -g, .dt = dt}) == 0);
+}
+
+TEST_CASE("restitution: without coefficients a run has the bytes of one without the pass")
+{
+    Solver without = chapter07_solver(falling("").contact);
+    without.remove("restitution");
+    const std::vector<double> expected = numbers_after(falling(""), without, 60);
+    CHECK(numbers_after(falling(""), chapter07_solver(falling("").contact), 60) == expected);
+    CHECK(numbers_after(falling(R"(, "restitution": 0)"), chapter07_solver(falling("").contact), 60) ==
+          expected);
+    CHECK(numbers_after(falling(R"(, "restitution": 0.5)"), chapter07_solver(falling("").contact), 60) !=
+          expected);
+}
+
+TEST_CASE("restitution: on pairs that are found by crossings a ball keeps e^2 of its height, too")
+{
+    for (const double e : {0.5, 1.0}) {
+        Scene scene = falling(R"(, "restitution": )" + std::to_string(e));
+        const Solver solver = chapter07_solver(scene.contact);
+        Contacts contacts;
+        double highest = 0;
+        for (int step = 0; step < 100; ++step) {
+            advance(scene.world, contacts, solver, scene.dt);
+            const Body& ball = *scene.world.bodies[1];
+            if (ball.mean_velocity().y() > 0)
+                highest = std::max(highest, ball.centre().y() - 0.1);
+            else if (highest > 0)
+                break;
+        }
+        CHECK(highest == doctest::Approx(0.4 * e * e).epsilon(0.02));
+    }
+}
