@@ -104,6 +104,11 @@ if(ENDURING_RENDER)
   endif()
 endif()
 
+if(ENDURING_PYTHON)
+  find_package(pybind11 QUIET CONFIG)
+  enduring_need(pybind11_FOUND pybind11-dev)
+endif()
+
 if(ENDURING_BENCHMARKS)
   find_package(benchmark QUIET)
   enduring_want(benchmark_FOUND libbenchmark-dev "no benchmarks")

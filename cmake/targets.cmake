@@ -246,3 +246,12 @@ function(enduring_solvers)
   enduring_reuse_precompiled(solvers enduring_headers)
   enduring_tests(test_solvers SOURCES ${tests} USES solvers_experiments LABEL solvers PREFIX solvers)
 endfunction()
+
+# The module `enduring`, in a build folder of its own (preset `python`): a shared library takes position-independent code only.
+function(enduring_python)
+  if(ENDURING_PYTHON)
+    pybind11_add_module(enduring MODULE EXCLUDE_FROM_ALL NO_EXTRAS ${PROJECT_SOURCE_DIR}/python/enduring.cpp ${PROJECT_SOURCE_DIR}/chapters/solvers/chapter_solver.cpp)
+    target_link_libraries(enduring PRIVATE chapter10_layer enduring_scenes)
+    set_target_properties(enduring PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
+  endif()
+endfunction()
