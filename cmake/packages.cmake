@@ -77,6 +77,10 @@ enduring_need(CLI11_FOUND libcli11-dev)
 find_package(pugixml QUIET)
 enduring_need(pugixml_FOUND libpugixml-dev)
 
+find_package(TinyGLTF QUIET CONFIG)
+set(ENDURING_GLTF ${TinyGLTF_FOUND})
+enduring_want(ENDURING_GLTF libtinygltf-dev "no runs as glTF")
+
 if(ENDURING_RENDER)
   find_library(OSMESA_LIBRARY OSMesa)
   find_library(EGL_LIBRARY EGL)

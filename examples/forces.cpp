@@ -44,6 +44,7 @@ int main()
     for (std::size_t b = 0; b < forces.size(); ++b)
         std::printf("%s of %.3f kg: %.3f N up\n", world.bodies[b]->name().c_str(), world.bodies[b]->mass(),
                     forces[b].y());
-    for (const Vec3& force : vertex_forces(world, contacts, dt)[1])
+    const std::vector<std::vector<Vec3>> of_vertices = vertex_forces(world, contacts, dt);
+    for (const Vec3& force : of_vertices[1])
         std::printf("box vertex: %.3f %.3f %.3f N\n", force.x(), force.y(), force.z());
 }
