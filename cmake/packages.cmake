@@ -77,6 +77,10 @@ enduring_need(CLI11_FOUND libcli11-dev)
 find_package(pugixml QUIET)
 enduring_need(pugixml_FOUND libpugixml-dev)
 
+find_package(TinyGLTF QUIET CONFIG)
+set(ENDURING_GLTF ${TinyGLTF_FOUND})
+enduring_want(ENDURING_GLTF libtinygltf-dev "no runs as glTF")
+
 if(ENDURING_RENDER)
   find_library(OSMESA_LIBRARY OSMesa)
   find_library(EGL_LIBRARY EGL)
@@ -102,6 +106,11 @@ if(ENDURING_RENDER)
   if(NOT ENDURING_RENDER_CONTEXT)
     list(APPEND ENDURING_LEFT_OUT libosmesa6-dev)  # either will do
   endif()
+endif()
+
+if(ENDURING_PYTHON)
+  find_package(pybind11 QUIET CONFIG)
+  enduring_need(pybind11_FOUND pybind11-dev)
 endif()
 
 if(ENDURING_BENCHMARKS)

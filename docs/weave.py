@@ -154,6 +154,12 @@ LIVE = re.compile(r"^@live\{\s*(\w+)\s*,\s*((?:\w+/)?[\w.-]+\.(?:png|svg))\s*,\s
 TABLE = re.compile(r"^@table\{\s*((?:\w+/)?[\w-]+)\s*(?:,\s*(.+))?\}\s*$")
 
 
+def drawn_by_hand(picture):
+    """The figures of programs that no run starts are kept, in renders/."""
+    kept = Path(__file__).resolve().parent.parent / "renders" / picture
+    return kept if "/" in picture and kept.is_file() else None
+
+
 def number_figures(page, results):
     """Figures and captioned tables are numbered in the order of the page."""
     for line_number, line in prose(page):
@@ -161,7 +167,7 @@ def number_figures(page, results):
         if match:
             picture = match[2] if match.re is LIVE else match[1]
             try:
-                source = results.file(page, "figure", picture)
+                source = drawn_by_hand(picture) or results.file(page, "figure", picture)
             except Mistake as mistake:
                 yield f"{page.path}:{line_number}: {mistake}"
                 continue

@@ -36,6 +36,21 @@ class Drop(unittest.TestCase):
         self.assertEqual(listing, (ROOT / "examples/drop.cpp").read_text(encoding="utf-8"))
 
 
+class Forces(unittest.TestCase):
+    def test_each_body_is_carried_by_its_weight_and_the_pairs_and_vertices_of_the_box_say_the_same(self):
+        text = said(BUILD / "bin/forces")
+        bodies = {name: tuple(map(float, numbers)) for name, *numbers in re.findall(r"^(\w+) of (\S+) kg: (\S+) N up$", text, re.M)}
+        self.assertEqual(set(bodies), {"table", "box"})
+        for mass, up in bodies.values():
+            self.assertAlmostEqual(up, 9.81 * mass, delta=1e-3 * 9.81 * mass)
+        up = bodies["box"][1]
+        vertices = [list(map(float, numbers)) for numbers in re.findall(r"^box vertex: (\S+) (\S+) (\S+) N$", text, re.M)]
+        self.assertEqual(len(vertices), 8)
+        self.assertAlmostEqual(sum(y for _, y, _ in vertices), up, delta=0.01)
+        pairs = re.findall(r"^(\w+) on (\w+): (\S+) N along", text, re.M)
+        self.assertAlmostEqual(sum(float(force) for b, a, force in pairs if {a, b} == {"box", "table"}), up, delta=0.01)
+
+
 class FromOutside(unittest.TestCase):
     def setUp(self):
         self.scratch = tempfile.TemporaryDirectory()
@@ -49,7 +64,8 @@ class FromOutside(unittest.TestCase):
         said("cmake", "--install", BUILD, "--prefix", self.folder / "prefix")
         self.configure(f"-DCMAKE_PREFIX_PATH={self.folder / 'prefix'}")
         said("cmake", "--build", self.folder / "build")
-        self.assertEqual(said(self.folder / "build/drop"), said(BUILD / "bin/drop"))
+        for program in ("drop", "forces"):
+            self.assertEqual(said(self.folder / "build" / program), said(BUILD / "bin" / program))
         installed = {path.name for path in (self.folder / "prefix").rglob("*") if path.is_file()}
         self.assertIn("friction_law.hpp", installed)
         self.assertFalse({"chapter_program.hpp", "main.cpp", "chapter10", "drop", "libenduring_render.a"} & installed)

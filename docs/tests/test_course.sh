@@ -34,6 +34,8 @@ expect 2 '--quick means nothing here' bench --quick
 expect 2 'there is no chapter 97' sanitize 97
 expect 2 '--live means nothing here' run --live
 expect 2 '--renew takes the numbers of a full run' docs --quick --renew
+expect 2 'there is no file no_such.py' python no_such.py --no-install
+expect 2 'unknown option: --frob' python --frob
 expect 2 'holds no tables' compare "$scratch" "$scratch"
 
 # The exercises: an untouched clone is told what is next, nothing is compiled for that, and nothing is right.

@@ -1,5 +1,6 @@
 #include "common/experiments/own_scene/own_scene.hpp"
 
+#include "common/experiments/gltf/animation.hpp"
 #include "common/experiments/paraview/series.hpp"
 #include "common/experiments/render/run_pictures.hpp"
 #include "common/experiments/run/contact_census.hpp"
@@ -94,6 +95,8 @@ public:
             watching_.push_back(&pictures_);
         if (!choice.paraview.empty())
             watching_.push_back(&series_.emplace(choice.paraview, choice.every));
+        if (!choice.gltf.empty())
+            watching_.push_back(&animation_.emplace(scene, choice.gltf));
         watching_.push_back(&tables_);
     }
     Observers(const Observers&) = delete;  // the probes know where they are
@@ -111,6 +114,8 @@ public:
             pictures_.write_film(report.file("scene.webp"));
         if (series_)
             series_->finish();
+        if (animation_)
+            animation_->finish();
     }
 
     void summarise(std::ostream& out, const std::string& solver, double dt) const
@@ -157,6 +162,7 @@ private:
     bool filmed_;
     RunPictures pictures_;
     std::optional<ParaviewSeries> series_;
+    std::optional<GltfAnimation> animation_;
     WatchProbe tables_;  ///< puts the rows of this step on the disk
     std::vector<Probe*> watching_{&energy_, &motion_, &penetration_, &census_, &inversion_};
 };
@@ -179,6 +185,11 @@ ChapterProgram with_own_scenes(ChapterProgram program, MakeSolver make)
             ->check(CLI::PositiveNumber)
             ->capture_default_str()
             ->needs(paraview);
+        app.add_option("--gltf", choice->gltf,
+                       "a file .glb for your scene as an animation, for Blender, f3d or a page")
+            ->type_name("FILE")
+            ->needs(app.get_option("--scene"))
+            ->excludes(app.get_option("experiments"));
         app.add_option("--save", choice->save,
                        "steps after which the state is saved again, as state.json in the results")
             ->check(CLI::PositiveNumber)

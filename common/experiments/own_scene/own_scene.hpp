@@ -13,6 +13,7 @@ namespace enduring {
 struct OwnSceneOptions {
     std::string paraview = {};  ///< folder of the time series, empty for none
     int every = 1;              ///< steps from one moment of that series to the next
+    std::string gltf = {};      ///< a file for the run as an animation, empty for none
     int save = 0;               ///< steps from one saved state to the next; 0 for none
     std::string resume = {};    ///< a saved state from which the run goes on, empty for the scene's start
 };
@@ -20,7 +21,7 @@ struct OwnSceneOptions {
 using MakeSolver = std::function<Solver(const ContactParameters&)>;
 
 /// The program, which now runs a scene of the reader's own as well: --scene FILE without an experiment, under this
-/// solver, with --paraview, --every, --save and --resume.
+/// solver, with --paraview, --every, --gltf, --save and --resume.
 ChapterProgram with_own_scenes(ChapterProgram program, MakeSolver make);
 /// run_chapter() with it.
 int run_chapter(int argc, char** argv, ChapterProgram program, MakeSolver make);

@@ -2,6 +2,7 @@
 
 #include "common/experiments/paraview/vtk_document.hpp"
 #include "common/input/number_text.hpp"
+#include "common/simulation/contact_forces.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/deformable_body.hpp"
 
@@ -11,21 +12,6 @@ namespace enduring {
 namespace {
 
 constexpr int vtk_tetrahedron = 10, vtk_quadratic_tetrahedron = 24;
-
-/// For each body the mean force of the step on each of its surface vertices [N].
-std::vector<std::vector<Vec3>> contact_forces(const World& world, const Contacts& contacts, double dt)
-{
-    std::vector<std::vector<Vec3>> forces;
-    for (const auto& body : world.bodies)
-        forces.emplace_back(body->positions_t0().size(), Vec3::Zero());
-    for (const Contact& contact : contacts)
-        for (int i = 0; i < contact.vertex_count(); ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            forces[body_index(contact, i)][contact.vertices[at]] += contact.weights[at] *
-                                                                    (contact.impulse + contact.friction) / dt;
-        }
-    return forces;
-}
 
 /// Nodes, elements and what is known of them, of one body after the other.
 struct ElementArrays {
@@ -79,7 +65,7 @@ std::string surfaces_vtp(const World& world, const Contacts& contacts, double dt
 {
     std::vector<Vec3> points, velocities, forces;
     std::vector<long> point_bodies, face_bodies, corners, ends;
-    const std::vector<std::vector<Vec3>> forces_of = contact_forces(world, contacts, dt);
+    const std::vector<std::vector<Vec3>> forces_of = vertex_forces(world, contacts, dt);
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
         const Body& body = *world.bodies[b];
         const long first = static_cast<long>(points.size());
@@ -136,6 +122,7 @@ std::string pairs_vtp(const World& world, const Contacts& contacts, double dt)
     std::vector<Vec3> points, normal_forces, friction_forces, impulses;
     std::vector<double> depths;
     std::vector<long> ends, corners, kinds, categories, held, a, b;
+    const double part = last_part(world, dt);
     for (const Contact& contact : contacts) {
         const ContactGeometry geometry = contact_geometry(world, contact, 1);
         for (const Vec3& point : {geometry.q, geometry.p}) {
@@ -143,8 +130,9 @@ std::string pairs_vtp(const World& world, const Contacts& contacts, double dt)
             points.push_back(point);
         }
         ends.push_back(static_cast<long>(corners.size()));
-        normal_forces.push_back(contact.impulse / dt);
-        friction_forces.push_back(contact.friction / dt);
+        const PairForce force = pair_force(contact, part);
+        normal_forces.push_back(force.normal);
+        friction_forces.push_back(force.friction);
         impulses.push_back(contact.impulse + contact.friction);
         depths.push_back(geometry.depth);
         kinds.push_back(static_cast<long>(contact.kind));

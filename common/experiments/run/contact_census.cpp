@@ -1,5 +1,7 @@
 #include "common/experiments/run/contact_census.hpp"
 
+#include "common/simulation/contact_forces.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -17,6 +19,7 @@ void ContactCensus::observe(const World& world, const Contacts& contacts, double
     long planes = 0, held = 0;
     std::array<long, 3> vertex_face{}, edge_edge{};
     double normal = 0, friction = 0;
+    const double part = last_part(world, dt);
     for (const Contact& contact : contacts) {
         const auto place = static_cast<std::size_t>(
             std::find(categories.begin(), categories.end(), contact.category) - categories.begin());
@@ -26,8 +29,9 @@ void ContactCensus::observe(const World& world, const Contacts& contacts, double
             case ContactKind::edge_edge: ++edge_edge[place]; break;
         }
         held += contact.held();
-        normal += contact.impulse.norm() / dt;
-        friction += contact.friction.norm() / dt;
+        const PairForce force = pair_force(contact, part);
+        normal += force.normal.norm();
+        friction += force.friction.norm();
     }
     table_.add({world.time, planes, vertex_face[0], vertex_face[1], vertex_face[2], edge_edge[0],
                 edge_edge[1], edge_edge[2], held, normal, friction});

@@ -1,6 +1,7 @@
 #include "common/experiments/run/probes.hpp"
 
 #include "common/input/input_error.hpp"
+#include "common/simulation/contact_forces.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 #include "common/simulation/pressed_bodies.hpp"
@@ -95,7 +96,7 @@ void ForceProbe::observe(const World& world, const Contacts& contacts, double dt
         impulse += sign * (contact.impulse + contact.friction);
         pairs += sign != 0;
     }
-    const Vec3 force = impulse / dt;
+    const Vec3 force = impulse / last_part(world, dt);
     table_.add({world.time, force.x(), force.y(), force.z(), pairs});
 }
 

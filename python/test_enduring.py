@@ -1,0 +1,141 @@
+"""The module `enduring` as a reader of NumPy arrays meets it. Run by ./course python; the module's folder is on PYTHONPATH."""
+import gc
+import unittest
+
+import numpy as np
+
+import enduring
+
+BALL = {"name": "ball", "dt": 0.005, "duration": 1, "planes": [{"name": "ground"}],
+        "bodies": [{"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.25}}, "density": 1000, "position": [0, 1, 0]}]}
+
+
+def ball(**more):
+    return enduring.read(BALL, **more)
+
+
+class Scenes(unittest.TestCase):
+    def test_a_ball_falls_by_the_law_of_free_fall_and_comes_to_rest_with_its_weight_on_the_pairs(self):
+        scene = ball()
+        body = scene.bodies["ball"]
+        scene.step(50)
+        fallen = 9.81 * 0.005**2 * 50 * 51 / 2
+        self.assertAlmostEqual(body.pose[0][1], 1 - fallen, 12)
+        np.testing.assert_allclose(body.velocity, [0, -9.81 * 0.25, 0], atol=1e-12)
+        scene.step(950)
+        weight = 9.81 * body.mass
+        np.testing.assert_allclose(scene.forces[0], [0, weight, 0], atol=1e-3 * weight)
+        np.testing.assert_allclose(scene.pairs.force.sum(axis=0), [0, weight, 0], atol=1e-3 * weight)
+        np.testing.assert_allclose(scene.vertex_forces[0].sum(axis=0), scene.forces[0], atol=1e-9)
+
+    def test_every_chapter_s_solver_can_be_chosen_before_the_first_step_and_no_other(self):
+        for chapter in range(1, enduring.chapters + 1):
+            with self.subTest(chapter):
+                scene = ball(chapter=chapter)
+                scene.step()
+                self.assertEqual(scene.chapter, chapter)
+                self.assertEqual(scene.time, 0.005)
+        with self.assertRaisesRegex(enduring.SceneError, "before the first step"):
+            scene.chapter = 3
+        with self.assertRaisesRegex(enduring.SceneError, "chapter 12 has no solver"):
+            ball(chapter=12)
+
+    def test_a_patch_changes_a_file_of_the_course(self):
+        scene = enduring.load(enduring.scene_file("falling_sphere"), patch={"dt": 0.002})
+        self.assertEqual((scene.name, scene.dt), ("falling_sphere", 0.002))
+
+    def test_a_mistake_in_a_scene_is_an_exception_that_tells_its_place(self):
+        for patch, place in (({"dt": -1}, "scene: /dt: expected"), ({"/bodies/0/density": -3}, "/bodies/0/density"),
+                             ({"bodyes": []}, "unknown key")):
+            with self.assertRaisesRegex(enduring.SceneError, place):
+                ball(patch=patch)
+        with self.assertRaisesRegex(ValueError, "line 1"):
+            enduring.read("{")
+        with self.assertRaises(enduring.SceneError):
+            enduring.load("no/such/file.json")
+
+
+class OwnBodies(unittest.TestCase):
+    def test_bodies_from_arrays_move_as_the_same_bodies_from_a_file_to_the_last_bit(self):
+        vertices, faces = enduring.sphere(0.25)
+        own = enduring.Scene(dt=0.005)
+        own.add_plane("ground")
+        own.add_rigid("ball", vertices + [0, 1, 0], faces, density=1000)
+        read = ball()
+        for scene in (own, read):
+            scene.step(200)
+        np.testing.assert_array_equal(own.bodies["ball"].positions, read.bodies["ball"].positions)
+        self.assertGreater(len(own.pairs), 0)
+
+    def test_a_soft_tetrahedron_keeps_its_momentum_and_its_nodes_are_seen(self):
+        scene = enduring.Scene(gravity=[0, 0, 0])
+        nodes = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+        soft = scene.add_deformable("soft", nodes, [[0, 1, 2, 3]], young=1e4, poisson=0.3, density=600, velocity=[1, 2, 3])
+        scene.step(10)
+        self.assertAlmostEqual(soft.mass, 100)
+        np.testing.assert_allclose(soft.momentum, [100, 200, 300], rtol=1e-9)
+        np.testing.assert_allclose(soft.nodes, np.array(nodes) + 0.1 * np.array([1, 2, 3]), atol=1e-9)
+
+    def test_arrays_that_are_no_body_are_refused(self):
+        scene = enduring.Scene()
+        vertices, faces = enduring.box([1, 1, 1])
+        with self.assertRaisesRegex(enduring.SceneError, "3 columns"):
+            scene.add_rigid("box", vertices[:, :2], faces)
+        with self.assertRaises(enduring.SceneError):
+            scene.add_rigid("box", vertices, faces[1:])
+        scene.add_rigid("box", vertices, faces)
+        with self.assertRaisesRegex(enduring.SceneError, "already"):
+            scene.add_rigid("box", vertices, faces)
+
+
+class Arrays(unittest.TestCase):
+    def test_positions_are_the_solver_s_own_and_cannot_be_written(self):
+        scene = ball()
+        positions = scene.bodies["ball"].positions
+        before = positions.copy()
+        scene.step(10)
+        self.assertTrue((positions[:, 1] < before[:, 1]).all())
+        self.assertFalse(positions.flags.owndata)
+        with self.assertRaises(ValueError):
+            positions[0, 0] = 7
+
+    def test_an_array_outlives_the_scene_that_it_came_from(self):
+        positions = ball().bodies["ball"].positions
+        gc.collect()
+        self.assertAlmostEqual(positions[:, 1].mean(), 1, 6)
+
+    def test_pairs_keep_their_moment_while_the_run_goes_on(self):
+        scene = ball(patch={"/bodies/ball/position": [0, 0.2499, 0]})
+        scene.step(40)
+        pairs = scene.pairs
+        impulse, kept = pairs.impulse, pairs.impulse.copy()
+        bodies = pairs.bodies
+        self.assertGreater(len(pairs), 0)
+        self.assertFalse(impulse.flags.owndata)
+        del pairs
+        scene.step(200)
+        gc.collect()
+        np.testing.assert_array_equal(impulse, kept)
+        np.testing.assert_array_equal(bodies, 0)
+
+    def test_normals_points_and_depths_of_pairs_with_a_plane_are_the_plane_s(self):
+        scene = ball()
+        scene.step(200)
+        pairs = scene.pairs
+        np.testing.assert_array_equal(pairs.normal, np.tile([0.0, 1.0, 0.0], (len(pairs), 1)))
+        np.testing.assert_allclose(pairs.p[:, 1], pairs.depth, atol=1e-15)
+        np.testing.assert_array_equal(pairs.q[:, 1], 0)
+        np.testing.assert_array_equal(pairs.p, scene.bodies["ball"].positions[pairs.vertices[:, 0]])
+
+    def test_energies_of_a_free_fall_are_those_of_the_formula_and_their_sum_stays(self):
+        scene = ball()
+        mass = scene.bodies["ball"].mass
+        scene.step(20)
+        kinetic, gravitational, elastic = scene.energies[0]
+        self.assertAlmostEqual(kinetic, mass * (9.81 * 0.1) ** 2 / 2, 9)
+        self.assertAlmostEqual(gravitational, mass * 9.81 * scene.bodies["ball"].pose[0][1], 9)
+        self.assertEqual(elastic, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
