@@ -22,6 +22,8 @@ int main(int argc, char** argv)
              }},
             {"stack_exact", "a stack at rest on springs that remember their force: how deep it is pressed",
              chapter11::stack_exact},
+            {"exact_scenes", "scenes at rest on springs and on springs that remember: depth, drift and time",
+             chapter11::exact_scenes},
         },
     };
     program.add_options = [more](CLI::App& app) {
