@@ -21,9 +21,9 @@ void tell_unfinished_passes(const PassRecord& record);
 //! [settings]
 /// How near to exact contact a step of a scene is brought, and with how much work.
 struct ExactStepSettings {
-    /// of the length of a pair: how far a pass may still press or stretch a spring [1]. A tenth: a pass more for a hundredth of a
-    /// micrometre. A thousand times: a stack is as deep as on chapter 8's springs in the step in which it lands.
-    double tolerance = 1e-7;
+    /// of the length of a pair: how far a pass may still press or stretch a spring [1]; what is left is forgotten in each step, so a stack may
+    /// drift by as much in a step. A tenth: passes ask for what the solve's own tolerance leaves. A hundred times: ten cubes drift by micrometres a second.
+    double tolerance = 1e-9;
     /// Of a response. A tenth: the memory from step to step has to do all the work, and stacks land by springs. Ten times: jams, whose
     /// forces are not determined, take ten times as long.
     int max_passes = 10;
