@@ -24,6 +24,9 @@ int main(int argc, char** argv)
              chapter11::stack_exact},
             {"exact_scenes", "scenes at rest on springs and on springs that remember: depth, drift and time",
              chapter11::exact_scenes},
+            {"relaxation",
+             "what the convex relaxation of Coulomb's rule lifts, and Painleve's rod under the rule itself",
+             chapter11::relaxation},
         },
     };
     program.add_options = [more](CLI::App& app) {

@@ -11,5 +11,6 @@ void spring_error(const RunOptions& options, Report& report);
 void scoreboard(const RunOptions& options, Report& report, const std::filesystem::path& more);
 void stack_exact(const RunOptions& options, Report& report);
 void exact_scenes(const RunOptions& options, Report& report);
+void relaxation(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter11
