@@ -1,5 +1,6 @@
 #include "chapters/11_exact_contact/exact_step.hpp"
 
+#include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 #include "common/simulation/natural_units.hpp"
 
@@ -9,6 +10,10 @@
 
 namespace enduring {
 namespace {
+
+/// The part of a gap that a step keeps: what passes have left is taken away slowly, as chapter 9 lets out what is inside. None of it: each step
+/// takes away what the last one left, a step too late, and stacks on soft springs sway more and more.
+constexpr double kept_gap = 0.9;
 
 bool pushes(const Contact& contact) { return !contact.held() && contact.stiffness > 0; }
 
@@ -26,13 +31,18 @@ std::vector<double> remembered_forces(const Contacts& contacts, double dt)
     return forces;
 }
 
-/// Pairs that are answered for the first time in this step begin with the force of the last one.
+//! [begin_with_load]
+/// Pairs that are answered for the first time in this step begin with the force of the last one, at the depth that is left of it.
 void begin_with_load(Contacts& contacts)
 {
     for (Contact& contact : contacts)
-        if (contact.waiting() && pushes(contact))
+        if (contact.waiting() && pushes(contact)) {
+            if (contact.rest_offset > 0)  // below 0 chapter 9 lets it out
+                contact.rest_offset *= kept_gap;
             contact.rest_offset += contact.load / contact.stiffness;
+        }
 }
+//! [begin_with_load]
 
 //! [remember_force]
 /// After a solve: the spring begins the next one pressed in and stretched by what it pushed.
@@ -43,8 +53,8 @@ double remember_force(Contact& contact, double held, double dt)
     const double k = contact.stiffness, force = contact.impulse.norm() / dt;
     const Vec3 stretch = contact.friction / (-k * dt);
     const double moved = std::max(std::abs(force - held) / k, (stretch - contact.stretch).norm());
-    const double lets_out = std::min(0.0, contact.rest_offset - held / k);
-    contact.rest_offset = lets_out + force / k;
+    const double aim = contact.rest_offset - held / k;  // the depth at which the step should end
+    contact.rest_offset = aim + force / k;
     contact.stretch = stretch;
     return moved;
 }
@@ -88,7 +98,8 @@ void leave_force_to_load(World& world, Contacts& contacts)
 {
     for (Contact& contact : contacts)
         if (pushes(contact))
-            contact.rest_offset = std::min(0.0, contact.rest_offset - contact.load / contact.stiffness);
+            contact.rest_offset = contact.load > 0 ? contact_geometry(world, contact, 1).depth
+                                                   : std::min(0.0, contact.rest_offset);
     world.attempt.put_in += spring_energy(contacts) - world.attempt.springs;
 }
 //! [leave_force_to_load]

@@ -37,8 +37,9 @@ struct ExactStepSettings {
 void solve_in_passes(const Pass::Function& solve, World& world, Contacts& contacts, double dt,
                      const ExactStepSettings& settings);
 
-/// At the end of a step: what a rest offset holds as a force leaves it, for the load holds it, too; what lets a pair out stays. Springs
-/// that remember hold no energy, so the step's budget gets back what their loads would be on springs.
+/// At the end of a step: a rest offset holds no force any more, for the load holds it, too; it is the depth that the step has
+/// left, from which the next one goes on. Springs that remember hold no energy, so the step's budget gets back what their loads would be on
+/// springs.
 void leave_force_to_load(World& world, Contacts& contacts);
 
 }  // namespace enduring
