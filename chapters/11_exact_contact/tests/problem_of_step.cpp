@@ -79,6 +79,16 @@ TEST_CASE("problem of a step: the impulses of a step are an exact answer to its 
           1e-4 * (problem.bodies->levers * impulses).norm());
 }
 
+TEST_CASE("problem of a step: a gap counts as the velocity that closes it in the step")
+{
+    Scene scene = chapter07::scene_of({{10, Vec3(0, 0.5001, 0)}}, 0.01);
+    const TemporaryFolder folder;
+    run_and_write(scene, 1, folder.path);
+    const FrictionProblem problem = read_problem(folder.path / "step_000001.dat");
+    for (int i = 0; i < problem.contacts(); ++i)
+        CHECK(problem.free_velocity[3 * i] == doctest::Approx(-9.81 * 0.01 + 1e-4 / 0.01));
+}
+
 TEST_CASE("problem of a step: a soft body on the ground is pushed by its weight")
 {
     const char* const text = R"({"name": "soft", "dt": 0.01, "duration": 1, "planes": [{"name": "ground"}],
