@@ -15,6 +15,10 @@ namespace {
 /// takes away what the last one left, a step too late, and stacks on soft springs sway more and more.
 constexpr double kept_gap = 0.9;
 
+/// of a pair's length [1]: a pair that should end a step deeper than this began inside, and keeps to the speed at which it is let out, wherever
+/// its body is.
+constexpr double still_let_out = 1e-4;
+
 bool pushes(const Contact& contact) { return !contact.held() && contact.stiffness > 0; }
 
 /// The force along the normal that a pair's rest offset holds: of the last pass, or of the last step [N].
@@ -96,10 +100,14 @@ void solve_in_passes(const Pass::Function& solve, World& world, Contacts& contac
 //! [leave_force_to_load]
 void leave_force_to_load(World& world, Contacts& contacts)
 {
-    for (Contact& contact : contacts)
-        if (pushes(contact))
-            contact.rest_offset = contact.load > 0 ? contact_geometry(world, contact, 1).depth
-                                                   : std::min(0.0, contact.rest_offset);
+    for (Contact& contact : contacts) {
+        if (!pushes(contact))
+            continue;
+        const double aim = contact.rest_offset - contact.load / contact.stiffness;
+        const bool is_let_out = aim < -still_let_out * natural_length(world, contact);
+        contact.rest_offset = contact.load > 0 && !is_let_out ? contact_geometry(world, contact, 1).depth
+                                                              : std::min(0.0, aim);
+    }
     world.attempt.put_in += spring_energy(contacts) - world.attempt.springs;
 }
 //! [leave_force_to_load]
