@@ -1,4 +1,5 @@
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
+#include "chapters/11_exact_contact/problem_of_step.hpp"
 #include "chapters/11_exact_contact/solver.hpp"
 #include "common/experiments/own_scene/own_scene.hpp"
 
@@ -10,6 +11,7 @@ int main(int argc, char** argv)
 {
     using namespace enduring;
     const auto more = std::make_shared<std::filesystem::path>();
+    const auto written = std::make_shared<std::filesystem::path>();
     ChapterProgram program{
         "11_exact_contact",
         "Chapter 11: exact contact",
@@ -22,12 +24,26 @@ int main(int argc, char** argv)
              }},
             {"stack_exact", "a stack at rest on springs that remember their force: how deep it is pressed",
              chapter11::stack_exact},
+            {"exact_scenes", "scenes at rest on springs and on springs that remember: depth, drift and time",
+             chapter11::exact_scenes},
+            {"relaxation",
+             "what the convex relaxation of Coulomb's rule lifts, and Painleve's rod under the rule itself",
+             chapter11::relaxation},
         },
     };
-    program.add_options = [more](CLI::App& app) {
+    program.add_options = [more, written](CLI::App& app) {
         app.add_option("--problems", *more, "a folder of FCLIB's or Siconos' problems for scoreboard")
             ->type_name("DIR");
+        app.add_option("--write-problems", *written,
+                       "folder for the problem of each step of your scene, as Siconos' text")
+            ->type_name("DIR")
+            ->needs(app.get_option("--scene"))
+            ->excludes(app.get_option("experiments"));
     };
-    return run_chapter(argc, argv, program,
-                       [](const ContactParameters& parameters) { return chapter11_solver(parameters); });
+    return run_chapter(argc, argv, program, [written](const ContactParameters& parameters) {
+        Solver solver = chapter11_solver(parameters);
+        if (!written->empty())
+            write_problems(solver, parameters, *written);
+        return solver;
+    });
 }

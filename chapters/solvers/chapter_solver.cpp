@@ -10,6 +10,7 @@
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "chapters/10_self_contact/solver.hpp"
+#include "chapters/11_exact_contact/solver.hpp"
 #include "common/input/input_error.hpp"
 
 namespace enduring::solvers {
@@ -26,6 +27,7 @@ Solver chapter_solver(int chapter, const ContactParameters& parameters)
         case 8: return chapter08_solver(parameters);
         case 9: return chapter09_solver(parameters);
         case 10: return chapter10_solver(parameters);
+        case 11: return chapter11_solver(parameters);
         default:
             throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to " +
                              std::to_string(chapters) + " have");

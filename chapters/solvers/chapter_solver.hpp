@@ -5,7 +5,7 @@
 
 namespace enduring::solvers {
 
-constexpr int chapters = 10;
+constexpr int chapters = 11;
 
 /// The solver of a chapter by its number, 1 to `chapters`.
 /// @throws InputError  there is no such chapter

@@ -1,6 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/08_speculative_contacts/search_parts.hpp"
-#include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/10_self_contact/solver.hpp"
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
 #include "chapters/11_exact_contact/solver.hpp"
 
@@ -22,10 +22,8 @@ struct Rest {
     long unconverged = 0;
 };
 
-using Make = Solver (*)(const ContactParameters&, ImplicitSettings);
-
 /// Where a stack is at the end, and how fast its top has moved in the second half of the time.
-Rest at_rest(const std::vector<chapter07::Box>& boxes, double duration, double h, Make make)
+Rest at_rest(const std::vector<chapter07::Box>& boxes, double duration, double h, chapter07::MakeSolver make)
 {
     Scene scene = chapter07::scene_of(boxes, 0.01);
     scene.contact.wanted_depth = 1;  // [m]: no load asks for a stiffer spring
@@ -51,12 +49,12 @@ Rest at_rest(const std::vector<chapter07::Box>& boxes, double duration, double h
 /// Stacks of cubes at rest, on springs that are pressed and on springs that remember, over their stiffness.
 void stack_exact(const RunOptions& options, Report& report)
 {
-    const double duration = options.quick ? 4 : 20;
-    Table table({"stack", "h", "chapter_8_lowered_m", "lowered_m", "drift_um_per_s", "unconverged"});
+    const double duration = options.quick ? 2 : 10;
+    Table table({"stack", "h", "chapter_10_lowered_m", "lowered_m", "drift_um_per_s", "unconverged"});
     for (const double h : {10.0, 100.0, 1000.0})
         for (const bool heavy : {false, true}) {
             const auto boxes = heavy ? chapter07::stack_of(2, 10, 1000) : chapter07::stack_of(10);
-            const Rest before = at_rest(boxes, duration, h, chapter08_solver),
+            const Rest before = at_rest(boxes, duration, h, chapter10_solver),
                        now = at_rest(boxes, duration, h, chapter11_solver);
             table.add({heavy ? "1000 kg on 10 kg" : "10 cubes", h, before.lowered_m, now.lowered_m,
                        now.drift_um_per_s, now.unconverged});

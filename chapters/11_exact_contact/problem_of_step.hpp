@@ -1,0 +1,29 @@
+#pragma once
+
+#include "chapters/11_exact_contact/friction_problem.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
+
+#include <filesystem>
+
+namespace enduring {
+
+/// The problem that rigid contact sets in a step, where normals and levers are those of the prediction without contact. The coordinates are
+/// the changes of the velocities of all bodies that a pair moves, so f = 0; w is the velocity of each contact, with
+/// its gap over dt more along the normal: nothing may be inside at the end of the step but for what lets a pair out. A
+/// contact's numbers are along its normal and two directions of its surface.
+/// @param contacts  before they are solved; they are copied
+FrictionProblem problem_of_step(const World& world, const Contacts& contacts,
+                                const FrictionCoefficients& friction, double dt);
+
+/// Three rows: a normal and two directions at right angles to it.
+Mat3 contact_frame(const Vec3& normal);
+
+/// Siconos' text, sparse: what parse_siconos() reads.
+std::string siconos_text(const FrictionProblem& problem);
+
+/// Chapter 11's solver, which writes the problem of each step into a folder: step_000001.dat and so on. Of a step that is taken in halves it
+/// is the last part.
+void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder);
+
+}  // namespace enduring
