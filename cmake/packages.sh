@@ -16,7 +16,10 @@ missing_packages() { # GROUP...
     wanted=$(packages_of "$@" | cut -d' ' -f1 | sort)
     installed=$({ dpkg-query -W -f '${db:Status-Status} ${Package}\n' $wanted 2>/dev/null || true; } | # it fails when it has never heard of one
         awk '$1 == "installed" { print $2 }' | sort -u)
-    comm -23 <(echo "$wanted") <(echo "$installed")
+    comm -23 <(echo "$wanted") <(echo "$installed") | while read -r package; do
+        # npm comes with Node.js where that is not Debian's, and Debian's npm cannot be installed beside it
+        [[ $package == npm ]] && command -v npm >/dev/null || echo "$package"
+    done
 }
 
 # Installs what is missing, and says before what and how much. A command cannot do without GROUPS: where they cannot be installed, it ends.
