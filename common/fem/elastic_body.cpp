@@ -67,15 +67,15 @@ void ElasticBody::fix(int node)
     whole_turn_.reset();
 }
 
-void ElasticBody::linearise()
+void ElasticBody::linearise(const NodalVectors& positions)
 {
     if (!options_.freeze_rotations)
-        find_rotations(mesh_, positions_, rotations_);
-    elasticity_->linearise(positions_);
+        find_rotations(mesh_, positions, rotations_);
+    elasticity_->linearise(positions);
     const bool is_free = std::find(fixed_.begin(), fixed_.end(), 1) == fixed_.end();
     whole_turn_.reset();
     if (has_point_law() && is_free)
-        whole_turn_.emplace(positions_, mass_matrix_);
+        whole_turn_.emplace(positions, mass_matrix_);
 }
 
 //! [predict]
@@ -83,9 +83,10 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
 {
     if (!(dt > 0 && std::isfinite(dt)))
         throw InputError("dt (length of the step, s) must be positive and finite, not " + std::to_string(dt));
-    linearise();
+    linearise(positions_);
 
-    NodalVectors forces = external_forces_ + gravity * masses_.transpose();
+    const NodalVectors outside = external_forces_ + gravity * masses_.transpose();
+    NodalVectors forces = outside;
     elasticity_->add_forces(positions_, forces);
     const NodalVectors rhs = momenta() + dt * forces;
 
@@ -94,11 +95,74 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
     velocities_ += last_prediction_;
     solver_.solve(*elasticity_, fixed_, 1 + dt * material_.mass_damping,
                   dt * (dt + material_.stiffness_damping), rhs, velocities_, 0, turn());
+    if (has_point_law())
+        follow_forces(before, outside, dt);
     last_prediction_ = velocities_ - before;
     mended_impulses_.setZero();
     mended_response_.setZero();
 }
 //! [predict]
+
+namespace {
+
+/// How a step that gains energy is mended.
+struct Mending {
+    double gain = 1e-3;     ///< of the energy, from which on it counts: a turn of 0.05 in a step gains less
+    double enough = 1e-3;   ///< change of the velocities at which it ends, relative
+    int steps = 30;         ///< of Newton's method, each with at most ...
+    int halvings = 12;      ///< ... as many of its length
+    double descent = 1e-4;  ///< Armijo's share of the slope
+};
+constexpr Mending mending;
+
+}  // namespace
+
+//! [follow_forces]
+/// Phi(v) = v.Mv/2 - v.(M v0 + dt f_ext) + E(x + dt v) is least where the forces are those of the step's end. The linear step is
+/// the first of Newton's method; K keeps its scale, so that the factor serves on. No stiffness damping.
+void ElasticBody::follow_forces(const NodalVectors& before, const NodalVectors& outside, double dt)
+{
+    const double mass_scale = 1 + dt * material_.mass_damping;
+    const NodalVectors pushed = before * mass_matrix_ + dt * outside;
+    const auto elastic = [&](const NodalVectors& v) { return elasticity_->energy(positions_ + dt * v); };
+    const auto phi = [&](const NodalVectors& v) {
+        return 0.5 * mass_scale * v.cwiseProduct(v * mass_matrix_).sum() - v.cwiseProduct(pushed).sum() +
+               elastic(v);
+    };
+    const double had = 0.5 * before.cwiseProduct(before * mass_matrix_).sum() +
+                       elasticity_->energy(positions_);
+    const double has = kinetic_energy() + elastic(velocities_) - dt * velocities_.cwiseProduct(outside).sum();
+    if (has <= had * (1 + mending.gain) || !velocities_.allFinite())
+        return;
+
+    const auto start_of_turn = whole_turn_;
+    NodalVectors v = before, change = velocities_ - before;
+    double least = phi(v), slope = 0;  // the first change may lead uphill, since it is damped
+    for (int step = 0; step < mending.steps; ++step) {
+        double share = 1;
+        for (int i = 0; i < mending.halvings && !(phi(v + share * change) <= least - share * slope); ++i)
+            share /= 2;
+        v += share * change;
+        least = phi(v);
+        if (step > 0 && change.norm() <= mending.enough * v.norm())
+            break;
+        linearise(positions_ + dt * v);
+        NodalVectors residual = pushed - mass_scale * (v * mass_matrix_), forces = 0 * v;
+        elasticity_->add_forces(positions_ + dt * v, forces);
+        residual += dt * forces;
+        change = NodalVectors::Zero(3, node_count());
+        solver_.solve(*elasticity_, fixed_, mass_scale, dt * (dt + material_.stiffness_damping), residual,
+                      change);
+        slope = mending.descent * change.cwiseProduct(residual).sum();
+    }
+    velocities_ = v;
+    whole_turn_ = start_of_turn;
+    if (whole_turn_)
+        whole_turn_->add_turn(
+            whole_turn_->torque(pushed) / mass_scale - whole_turn_->angular_momentum(velocities_),
+            velocities_);
+}
+//! [follow_forces]
 
 //! [respond]
 void ElasticBody::respond(const NodalVectors& impulses, double dt)

@@ -61,6 +61,7 @@ public:
     ///   (M + dt C + dt^2 K_R) v_new = M v + dt (f_ext + M g + f_el(x)),  C = alpha M + beta K_R.
     /// A law at points has its own stiffness in place of K_R; of a body without fixed nodes, without what it
     /// holds against turning as a whole, so that angular momentum is kept.
+    /// Where this would gain energy, Newton's method goes on to the forces at the end of the step.
     /// @param gravity  [m/s^2]
     /// @param dt       [s]
     /// @throws InputError  dt is not positive and finite
@@ -117,7 +118,8 @@ public:
 private:
     bool has_point_law() const { return material_.law != ElasticLaw::corotated; }
     const WholeTurn* turn() const { return whole_turn_ ? &*whole_turn_ : nullptr; }
-    void linearise();
+    void linearise(const NodalVectors& positions);
+    void follow_forces(const NodalVectors& before, const NodalVectors& outside, double dt);
     template <class Work>
     auto with_present_elasticity(const Work& work) const;
 

@@ -181,6 +181,16 @@ TEST_CASE(
         CHECK(warped.gain > warped.held);
     }
 }
+TEST_CASE("pressed block: let go at a long step it gains no energy, with any law at points" *
+          doctest::test_suite("long simulation"))
+{
+    for (const ElasticLaw law : {ElasticLaw::corotated_at_points, ElasticLaw::neo_hookean}) {
+        CAPTURE(name_of(law));
+        const HardOutcome pressed = press_flat({law, Basis::linear, 1e6, 0.01});
+        CHECK(pressed.gain == 0);
+        CHECK(pressed.left < 1e-6);  // it is back in its shape
+    }
+}
 
 TEST_CASE(
     "tumbling: one frame an element loses angular momentum of a quadratic bar, frames at points lose none")
