@@ -135,7 +135,7 @@ double lost_while_tumbling(const HardLoad& load)
 
 Table tumbling_losses()
 {
-    Table table({"basis", "elasticity", "percent_at_10_ms", "percent_at_5_ms", "percent_at_1_ms"});
+    Table table({"basis", "elasticity", "at_10_ms_percent", "at_5_ms_percent", "at_1_ms_percent"});
     for (const Basis basis : both_bases)
         for (const ElasticLaw law : all_laws) {
             const auto percent = [&](double dt) { return 100 * lost_while_tumbling({law, basis, 1e5, dt}); };
