@@ -1,5 +1,6 @@
 #include "common/fem/corotated_elasticity.hpp"
 
+#include "common/fem/corner_gradients.hpp"
 #include "common/fem/polar_rotation.hpp"
 
 #include <Eigen/LU>
@@ -9,24 +10,6 @@
 
 namespace enduring {
 namespace {
-
-template <class B>
-using PointGradients = std::array<Mat3, B::points>;
-
-/// Gradients of a nodal field at the element's points. For positions: the deformation gradients.
-template <class B>
-PointGradients<B> gradients_at_points(const ElasticElement& element, const NodalVectors& field)
-{
-    PointGradients<B> result;
-    for (int k = 0; k < B::points; ++k) {
-        Mat3 d = Mat3::Zero();
-        for (int j = 0; j < 4; ++j)
-            d.noalias() += field.col(element.nodes[B::corner_tetrahedra[k][j]]) *
-                           element.gradients.col(j).transpose();
-        result[k] = B::gradient_scale * d;
-    }
-    return result;
-}
 
 /// Values at the points become integrals of the field against each point's weight, per volume.
 template <class B>
@@ -57,7 +40,7 @@ template <class B>
 void add_element_forces(const ElasticElement& element, const Mat3& rotation, const LameConstants& lame,
                         const Mat3& unstrained, double scale, const NodalVectors& field, NodalVectors& forces)
 {
-    PointGradients<B> gradients = gradients_at_points<B>(element, field);
+    PointGradients<B> gradients = corner_gradients<B>(element, field);
     for (Mat3& gradient : gradients)
         gradient = symmetric_part(rotation.transpose() * gradient) - unstrained;
     couple<B>(gradients);
@@ -112,7 +95,7 @@ void find_rotations(const ElasticMesh& mesh, const NodalVectors& positions, Elem
     with_basis(mesh.basis(), [&]<class B>(B) {
         for (std::size_t e = 0; e < rotations.size(); ++e) {
             Mat3 mean = Mat3::Zero();
-            for (const Mat3& gradient : gradients_at_points<B>(mesh.elements()[e], positions))
+            for (const Mat3& gradient : corner_gradients<B>(mesh.elements()[e], positions))
                 mean += gradient / B::points;
             rotations[e] = polar_rotation(mean);
         }
@@ -122,7 +105,7 @@ void find_rotations(const ElasticMesh& mesh, const NodalVectors& positions, Elem
 bool is_inverted(Basis basis, const ElasticElement& element, const NodalVectors& positions)
 {
     return with_basis(basis, [&]<class B>(B) {
-        const auto gradients = gradients_at_points<B>(element, positions);
+        const auto gradients = corner_gradients<B>(element, positions);
         return std::any_of(gradients.begin(), gradients.end(),
                            [](const Mat3& gradient) { return !(gradient.determinant() > 0); });
     });
@@ -140,6 +123,11 @@ Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element,
 {
     return with_basis(mesh.basis(),
                       [&]<class B>(B) { return stiffness_of<B>(mesh.elements()[element], hooke); });
+}
+
+Eigen::MatrixXd CorotatedElasticity::stiffness_of(int element) const
+{
+    return element_stiffness(mesh_, element, hooke_matrix(lame_));
 }
 
 void CorotatedElasticity::add_forces(const NodalVectors& positions, NodalVectors& forces) const
@@ -165,7 +153,7 @@ double CorotatedElasticity::energy(const NodalVectors& positions) const
         double sum = 0;
         for (std::size_t e = 0; e < rotations_.size(); ++e) {
             const ElasticElement& element = mesh_.elements()[e];
-            PointGradients<B> strains = gradients_at_points<B>(element, positions);
+            PointGradients<B> strains = corner_gradients<B>(element, positions);
             for (Mat3& strain : strains)
                 strain = symmetric_part(rotations_[e].transpose() * strain) - Mat3::Identity();
             PointGradients<B> weighted = strains;

@@ -1,17 +1,11 @@
 #pragma once
 
-#include "common/fem/elastic_mesh.hpp"
+#include "common/fem/elasticity.hpp"
 #include "common/fem/material.hpp"
-#include "common/geometry/vector.hpp"
 
 #include <Eigen/Core>
 
-#include <vector>
-
 namespace enduring {
-
-/// One rotation an element.
-using ElementRotations = std::vector<Mat3>;
 
 /// The rotation of every element from its mean deformation gradient (its value at the centroid).
 void find_rotations(const ElasticMesh& mesh, const NodalVectors& positions, ElementRotations& rotations);
@@ -30,27 +24,23 @@ Eigen::MatrixXd element_stiffness(const ElasticMesh& mesh, int element,
 /// The body's elasticity with the elements turned by given rotations: forces f = -K_R (x - R X), where
 /// K_R = sum_e R_e K_e R_e^T and "R X" stands for the rest shape of each element turned with it.
 /// Keeps references to the mesh and the rotations.
-class CorotatedElasticity {
+class CorotatedElasticity final : public Elasticity {
 public:
     CorotatedElasticity(const ElasticMesh& mesh, const LameConstants& lame, const ElementRotations& rotations)
-        : mesh_(mesh), lame_(lame), rotations_(rotations)
+        : Elasticity(mesh, rotations), lame_(lame)
     {}
 
-    const ElasticMesh& mesh() const { return mesh_; }
-    const LameConstants& lame() const { return lame_; }
-    const ElementRotations& rotations() const { return rotations_; }
-
-    /// forces += the elastic forces on the nodes at these positions [N].
-    void add_forces(const NodalVectors& positions, NodalVectors& forces) const;
-    /// result += scale K_R v, without building K_R.
-    void add_stiffness_times(const NodalVectors& v, double scale, NodalVectors& result) const;
+    /// Nothing to do: K_R is what the rotations make it.
+    void linearise(const NodalVectors&) override {}
+    void add_forces(const NodalVectors& positions, NodalVectors& forces) const override;
+    void add_stiffness_times(const NodalVectors& v, double scale, NodalVectors& result) const override;
     /// Half of strain times stress, over the body [J].
-    double energy(const NodalVectors& positions) const;
+    double energy(const NodalVectors& positions) const override;
+    Eigen::MatrixXd stiffness_of(int element) const override;
+    Mat3 axes_of(int element) const override { return rotations_[element]; }
 
 private:
-    const ElasticMesh& mesh_;
     LameConstants lame_;
-    const ElementRotations& rotations_;
 };
 
 }  // namespace enduring

@@ -3,14 +3,17 @@
 #include "common/fem/corotated_elasticity.hpp"
 #include "common/fem/implicit_solver.hpp"
 #include "common/fem/mass_matrix.hpp"
+#include "common/fem/whole_turn.hpp"
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace enduring {
 
 struct ElasticOptions {
     /// Linear elasticity about the placed shape, for small rotations and for proofs; otherwise every
-    /// element's rotation is found once a step, at its start.
+    /// element's rotation is found once a step, at its start. Of the corotated law only.
     bool freeze_rotations = false;
     double solver_tolerance = 1e-10;  ///< relative error of the velocities in the norm of the system's matrix
     LinearSolverKind linear_solver = LinearSolverKind::supernodal;
@@ -25,7 +28,7 @@ struct ElasticOptions {
 /// long they take, and their result only within the tolerance.
 class ElasticBody {
 public:
-    /// @throws InputError  a material constant outside its range
+    /// @throws InputError  a material constant outside its range; rotations that another law cannot freeze
     ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, const ElasticOptions& options = {});
     ElasticBody(const ElasticBody&) = delete;
     ElasticBody& operator=(const ElasticBody&) = delete;
@@ -56,6 +59,9 @@ public:
 
     /// New velocities by implicit Euler, linearised about the start of the step:
     ///   (M + dt C + dt^2 K_R) v_new = M v + dt (f_ext + M g + f_el(x)),  C = alpha M + beta K_R.
+    /// A law at points has its own stiffness in place of K_R; of a body without fixed nodes, without what it
+    /// holds against turning as a whole, so that angular momentum is kept.
+    /// Where this would gain energy, Newton's method goes on to the forces at the end of the step.
     /// @param gravity  [m/s^2]
     /// @param dt       [s]
     /// @throws InputError  dt is not positive and finite
@@ -71,10 +77,13 @@ public:
     /// since the system was last factored: one pass through that factor. Zero before the first predict().
     NodalVectors near_response(const NodalVectors& impulses) const
     {
-        return solver_.nearly_solved(fixed_, impulses);
+        return solver_.nearly_solved(fixed_, impulses, turn());
     }
     /// The same for each of these, in place and in one passage through the factor.
-    void near_responses(std::span<NodalVectors> impulses) const { solver_.nearly_solve(fixed_, impulses); }
+    void near_responses(std::span<NodalVectors> impulses) const
+    {
+        solver_.nearly_solve(fixed_, impulses, turn());
+    }
     /// positions += dt velocities.
     void commit(double dt);
 
@@ -107,7 +116,12 @@ public:
     int factorisations() const { return solver_.factorisations(); }   ///< since the beginning
 
 private:
-    ElementRotations fitting_rotations() const;
+    bool has_point_law() const { return material_.law != ElasticLaw::corotated; }
+    const WholeTurn* turn() const { return whole_turn_ ? &*whole_turn_ : nullptr; }
+    void linearise(const NodalVectors& positions);
+    void follow_forces(const NodalVectors& before, const NodalVectors& outside, double dt);
+    template <class Work>
+    auto with_present_elasticity(const Work& work) const;
 
     ElasticMesh mesh_;
     ElasticMaterial material_;
@@ -121,6 +135,8 @@ private:
     /// since the last predict(), by mend_response(): impulses [N s], and what they changed [m/s]
     NodalVectors mended_impulses_, mended_response_;
     ElementRotations rotations_;
+    std::unique_ptr<Elasticity> elasticity_;  ///< linear about the start of the last prediction
+    std::optional<WholeTurn> whole_turn_;     ///< at that start, where K is taken without it
     ImplicitSolver solver_;
 };
 

@@ -3,6 +3,7 @@
 #include "common/fem/mass_matrix.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -25,15 +26,33 @@ void clear(const std::vector<char>& fixed, NodalVectors& field)
             field.col(n).setZero();
 }
 
+/// The answer to what turns the whole body is that of a rigid one, to the rest that of the factor.
+void apply_to_rest(const TurnedFactor& factor, const WholeTurn& turn, double mass_scale,
+                   std::span<NodalVectors> fields)
+{
+    std::vector<Vec3> torques;
+    torques.reserve(fields.size());
+    for (NodalVectors& field : fields) {
+        torques.push_back(turn.torque(field));
+        turn.remove_torque(field);
+    }
+    factor.apply(fields);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        turn.remove_turn(fields[i]);
+        turn.add_turn(torques[i] / mass_scale, fields[i]);
+    }
+}
+
 double dot(const NodalVectors& a, const NodalVectors& b) { return a.reshaped().dot(b.reshaped()); }
 
 }  // namespace
 
 struct ImplicitSolver::System {
-    const CorotatedElasticity& elasticity;
+    const Elasticity& elasticity;
     const Eigen::SparseMatrix<double>& mass_matrix;
     const std::vector<char>& fixed;
     double mass_scale, stiffness_scale;
+    const WholeTurn* turn;
 
     void clear_fixed(NodalVectors& field) const { clear(fixed, field); }
 
@@ -41,13 +60,33 @@ struct ImplicitSolver::System {
     {
         result.noalias() = v * mass_matrix;
         result *= mass_scale;
-        elasticity.add_stiffness_times(v, stiffness_scale, result);
+        if (turn)
+            add_stiffness_without_turn(v, result);
+        else
+            elasticity.add_stiffness_times(v, stiffness_scale, result);
         clear_fixed(result);
     }
 
+    //! [without_turn]
+    void add_stiffness_without_turn(const NodalVectors& v, NodalVectors& result) const
+    {
+        NodalVectors strains = v, forces = NodalVectors::Zero(3, v.cols());
+        turn->remove_turn(strains);
+        elasticity.add_stiffness_times(strains, stiffness_scale, forces);
+        turn->remove_torque(forces);
+        result += forces;
+    }
+    //! [without_turn]
+
     void precondition(const TurnedFactor& factor, const NodalVectors& r, NodalVectors& z) const
     {
-        factor.apply(r, z);
+        if (turn) {
+            std::array<NodalVectors, 1> fields{r};
+            apply_to_rest(factor, *turn, mass_scale, fields);
+            z = std::move(fields[0]);
+        } else {
+            factor.apply(r, z);
+        }
         clear_fixed(z);  // a node may have been fixed since the factor was made
     }
 };
@@ -106,11 +145,11 @@ bool ImplicitSolver::conjugate_gradients(const System& system, const NodalVector
 }
 //! [conjugate_gradients]
 
-void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed,
-                           double mass_scale, double stiffness_scale, const NodalVectors& rhs,
-                           NodalVectors& v, double given)
+void ImplicitSolver::solve(const Elasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
+                           double stiffness_scale, const NodalVectors& rhs, NodalVectors& v, double given,
+                           const WholeTurn* turn)
 {
-    const System system{elasticity, mass_matrix_, fixed, mass_scale, stiffness_scale};
+    const System system{elasticity, mass_matrix_, fixed, mass_scale, stiffness_scale, turn};
     system.clear_fixed(v);
     if (!rhs.allFinite() || !v.allFinite())
         return;  // nothing to be saved here: the step names the body and the vertex
@@ -128,20 +167,28 @@ void ImplicitSolver::solve(const CorotatedElasticity& elasticity, const std::vec
     // A uniform velocity deforms nothing, so what is left of the residual's sum can be taken out exactly.
     if (std::find(fixed.begin(), fixed.end(), 1) == fixed.end())
         v.colwise() += (rhs.rowwise().sum() - v * (mass_scale * masses_)) / (mass_scale * masses_.sum());
+    if (turn)  // nor does a turn
+        turn->add_turn(turn->torque(rhs) / mass_scale - turn->angular_momentum(v), v);
 }
 
-NodalVectors ImplicitSolver::nearly_solved(const std::vector<char>& fixed, NodalVectors rhs) const
+NodalVectors ImplicitSolver::nearly_solved(const std::vector<char>& fixed, NodalVectors rhs,
+                                           const WholeTurn* turn) const
 {
     NodalVectors v = NodalVectors::Zero(3, rhs.cols());
     if (factorisations_ == 0)
         return v;
     clear(fixed, rhs);
+    if (turn) {
+        apply_to_rest(factor_, *turn, factor_.mass_scale(), {&rhs, 1});
+        return rhs;
+    }
     factor_.apply(rhs, v);
     clear(fixed, v);
     return v;
 }
 
-void ImplicitSolver::nearly_solve(const std::vector<char>& fixed, std::span<NodalVectors> fields) const
+void ImplicitSolver::nearly_solve(const std::vector<char>& fixed, std::span<NodalVectors> fields,
+                                  const WholeTurn* turn) const
 {
     for (NodalVectors& field : fields)
         if (factorisations_ == 0)
@@ -150,7 +197,10 @@ void ImplicitSolver::nearly_solve(const std::vector<char>& fixed, std::span<Noda
             clear(fixed, field);
     if (factorisations_ == 0 || fields.empty())
         return;
-    factor_.apply(fields);
+    if (turn)
+        apply_to_rest(factor_, *turn, factor_.mass_scale(), fields);
+    else
+        factor_.apply(fields);
     for (NodalVectors& field : fields)
         clear(fixed, field);
 }

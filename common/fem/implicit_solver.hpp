@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/fem/turned_factor.hpp"
+#include "common/fem/whole_turn.hpp"
 
 namespace enduring {
 
@@ -21,7 +22,7 @@ public:
     ImplicitSolver(const ElasticMesh& mesh, const Eigen::SparseMatrix<double>& mass_matrix, double tolerance,
                    LinearSolverKind kind);
 
-    /// @param elasticity      with the rotations of this step
+    /// @param elasticity      linear about the start of this step
     /// @param fixed           one flag a node: its velocity is zero whatever rhs says
     /// @param mass_scale      a > 0
     /// @param stiffness_scale b >= 0
@@ -30,16 +31,21 @@ public:
     ///                        momentum is exact to rounding, whatever the tolerance
     /// @param given           solution times rhs of what this one is added to: an error that is small for both
     ///                        together is small enough
+    /// @param turn            if any, K is taken without what it holds against a turn of the whole body, and
+    ///                        the angular momentum of the solution is exact to rounding, too
     /// @throws std::runtime_error  no convergence even with a fresh factor
-    void solve(const CorotatedElasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
-               double stiffness_scale, const NodalVectors& rhs, NodalVectors& v, double given = 0);
+    void solve(const Elasticity& elasticity, const std::vector<char>& fixed, double mass_scale,
+               double stiffness_scale, const NodalVectors& rhs, NodalVectors& v, double given = 0,
+               const WholeTurn* turn = nullptr);
 
     /// One application of the preconditioner: the solution for rhs but for what elements have turned against
     /// each other since the matrix was factored, and for its single precision. Zero before the first solve.
-    /// @param fixed  as for solve()
-    NodalVectors nearly_solved(const std::vector<char>& fixed, NodalVectors rhs) const;
+    /// @param fixed  as for solve(), and turn, too
+    NodalVectors nearly_solved(const std::vector<char>& fixed, NodalVectors rhs,
+                               const WholeTurn* turn = nullptr) const;
     /// The same for each of these, in place and in one passage through the factor.
-    void nearly_solve(const std::vector<char>& fixed, std::span<NodalVectors> fields) const;
+    void nearly_solve(const std::vector<char>& fixed, std::span<NodalVectors> fields,
+                      const WholeTurn* turn = nullptr) const;
 
     int iterations() const { return iterations_; }          ///< of the last solve
     int factorisations() const { return factorisations_; }  ///< of all so far

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/fem/corotated_elasticity.hpp"
+#include "common/fem/elasticity.hpp"
 
 #include <Eigen/SparseCore>
 
@@ -16,7 +16,7 @@ public:
 
     /// @param mass_matrix  M of the same mesh, one row a node
     /// @param fixed        one flag a node: rows and columns of a fixed node become those of the identity
-    const Eigen::SparseMatrix<double>& assemble(const CorotatedElasticity& elasticity,
+    const Eigen::SparseMatrix<double>& assemble(const Elasticity& elasticity,
                                                 const Eigen::SparseMatrix<double>& mass_matrix,
                                                 const std::vector<char>& fixed, double mass_scale,
                                                 double stiffness_scale);

@@ -6,9 +6,8 @@
 
 namespace enduring {
 
-void TurnedFactor::factor(const CorotatedElasticity& elasticity,
-                          const Eigen::SparseMatrix<double>& mass_matrix, const std::vector<char>& fixed,
-                          double mass_scale, double stiffness_scale)
+void TurnedFactor::factor(const Elasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
+                          const std::vector<char>& fixed, double mass_scale, double stiffness_scale)
 {
     if (!solver_) {
         assembly_.emplace(mesh_);

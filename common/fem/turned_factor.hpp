@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/fem/corotated_elasticity.hpp"
+#include "common/fem/elasticity.hpp"
 #include "common/fem/linear_solver.hpp"
 #include "common/fem/stiffness_assembly.hpp"
 
@@ -26,10 +26,11 @@ public:
 
     /// Factors the matrix with the present rotations.
     /// @throws std::runtime_error  the factorisation broke down (out of memory, or masses and stiffness without a common scale)
-    void factor(const CorotatedElasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
+    void factor(const Elasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
                 const std::vector<char>& fixed, double mass_scale, double stiffness_scale);
     /// Is there a factor, of these scales?
     bool matches(double mass_scale, double stiffness_scale) const;
+    double mass_scale() const { return mass_scale_; }  ///< a of the factored matrix
     /// Finds every node's turn since then.
     void turn(const ElementRotations& rotations);
     /// z = W A^-1 W^T r.

@@ -6,6 +6,7 @@
 #include "common/scenes/placement.hpp"
 #include "common/simulation/deformable_body.hpp"
 
+#include <array>
 #include <limits>
 
 namespace enduring {
@@ -53,6 +54,10 @@ ElasticMaterial read_material(const JsonValue& body, const TetrahedralMesh& mesh
     material.density = read_mass(body, volume, materials) / volume;
     material.young = body.at("young").number({1e-3, 1e13, true, true, "Pa"});
     material.poisson = body.at("poisson").number({-0.99, 0.4999});
+    if (const std::optional<JsonValue> law = body.find("elasticity"))
+        material.law = std::array{
+            ElasticLaw::corotated, ElasticLaw::corotated_at_points,
+            ElasticLaw::neo_hookean}[law->choice({"corotated", "corotated_at_points", "neo_hookean"})];
     if (const std::optional<JsonValue> damping = body.find("rayleigh")) {
         damping->require_keys({"mass", "stiffness"});
         material.mass_damping = damping->number_or("mass", {0, 1e6, true, true, "1/s"},
@@ -124,6 +129,7 @@ std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroun
                         "mass",
                         "young",
                         "poisson",
+                        "elasticity",
                         "rayleigh",
                         "basis",
                         "fixed",

@@ -1,5 +1,6 @@
 #include "common/experiments/report/chapter_program.hpp"
 #include "common/experiments/verification/free_top.hpp"
+#include "common/experiments/verification/hard_verification.hpp"
 #include "common/experiments/verification/inertia_verification.hpp"
 #include "common/experiments/verification/mass_verification.hpp"
 #include "common/experiments/verification/modal_verification.hpp"
@@ -8,6 +9,10 @@
 #include "common/experiments/verification/static_verification.hpp"
 #include "common/worked_step/worked_step.hpp"
 #include "common/worked_step/worked_step_tables.hpp"
+
+#include <algorithm>
+#include <string>
+#include <variant>
 
 // Not a chapter of its own: what the pages on the base say about elastic and rigid bodies is measured here.
 
@@ -65,6 +70,45 @@ void spinning_bar(const RunOptions&, Report& report)
     report.plot("common/experiments/verification/plots/spinning_bar.gp");
 }
 
+/// The largest number of a column in the rows of a law.
+double most(const Table& table, const char* law, std::size_t column)
+{
+    double found = 0;
+    for (const auto& row : table.rows())
+        if (std::get<std::string>(row[1]) == law) {
+            const auto* whole = std::get_if<long>(&row[column]);
+            found = std::max(found, whole ? static_cast<double>(*whole) : std::get<double>(row[column]));
+        }
+    return found;
+}
+
+void leave_hard(Report& report, const std::string& name, const Table& table)
+{
+    leave(report, name, table);
+    for (const char* law : {"corotated", "corotated_at_points", "neo_hookean"}) {
+        report.fact(name, law + std::string("_inverted"), std::max(most(table, law, 4), most(table, law, 5)));
+        report.fact(name, law + std::string("_gain_j"), most(table, law, 7), 2);
+    }
+}
+
+void twisted_bar(const RunOptions& options, Report& report)
+{
+    leave_hard(report, "twisted_bar", verification::hard_loads(verification::twist_once, options.quick));
+}
+
+void pressed_block(const RunOptions& options, Report& report)
+{
+    leave_hard(report, "pressed_block", verification::hard_loads(verification::press_flat, options.quick));
+}
+
+void tumbling(const RunOptions&, Report& report)
+{
+    const Table table = verification::tumbling_losses();
+    leave(report, "tumbling", table);
+    report.fact("tumbling", "one_frame_percent", most(table, "corotated", 4), 2);
+    report.fact("tumbling", "at_points_percent", most(table, "corotated_at_points", 4), 1);
+}
+
 void one_worked_step(const RunOptions&, Report& report)
 {
     write_worked_step(worked_step_solver(worked_step().stiffness), report);
@@ -95,6 +139,11 @@ int main(int argc, char** argv)
                  pushed_bar},
                 {"convergence", "orders in space and time", convergence},
                 {"spinning_bar", "how much energy the once-a-step rotations add", spinning_bar},
+                {"twisted_bar", "a clamped bar is twisted by 360 degrees and let go, of each material",
+                 twisted_bar},
+                {"pressed_block", "a block is pressed to 30 % of its height and let go, of each material",
+                 pressed_block},
+                {"tumbling", "angular momentum that a free bar loses, of each material", tumbling},
                 {"free_top", "drift of a rigid body that tumbles freely, by Bullet's steps and by ours",
                  free_top},
                 {"worked_step", "every array of one step after every pass, in numbers to check by hand",

@@ -381,6 +381,13 @@ TEST_CASE("scene: a deformable body has the material, basis, motion and supports
     };
     CHECK(basis_of("") == Basis::quadratic);
     CHECK(basis_of(R"({"/bodies/bar/basis": "linear"})") == Basis::linear);
+    const auto law_of = [](const std::string& patch) {
+        return dynamic_cast<const DeformableBody&>(*jelly(patch).world.bodies[0]).elastic().material().law;
+    };
+    CHECK(law_of("") == ElasticLaw::corotated);
+    CHECK(law_of(R"({"/bodies/bar/elasticity": "corotated"})") == ElasticLaw::corotated);
+    CHECK(law_of(R"({"/bodies/bar/elasticity": "corotated_at_points"})") == ElasticLaw::corotated_at_points);
+    CHECK(law_of(R"({"/bodies/bar/elasticity": "neo_hookean"})") == ElasticLaw::neo_hookean);
     CHECK(jelly(R"({"/bodies/bar/shape/scale": 2})").world.bodies[0]->mass() == doctest::Approx(800));
 }
 
@@ -398,6 +405,8 @@ TEST_CASE("scene: elastic constants out of range are named with path, range and 
           "jelly.json: /bodies/0/rayleigh/mass: expected a number from 0 to 1e+06 [1/s], found -1");
     CHECK(jelly_complaint(R"({"/bodies/0": {"young": null}})") ==
           "jelly.json: /bodies/0: the key \"young\" is missing");
+    CHECK(jelly_complaint(R"({"/bodies/0/elasticity": "rubber"})").find("/bodies/0/elasticity") !=
+          std::string::npos);
     CHECK(jelly_complaint(R"({"/bodies/0/basis": "cubic"})") ==
           "jelly.json: /bodies/0/basis: expected one of \"linear\", \"quadratic\", found \"cubic\"");
     CHECK(jelly_complaint(R"({"/bodies/0/fixed": {"min": [7, 0, 0]}})") ==

@@ -1,11 +1,13 @@
 
 #include <doctest/doctest.h>
 
+#include "common/experiments/verification/hard_verification.hpp"
 #include "common/experiments/verification/inertia_verification.hpp"
 #include "common/experiments/verification/mass_verification.hpp"
 #include "common/experiments/verification/modal_verification.hpp"
 #include "common/experiments/verification/spin_verification.hpp"
 #include "common/experiments/verification/static_verification.hpp"
+#include "common/experiments/verification/verification_bars.hpp"
 
 #include <cmath>
 #include <string>
@@ -163,4 +165,37 @@ TEST_CASE("spinning bar: with frozen rotations the energy never grows")
 TEST_CASE("spinning bar: its linear momentum stays zero to rounding")
 {
     CHECK(spin({.omega_dt = 0.1}).linear_momentum <= 1e-13);
+}
+
+TEST_CASE(
+    "twisted bar: let go at a long step it gains no energy with the neo-Hookean law, and more than it had with the corotated one" *
+    doctest::test_suite("long simulation"))
+{
+    for (const Basis basis : both_bases) {
+        CAPTURE(name_of(basis));
+        const HardOutcome soft = twist_once({ElasticLaw::neo_hookean, basis, 1e6, 0.01}),
+                          warped = twist_once({ElasticLaw::corotated, basis, 1e6, 0.01});
+        CHECK(soft.gain == 0);
+        CHECK(soft.inverted_held + soft.inverted_free == 0);
+        CHECK(soft.left < 0.03);
+        CHECK(warped.gain > warped.held);
+    }
+}
+TEST_CASE("pressed block: let go at a long step it gains no energy, with any law at points" *
+          doctest::test_suite("long simulation"))
+{
+    for (const ElasticLaw law : {ElasticLaw::corotated_at_points, ElasticLaw::neo_hookean}) {
+        CAPTURE(name_of(law));
+        const HardOutcome pressed = press_flat({law, Basis::linear, 1e6, 0.01});
+        CHECK(pressed.gain == 0);
+        CHECK(pressed.left < 1e-6);  // it is back in its shape
+    }
+}
+
+TEST_CASE(
+    "tumbling: one frame an element loses angular momentum of a quadratic bar, frames at points lose none")
+{
+    CHECK(lost_while_tumbling({ElasticLaw::corotated, Basis::quadratic, 1e5, 0.005}) > 1e-3);
+    CHECK(lost_while_tumbling({ElasticLaw::corotated_at_points, Basis::quadratic, 1e5, 0.005}) < 1e-11);
+    CHECK(lost_while_tumbling({ElasticLaw::neo_hookean, Basis::linear, 1e5, 0.005}) < 1e-11);
 }
