@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace enduring::chapter11 {
 namespace {
@@ -44,6 +45,12 @@ Rest at_rest(const std::vector<chapter07::Box>& boxes, double duration, double h
     return {lowered(scene), 1e6 * moved / (0.5 * duration), unconverged};
 }
 
+/// Where the passes of soft springs end is seen in the table.
+Solver silent_solver(const ContactParameters& parameters, ImplicitSettings settings)
+{
+    return chapter11_solver(parameters, std::move(settings), {.record = [](const PassRecord&) {}});
+}
+
 }  // namespace
 
 /// Stacks of cubes at rest, on springs that are pressed and on springs that remember, over their stiffness.
@@ -55,14 +62,11 @@ void stack_exact(const RunOptions& options, Report& report)
         for (const bool heavy : {false, true}) {
             const auto boxes = heavy ? chapter07::stack_of(2, 10, 1000) : chapter07::stack_of(10);
             const Rest before = at_rest(boxes, duration, h, chapter10_solver),
-                       now = at_rest(boxes, duration, h, chapter11_solver);
+                       now = at_rest(boxes, duration, h, silent_solver);
             table.add({heavy ? "1000 kg on 10 kg" : "10 cubes", h, before.lowered_m, now.lowered_m,
                        now.drift_um_per_s, now.unconverged});
-            if (!heavy && h == 100) {
+            if (!heavy && h == 100)
                 report.fact("stack_exact", "before_m", before.lowered_m, 2);
-                report.fact("stack_exact", "lowered_m", now.lowered_m, 2);
-                report.fact("stack_exact", "drift_um_per_s", now.drift_um_per_s, 2);
-            }
         }
     report.table("stack_exact", table);
     report.page_table("stack_exact", table, 2);
