@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// From here on a factor takes dense blocks: a factor of so many takes 0.5 ms column by column. A tenth: the blocks cost more
-/// than they save. Ten times: two soft blocks on each other take twice as long.
+/// From here on a factor takes dense blocks. A tenth: both take the same time. Ten times and more: at 20 million operations a
+/// factor takes 7 ms column by column, and 2.5 ms in blocks.
 constexpr double operations_for_blocks = 1e6;
 
 //! [assemble]
