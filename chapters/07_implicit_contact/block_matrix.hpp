@@ -22,25 +22,31 @@ struct BlockPlace {
     }
 };
 
-/// A sparse matrix over the coordinates of a problem that can be added to in place. It has a full block for
-/// each body, and for each two bodies that a pair couples. All columns of a body have the same rows, so a
-/// block is a matrix with a stride. Memory and pattern are kept as long as the same bodies touch.
+/// How many of a body's coordinates move together in pairs: six of a rigid body, three of a soft body's vertex.
+int coordinates_together(const BodyBlock& body);
+
+/// The lower half of a sparse matrix over the coordinates of a problem that can be added to in place. Coordinates that move
+/// together (coordinates_together()) have the same rows in their columns, so a block is a matrix with a stride. It has a block for
+/// each two of them in one body, and for each two that a pair couples. Memory and pattern are kept as long as the same bodies touch.
 class BlockMatrix {
 public:
-    /// Sets all entries to zero.
-    /// @return  whether the pattern is another one than before
+    /// Takes the pattern of the problem; entries are not yet set.
+    /// @return  whether it is another one than before
     bool reset(const ContactProblem& problem);
+    /// Sets all entries to zero.
+    void clear() { matrix_.coeffs().setZero(); }
 
-    /// The block whose first entry is this. Both have to lie in bodies that a pair of the problem couples.
+    /// The block whose first entry is this; it may go on through the rows of a body. Both have to lie in one body or in parts that
+    /// a pair of the problem couples, with row not above column.
     BlockPlace at(int row, int column);
 
     const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }
 
 private:
-    /// A body's coordinates, and those that they are coupled with.
+    /// Coordinates that move together, and those from there on that they are coupled with.
     struct Column {
         int first, size;
-        std::vector<int> neighbours;  ///< places of bodies among all, ascending, itself included
+        std::vector<int> neighbours;  ///< places among all columns, ascending, its own first
         auto operator<=>(const Column&) const = default;
     };
     std::vector<Column> find_columns(const ContactProblem& problem);
@@ -48,6 +54,8 @@ private:
 
     std::vector<int> column_of_;  ///< of each coordinate
     std::vector<Column> columns_;
+    std::vector<std::vector<int>>
+        rows_above_;  ///< of each column: the rows of the neighbours before each one, then of all
     Eigen::SparseMatrix<double> matrix_;
 };
 

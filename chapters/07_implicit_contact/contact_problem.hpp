@@ -118,8 +118,9 @@ constexpr int max_convex_steps = 100;
 /// @param matrix       of the step's problems, kept from one to the next
 /// @param tolerance    of the residual
 /// @param least_speed  sqrt(kg) m/s: what counts as a momentum at all
+/// @param guesses_friction  else friction's stiffness is the derivative of its impulse: for comparisons
 ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
                              const ProblemSolution& begin, double tolerance, double least_speed,
-                             int max_steps = max_convex_steps);
+                             int max_steps = max_convex_steps, bool guesses_friction = true);
 
 }  // namespace enduring

@@ -2,13 +2,18 @@
 
 #include "chapters/07_implicit_contact/block_matrix.hpp"
 #include "chapters/07_implicit_contact/contact_problem.hpp"
-
-#include <Eigen/LU>
-#include <Eigen/SparseCholesky>
+#include "common/fem/linear_solver.hpp"
 
 #include <memory>
 
 namespace enduring {
+
+/// Additions and multiplications of a factor, if each body is eliminated with what it touches of the bodies after it. What this
+/// fills in between these is left out.
+double estimated_operations(const ContactProblem& problem);
+
+/// A + J^T S J where every pair is pressed and holds, its lower triangle: for measurements.
+Eigen::SparseMatrix<double> pressed_matrix(const ContactProblem& problem);
 
 /// The matrix of Newton's method, A + J^T S J with the stiffening S of each pair, and its factors. It is
 /// factored anew where a stiffening has changed, and ordered anew where other bodies touch.
@@ -18,7 +23,7 @@ public:
     /// @param solves  how often the same bodies were solved in this step before
     void begin_response(int solves)
     {
-        kind_ = Kind::none;
+        has_factor_ = false;
         solves_ = solves;
     }
 
@@ -38,23 +43,14 @@ public:
                             const Eigen::VectorXd& direction) const;
 
 private:
-    /// Which factor is the present one.
-    enum class Kind { none, dense, sparse };
-
     bool fits(const std::vector<Mat3>& hessians) const;
     void factor(const ContactProblem& problem);
-    void factor_dense(const ContactProblem& problem);
-    void factor_sparse(const ContactProblem& problem);
-    Eigen::VectorXd solve_dense(const ContactProblem& problem, const Eigen::VectorXd& b) const;
-    Eigen::VectorXd solve_with_factor(const ContactProblem& problem, const Eigen::VectorXd& b) const;
 
-    Kind kind_ = Kind::none;
+    bool has_factor_ = false, is_positive_ = false;
     int solves_ = 0;              ///< in this step
     std::vector<Mat3> hessians_;  ///< of each pair, when it was factored
-    std::vector<int> stiff_;      ///< coordinates that a stiff pair moves, ascending
-    Eigen::PartialPivLU<Eigen::MatrixXd> dense_lu_;
     BlockMatrix blocks_;
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> sparse_;  ///< ordered for the present pattern
+    std::unique_ptr<LinearSolver> solver_;  ///< ordered for the present pattern
 };
 
 }  // namespace enduring

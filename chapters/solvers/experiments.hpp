@@ -7,6 +7,8 @@ namespace enduring::solvers {
 void passes(const RunOptions& options, Report& report);
 void ledger(const RunOptions& options, Report& report);
 void speed(const RunOptions& options, Report& report);
+/// A part of speed(): the matrix of Newton's method, its operations as estimated and the time of its factor.
+void speed_of_matrices(bool quick, Report& report);
 /// The example of the page on scenes, run as a scene of the reader's own: its results go to the folder
 /// tumble, and the picture to the program's as well.
 void own_scene_example(const RunOptions& options, Report& report);

@@ -183,6 +183,7 @@ void speed(const RunOptions& options, Report& report)
     against_bullet(options.quick, report);
     growth(options.quick, report);
     bunnies(options.quick, report);
+    speed_of_matrices(options.quick, report);
     report.fact("speed", "threads", threads);
 }
 

@@ -69,15 +69,17 @@ private:
 
 }  // namespace
 
-SupernodalSolver::SupernodalSolver(const Eigen::SparseMatrix<double>& pattern)
+template <class Real>
+SupernodalSolver<Real>::SupernodalSolver(const Eigen::SparseMatrix<double>& pattern, bool dissects)
 {
+    const OneThread one_thread;  // METIS draws from the program's random numbers
     cholmod_start(&cholmod_);
     cholmod_.print = 0;  // factor() says by its result what CHOLMOD would print
     cholmod_.supernodal = CHOLMOD_SUPERNODAL;
     // Of two orderings the one with the smaller factor; minimum degree
     // alone where CHOLMOD was built without METIS.
-    cholmod_.nmethods = 2;
-    cholmod_.method[0].ordering = CHOLMOD_METIS;
+    cholmod_.nmethods = dissects ? 2 : 1;
+    cholmod_.method[0].ordering = dissects ? CHOLMOD_METIS : CHOLMOD_AMD;
     cholmod_.method[1].ordering = CHOLMOD_AMD;
     cholmod_sparse view = lower_triangle(pattern);
     factor_ = cholmod_analyze(&view, &cholmod_);
@@ -86,13 +88,15 @@ SupernodalSolver::SupernodalSolver(const Eigen::SparseMatrix<double>& pattern)
     order_.assign(ints(factor_->Perm), ints(factor_->Perm) + factor_->n);
 }
 
-SupernodalSolver::~SupernodalSolver()
+template <class Real>
+SupernodalSolver<Real>::~SupernodalSolver()
 {
     cholmod_free_factor(&factor_, &cholmod_);
     cholmod_finish(&cholmod_);
 }
 
-bool SupernodalSolver::factor(const Eigen::SparseMatrix<double>& matrix)
+template <class Real>
+bool SupernodalSolver<Real>::factor(const Eigen::SparseMatrix<double>& matrix)
 {
     const OneThread one_thread;
     cholmod_sparse view = lower_triangle(matrix);
@@ -105,7 +109,8 @@ bool SupernodalSolver::factor(const Eigen::SparseMatrix<double>& matrix)
 
 /// A supernode s has the columns super[s] .. super[s + 1] - 1 of L. Its rows (its columns themselves, then
 /// those below) stand from pi[s] in `s`, and its entries, column by column, from px[s] in `x`.
-void SupernodalSolver::copy_supernodes()
+template <class Real>
+void SupernodalSolver<Real>::copy_supernodes()
 {
     supernodes_.clear();
     for (std::size_t node = 0; node < factor_->nsuper; ++node) {
@@ -114,14 +119,15 @@ void SupernodalSolver::copy_supernodes()
         const int* rows_end = ints(factor_->s) + ints(factor_->pi)[node + 1];
         const double* entries = static_cast<const double*>(factor_->x) + ints(factor_->px)[node];
         const Eigen::Map<const Eigen::MatrixXd> block(entries, rows_end - rows, columns);
-        supernodes_.push_back({first, columns, {rows + columns, rows_end}, block.cast<float>()});
+        supernodes_.push_back({first, columns, {rows + columns, rows_end}, block.template cast<Real>()});
     }
 }
 
 //! [block_solve]
 /// @param x  unknowns in the factor's order: a vector, or one in each column
+template <class Real>
 template <class Floats>
-void SupernodalSolver::solve_ordered(Floats& x) const
+void SupernodalSolver<Real>::solve_ordered(Floats& x) const
 {
     Floats below(x.rows(), x.cols());
     for (const auto& [first, columns, rows, block] : supernodes_) {
@@ -144,28 +150,33 @@ void SupernodalSolver::solve_ordered(Floats& x) const
 }
 //! [block_solve]
 
-void SupernodalSolver::solve(Eigen::VectorXd& b) const
+template <class Real>
+void SupernodalSolver<Real>::solve(Eigen::VectorXd& b) const
 {
-    Eigen::VectorXf x(b.size());
+    Eigen::VectorX<Real> x(b.size());
     for (Eigen::Index i = 0; i < b.size(); ++i)
-        x[i] = static_cast<float>(b[order_[i]]);
+        x[i] = static_cast<Real>(b[order_[i]]);
     solve_ordered(x);
     for (Eigen::Index i = 0; i < b.size(); ++i)
         b[order_[i]] = static_cast<double>(x[i]);
 }
 
-void SupernodalSolver::solve(Eigen::MatrixXd& b) const
+template <class Real>
+void SupernodalSolver<Real>::solve(Eigen::MatrixXd& b) const
 {
     constexpr Eigen::Index max_columns = 48;  // at once: they and a large block fit a cache
     for (Eigen::Index first = 0; first < b.cols(); first += max_columns) {
         const Eigen::Index count = std::min(max_columns, b.cols() - first);
-        Eigen::MatrixXf x(b.rows(), count);
+        Eigen::MatrixX<Real> x(b.rows(), count);
         for (Eigen::Index i = 0; i < b.rows(); ++i)
-            x.row(i) = b.row(order_[i]).segment(first, count).cast<float>();
+            x.row(i) = b.row(order_[i]).segment(first, count).template cast<Real>();
         solve_ordered(x);
         for (Eigen::Index i = 0; i < b.rows(); ++i)
-            b.row(order_[i]).segment(first, count) = x.row(i).cast<double>();
+            b.row(order_[i]).segment(first, count) = x.row(i).template cast<double>();
     }
 }
+
+template class SupernodalSolver<float>;
+template class SupernodalSolver<double>;
 
 }  // namespace enduring

@@ -5,6 +5,7 @@
 namespace enduring::chapter07 {
 
 void implicit_map(const RunOptions& options, Report& report);
+void residual(const RunOptions& options, Report& report);
 void ring(const RunOptions& options, Report& report);
 void free_bounce(const RunOptions& options, Report& report);
 void stack(const RunOptions& options, Report& report);

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <optional>
 #include <random>
 
 using namespace enduring;
@@ -38,6 +40,17 @@ public:
         const auto vertices = static_cast<int>(problem_.blocks[soft].size() / 3);
         for (int i = 0; i < 3; ++i)
             add_part(row, problem_.blocks[soft].first + 3 * ((5 * i + 1) % vertices), 3);
+    }
+
+    /// A soft body's vertex against three vertices of another one, or a static body's.
+    void add_vertex_pair(std::size_t upper, int vertex, std::optional<std::size_t> lower)
+    {
+        PairRow& row = add_row();
+        add_part(row, problem_.blocks[upper].first + 3 * vertex, 3);
+        for (int i = 0; lower && i < 3; ++i)
+            add_part(row,
+                     problem_.blocks[*lower].first + problem_.blocks[*lower].size() - 3 * (vertex + i + 1),
+                     3);
     }
 
     const ContactProblem& problem() const { return problem_; }
@@ -95,6 +108,18 @@ RandomProblem soft_among_rigid(unsigned seed, int vertices)
     return mixed;
 }
 
+/// Each lies on the one before, and the first one on a static body: vertices on three vertices each.
+RandomProblem stack_of_soft_bodies(unsigned seed, std::size_t count, int vertices)
+{
+    RandomProblem stack(seed);
+    for (std::size_t i = 0; i < count; ++i)
+        stack.add_body(3 * vertices);
+    for (std::size_t upper = 0; upper < count; ++upper)
+        for (int i = 0; i < vertices / 2; ++i)
+            stack.add_vertex_pair(upper, i, upper == 0 ? std::nullopt : std::optional(upper - 1));
+    return stack;
+}
+
 /// A + J^T S J by the matrices that the formula names.
 Eigen::MatrixXd reference(const ContactProblem& problem, const std::vector<Mat3>& hessians)
 {
@@ -122,11 +147,11 @@ void check_solution(NewtonMatrix& matrix, RandomProblem& of)
 
 }  // namespace
 
-TEST_CASE("newton matrix: dense or sparse, it solves with A + J^T S J of the present stiffening")
+TEST_CASE("newton matrix: of rigid bodies or soft ones, it solves with A + J^T S J of the present stiffening")
 {
     for (unsigned seed = 0; seed < 5; ++seed)
-        for (RandomProblem problem :
-             {ring_of_rigid_bodies(seed, 4), ring_of_rigid_bodies(seed, 30), soft_among_rigid(seed, 20)}) {
+        for (RandomProblem problem : {ring_of_rigid_bodies(seed, 4), ring_of_rigid_bodies(seed, 30),
+                                      soft_among_rigid(seed, 20), stack_of_soft_bodies(seed, 3, 8)}) {
             NewtonMatrix matrix;
             for (int again = 0; again < 3; ++again)
                 check_solution(matrix, problem);
@@ -147,4 +172,33 @@ TEST_CASE("newton matrix: in a new step other bodies may touch, or the same ones
     RandomProblem mixed = soft_among_rigid(1, 12);
     matrix.begin_response(0);
     check_solution(matrix, mixed);
+}
+
+TEST_CASE(
+    "newton matrix: a large one of soft bodies is solved in blocks, also where other vertices or fewer bodies touch")
+{
+    NewtonMatrix matrix;
+    for (const int vertices : {60, 60, 50, 4}) {
+        RandomProblem stack = stack_of_soft_bodies(static_cast<unsigned>(vertices), 3, vertices);
+        CHECK((estimated_operations(stack.problem()) > 1e6) == (vertices > 4));
+        matrix.begin_response(0);
+        check_solution(matrix, stack);
+        stack.add_vertex_pair(2, 0, 0);
+        matrix.begin_response(0);
+        check_solution(matrix, stack);
+    }
+}
+
+TEST_CASE(
+    "newton matrix: the estimate of its operations is that of Cholesky's factor where each body touches the next one only")
+{
+    for (const int vertices : {20, 40}) {
+        // all of the first body, then all that it touches of the second one, which is filled with its rest anyway
+        const RandomProblem stack = stack_of_soft_bodies(1, 2, vertices);
+        const double n = 3 * vertices, touching = 3 * (vertices / 2);
+        double exact = 0;
+        for (int column = 0; column < 2 * n; ++column)
+            exact += std::pow(column < n ? n - column + touching : 2 * n - column, 2);
+        CHECK(estimated_operations(stack.problem()) == doctest::Approx(exact).epsilon(0.05));
+    }
 }
