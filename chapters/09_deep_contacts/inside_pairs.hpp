@@ -64,10 +64,10 @@ private:
     std::vector<FaceTree> trees_;
 };
 
-/// Lets the slack of each spring fade: a tenth in each step, as chapter 7 has it, but no faster than its body
+/// Lets the rest offset of each spring fade: a tenth in each step, as chapter 7 has it, but no faster than its body
 /// may be let out. So a spring that is born deep inside brings no energy, and throws nothing.
-/// @param keep  part of its slack that a spring keeps in a step at least
-/// @param most  by how much a pair's slack may fade in the step [m], not negative
+/// @param keep  part of its rest offset that a spring keeps in a step at least
+/// @param most  by how much a pair's rest offset may fade in the step [m], not negative
 void fade_rest_offset(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most);
 
 }  // namespace enduring

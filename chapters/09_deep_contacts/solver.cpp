@@ -11,8 +11,8 @@ namespace enduring {
 Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,
                         SeparationMethod method, const std::shared_ptr<ContactSearch>& search)
 {
-    const double keep = std::exchange(settings.stiffness.keep, 1);  // slack fades here, not there
-    settings.stiffness.rubbing_offset = 100;                        // what is let out does not rub
+    const double keep = std::exchange(settings.stiffness.keep, 1);  // rest offsets fade here, not there
+    settings.stiffness.rubbing_offset = 100;                        // what separates from inside does not rub
     const auto inside = std::make_shared<InsidePairs>(std::move(method));
     Solver solver = chapter08_solver(parameters, settings, search);
     solver.name = "chapter 9";
@@ -22,7 +22,7 @@ Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings se
         renew_pairs(*search, world, dt, contacts,
                     [&](Contacts& found) { inside->append_pairs(world, found); });
     });
-    solver.append(StepStage::refresh, "let out",
+    solver.append(StepStage::refresh, "fade rest offsets",
                   [inside, keep, speed = parameters.max_depenetration_velocity](
                       World& world, Contacts& contacts, double dt) {
                       const double most = max_load(world, dt);

@@ -33,7 +33,7 @@ struct ExactStepSettings {
 
 /// The passes of one response: `solve` finds the impulses of all pairs on springs; then each spring begins pressed in by what it pushed,
 /// and it is solved again, until no spring is moved any more. From step to step the force is remembered as the pair's load.
-/// Where a pair began inside, its spring keeps the slack that lets it out slowly: the slack is no force.
+/// Where a pair began inside, its spring keeps the rest offset with which it separates: that is no force.
 void solve_in_passes(const Pass::Function& solve, World& world, Contacts& contacts, double dt,
                      const ExactStepSettings& settings);
 

@@ -15,19 +15,19 @@ std::string sentence(const StartOverlap& overlap, double max_depenetration_veloc
 {
     const std::string place = "'" + overlap.inner + "' begins " + (overlap.whole ? "wholly " : "") +
                               "inside '" + overlap.outer + "', " + readable(overlap.depth, 3) + " m deep",
-                      let_out = ": a solver that traces intersections lets it out at " +
-                                readable(max_depenetration_velocity, 3) +
-                                " m/s (/contact/max_depenetration_velocity), ";
+                      separates = ": a solver that traces intersections separates them at " +
+                                  readable(max_depenetration_velocity, 3) +
+                                  " m/s (/contact/max_depenetration_velocity), ";
     if (overlap.in_plane)
-        return place + let_out +
+        return place + separates +
                "one that does not throws it out, since all weight of the scene would not press it so far";
     if (!overlap.closed)
         return place +
-               ": a surface with a border has no inside to be let out of, so it falls through; move one of them";
-    return place + let_out + "one that waits for surfaces to cross lets it fall through";
+               ": a surface with a border has no inside to separate from, so the body falls through; move one of them";
+    return place + separates + "one that waits for surfaces to cross lets it fall through";
 }
 
-/// At which the inner body is let out [m/s].
+/// At which the two bodies separate [m/s].
 double speed_of(const StartOverlap& overlap, const Scene& scene)
 {
     const auto body = [&](const std::string& name) {

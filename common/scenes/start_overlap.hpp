@@ -15,7 +15,7 @@ struct StartOverlap {
     double depth;
     bool whole = false;     ///< no vertex of the inner one is outside
     bool in_plane = false;  ///< the outer one is a plane
-    bool closed = true;     ///< both surfaces are, so that there is a volume to be let out of
+    bool closed = true;     ///< both surfaces are, so that there is a volume to separate from
 };
 
 /// All overlaps between bodies of which one moves at least, and between

@@ -42,7 +42,7 @@ struct Contact {
     Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m]
     double slip = 0;               ///< speed at which friction lets go in this step [m/s], 0 while it holds
     double stiffness = 0;          ///< k of a pair that is given its own [N/m]; 0 before that
-    double rest_offset = 0;        ///< depth at which the spring of such a pair is slack [m]
+    double rest_offset = 0;        ///< depth at which the spring of such a pair pushes nothing [m]
     double load = 0;               ///< normal force that such a pair carried at the end of the last step [N]
     /// normal of the path on which the pair's vertex came along a surface that bends in this step; zero where it did not
     Vec3 sliding_normal = Vec3::Zero();

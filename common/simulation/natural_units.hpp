@@ -12,11 +12,11 @@ struct ScaleParts {
     /// Of the length: how deep the load that a pair carries may press it. Nobody sees it. A tenth: springs
     /// are ten times as stiff where loads decide. Ten times: a stack is low by ten thousandths.
     double wanted_depth = 1e-5;
-    /// Of the speed: the fastest at which a slack fades under a solver that lets nothing out. A tenth: what
+    /// Of the speed: the fastest at which a rest offset fades under a solver that separates nothing. A tenth: what
     /// is deep comes up ten times as slowly. Ten times: it arrives so fast that it jumps by a third of its
     /// size.
     double fading_speed = 0.08;
-    /// Of the speed: at which a body is let out of another one. When it is free it rises by half the
+    /// Of the speed: at which a body separates from another one. When it is free it rises by half the
     /// square, 0.6 % of the length. A tenth: it takes ten times as long. Ten times: it jumps by half of its
     /// size.
     double max_depenetration_velocity = 0.11;
@@ -34,7 +34,7 @@ struct ScaleParts {
     /// either. Rounding makes less, and nobody sees ten times of it.
     double trembling = 1e-8;
     /// Steps that are the natural time where there is no gravity: only the step tells then how fast a scene
-    /// is. A metre and 10 ms make it the time on Earth. A tenth: a body is let out ten times as fast. Ten
+    /// is. A metre and 10 ms make it the time on Earth. A tenth: a body separates ten times as fast. Ten
     /// times: as slowly.
     double weightless_steps = 32;
 };
@@ -59,7 +59,7 @@ double natural_length(const World& world, const Contact& contact);
 /// Those of a pair, by that length.
 NaturalUnits natural_units(const World& world, const Contact& contact, double dt);
 
-/// At which a pair's bodies are let out of each other [m/s].
+/// At which a pair's bodies separate from inside [m/s].
 /// @param of_scene  if it gives one, for all pairs
 double max_depenetration_velocity(const World& world, const Contact& contact, std::optional<double> of_scene,
                                   double dt);

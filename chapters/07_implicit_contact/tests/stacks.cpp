@@ -53,7 +53,7 @@ TEST_CASE("slope: a cube holds 1 % above tan and slides 1 % below, at every angl
         }
 }
 
-TEST_CASE("pair memory: a stiffness that changes changes no force, and its slack fades")
+TEST_CASE("pair memory: a stiffness that changes changes no force, and its rest offset fades")
 {
     const StiffnessChoice choice;
     Contact contact;
@@ -84,7 +84,7 @@ TEST_CASE("pair memory: a load asks in vain for more than ten million times the 
         CHECK(wanted_stiffness(1e-3, 1e12, {}, dt) == doctest::Approx(1e7 * 1e-3 / (dt * dt)));
 }
 
-TEST_CASE("pair memory: a slack fades no faster than at a part of the natural speed, so it is no motor")
+TEST_CASE("pair memory: a rest offset fades no faster than at a part of the natural speed, so it is no motor")
 {
     Contact deep;
     adapt_stiffness(deep, -0.2, 1, {}, 0.01);
@@ -119,7 +119,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("pair memory: a spring that is not compressed stays slack at its depth when it becomes stiffer")
+TEST_CASE(
+    "pair memory: a spring that is not compressed stays uncompressed at its depth when it becomes stiffer")
 {
     Contact contact;
     adapt_stiffness(contact, 1e-3, 2, {}, 0.01);
@@ -184,8 +185,7 @@ TEST_CASE("pair memory: a pair that is held lets its spring go, and begins anew 
     CHECK(contacts[0].rest_offset == -0.02);
 }
 
-TEST_CASE(
-    "pair memory: what is slack at a greater depth than its load has pressed it to does not rub, any other pair does")
+TEST_CASE("pair memory: a rest offset deeper than the load has pressed does not rub, any other pair does")
 {
     Scene scene = scene_of(stack_of(1), 0.01);
     scene.world.bodies[0]->predict(scene.world.gravity, scene.dt);
@@ -299,7 +299,8 @@ TEST_CASE(
     CHECK(rounds <= 99);
 }
 
-TEST_CASE("implicit contact: a second answer in a step leaves the pairs' stiffness and slack as they are")
+TEST_CASE(
+    "implicit contact: a second solve in a step leaves the pairs' stiffness and rest offset as they are")
 {
     Scene scene = scene_of({{10, Vec3(0, 0.49, 0), 0}}, 0.01);
     scene.world.bodies[0]->predict(scene.world.gravity, scene.dt);

@@ -82,7 +82,7 @@ World at_hinge(double angle, double depth, double size)
 }  // namespace
 
 TEST_CASE(
-    "contact memory: a pair with the same key takes over load, stiffness, slack, stretch and slip, as they are")
+    "contact memory: a pair with the same key takes over load, stiffness, rest offset, stretch and slip, as they are")
 {
     World world = at_hinge(0.3, 1e-3, 1);
     for (Contact last : {pair_of(world, 1, 0, 0, 1), edges_of(0, 3, 1, 7),
@@ -155,7 +155,7 @@ TEST_CASE("contact memory: a vertex hands its spring on to the next face with it
 }
 
 TEST_CASE(
-    "contact memory: where the next face is deeper below, its spring is slack by the difference; never the other way")
+    "contact memory: where the next face is deeper below, the rest offset takes the difference; never the other way")
 {
     World world;
     SurfaceMesh stairs = hinge(0);

@@ -5,7 +5,7 @@ set ylabel "energy [J]"
 set xrange [0:2.2]
 set key above
 data = folder."/depenetration_energy.csv"
-plot data using "time_s":"lifted_j" with lines linetype 1 title "lifted by fading slack", \
+plot data using "time_s":"lifted_j" with lines linetype 1 title "put in by the fading rest offset", \
      data using "time_s":"bodies_j" with lines linetype 2 title "gained by the block", \
      data using "time_s":"damped_j" with lines linetype 3 title "damped", \
      data using "time_s":"rubbed_j" with lines linetype 4 title "rubbed", \

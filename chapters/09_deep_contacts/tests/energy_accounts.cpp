@@ -17,7 +17,7 @@ namespace {
 /// What is missing in the budget of a cube that is let out [J]: all that came in less all that is there.
 struct Missing {
     double most = 0;    ///< after any step
-    double lifted = 0;  ///< what the fading slack put in
+    double lifted = 0;  ///< what the fading rest offset put in
     double gained = 0;  ///< by the bodies
 };
 

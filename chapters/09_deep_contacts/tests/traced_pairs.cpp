@@ -217,7 +217,7 @@ TEST_CASE("depenetration: as fast as a scene says, however slow that is and howe
 }
 
 TEST_CASE(
-    "depenetration: between the jaws of a vice, from which nothing is let out, loads do not grow for ever")
+    "depenetration: between the jaws of a vice, from which nothing separates, loads do not grow for ever")
 {
     World world;
     add_static(world, floor_mesh());

@@ -175,7 +175,7 @@ TEST_CASE("self-contact: the legs of a fork that clap together do not pass each 
 }
 
 TEST_CASE(
-    "self-contact: a body that begins crossed with itself is warned of, and is neither let out nor thrown")
+    "self-contact: a body that begins crossed with itself is warned of, and is neither separated nor thrown")
 {
     DeformableSettings settings;
     settings.material = {.young = 3e4, .density = 1000, .stiffness_damping = 0.01};

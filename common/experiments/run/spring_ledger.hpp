@@ -11,12 +11,12 @@ namespace enduring {
 
 /// Where the energy of the contacts' springs came from and where it went, summed over the steps so far [J].
 ///
-/// A spring of stiffness k holds k c^2 / 2, where c is how much deeper its pair is than its slack.
+/// A spring of stiffness k holds k c^2 / 2, where c is how much deeper its pair is than its rest offset.
 struct SpringAccounts {
     double born = 0;    ///< that new pairs had where their bodies lay at the start of their first step
     double died = 0;    ///< that pairs still had when they ended or were held
-    double lifted = 0;  ///< work of slack that fades: force times the way by which the slack moved
-    double jumped = 0;  ///< by slack that fades faster than anything may be let out, or by another face
+    double lifted = 0;  ///< work of a rest offset that fades: force times the distance by which it moved
+    double jumped = 0;  ///< by a rest offset that fades faster than anything may separate, or by another face
     double pushed = 0;  ///< work of the normal impulses on the bodies
     double rubbed = 0;  ///< that of friction
     double damped = 0;  ///< lost between the springs and their impulses: with an implicit step never negative
@@ -29,15 +29,15 @@ struct SpringAccounts {
 /// died, was pushed and damped.
 ///
 /// Between two steps the bodies stand still, so a spring's compression can only change with the spring: by its
-/// slack, its stiffness, or by another face. A spring that gets stiffer and pushes as before loses energy, and that is
-/// damping. If the rest of the change is no more than the leaving speed allows, it is a lift, whose work counts
+/// rest offset, its stiffness, or by another face. A spring that gets stiffer and pushes as before loses energy, and
+/// that is damping. If the rest of the change is no more than the leaving speed allows, it is a lift, whose work counts
 /// with the force at the end of the step, as the step itself does. Depths of a step are measured along the
 /// normal at its end, as an implicit step sees them.
 class SpringLedger {
 public:
     /// @param world          before its first step
     /// @param stiffness      k of a pair without one of its own, on planes without one of their own [N/m]
-    /// @param max_depenetration_velocity  slack that fades faster lets nothing out: it throws [m/s]; without it, that of the
+    /// @param max_depenetration_velocity  a rest offset that fades faster throws [m/s]; without it, that of the
     ///                       pair's size
     SpringLedger(const World& world, double stiffness, std::optional<double> max_depenetration_velocity);
 
@@ -60,7 +60,7 @@ private:
         Spring spring;
         Spring at_start;                    ///< the same spring where the bodies lay at the start of the step
         double force;                       ///< mean over the step [N]
-        double max_depenetration_velocity;  ///< at which its slack may fade [m/s]
+        double max_depenetration_velocity;  ///< at which its rest offset may fade [m/s]
         double came = 0;                    ///< into the spring: what it held before, and what was put in [J]
         bool known = false;                 ///< it was there in the last step
     };

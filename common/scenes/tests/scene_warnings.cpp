@@ -221,15 +221,16 @@ TEST_CASE("scene: warnings name the file, the bodies and the numbers; a scene th
         read(R"("bodies": [)" + cube("lower", "[0, 0.5, 0]") + ", " + cube("upper", "[0.2, 1.25, 0.1]") + "]")
             .warnings ==
         std::vector<std::string>{
-            "trial.json: 'upper' begins inside 'lower', 0.25 m deep: a solver that traces intersections lets it out at 0.345 m/s "
+            "trial.json: 'upper' begins inside 'lower', 0.25 m deep: a solver that traces intersections separates them at 0.345 m/s "
             "(/contact/max_depenetration_velocity), one that waits for surfaces to cross lets it fall through"});
-    CHECK(read(R"("contact": {"max_depenetration_velocity": 0.1}, )" + ground + cube("cube", "[0, 0.2, 0]") +
-               "]")
-              .warnings ==
-          std::vector<std::string>{
-              "trial.json: 'cube' begins inside 'ground', 0.3 m deep: a solver that traces "
-              "intersections lets it out at 0.1 m/s (/contact/max_depenetration_velocity), one that does not "
-              "throws it out, since all weight of the scene would not press it so far"});
+    CHECK(
+        read(R"("contact": {"max_depenetration_velocity": 0.1}, )" + ground + cube("cube", "[0, 0.2, 0]") +
+             "]")
+            .warnings ==
+        std::vector<std::string>{
+            "trial.json: 'cube' begins inside 'ground', 0.3 m deep: a solver that traces "
+            "intersections separates them at 0.1 m/s (/contact/max_depenetration_velocity), one that does not "
+            "throws it out, since all weight of the scene would not press it so far"});
     const std::string sheet = body("floor", "static", R"({"plane_grid": {"size": [6, 6], "cells": [2, 2]}})",
                                    "[0, 0, 0]");
     CHECK(

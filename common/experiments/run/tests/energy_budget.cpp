@@ -200,17 +200,18 @@ TEST_CASE(
     CHECK(budget.held() == doctest::Approx(0.5 * 1000 * 0.01 + 0.5 * 500 * 0.04));
 }
 
-TEST_CASE("energy budget: the work of slack that fades is put in, and a body that is lifted out keeps to it")
+TEST_CASE(
+    "energy budget: the work of a rest offset that fades is put in, and a body that is lifted out keeps to it")
 {
     Scene scene = points_above_ground(-0.5, 3000, 0.01);
     scene.contact.max_depenetration_velocity = 0.35;
     Solver solver = ground_solver(scene.contact);
-    solver.append(StepStage::refresh, "let out", [&](World&, Contacts& contacts, double dt) {
+    solver.append(StepStage::refresh, "fade rest offsets", [&](World&, Contacts& contacts, double dt) {
         for (Contact& pair : contacts)
             pair.rest_offset = std::min(0.0,
                                         pair.rest_offset + *scene.contact.max_depenetration_velocity * dt);
     });
-    solver.append(StepStage::detect, "begin slack", [](World& world, Contacts& contacts, double) {
+    solver.append(StepStage::detect, "begin uncompressed", [](World& world, Contacts& contacts, double) {
         for (Contact& pair : contacts)
             if (world.step == 0)
                 pair.rest_offset = -0.5;

@@ -53,7 +53,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "spring ledger: slack that fades at the leaving speed lifts, and slack that fades faster makes a jump")
+    "spring ledger: a rest offset that fades at the largest depenetration velocity lifts, and a faster one makes a jump")
 {
     const World world = points_in_ground(0.1);
     for (const double speed : {0.3, 0.5, 0.51, 4.0}) {
