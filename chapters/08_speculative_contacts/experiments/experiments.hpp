@@ -24,6 +24,11 @@ void turntable(const RunOptions& options, Report& report);
 void spinning(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);
 void driven(const RunOptions& options, Report& report);
+void spheres(const RunOptions& options, Report& report);
+void disk(const RunOptions& options, Report& report);
+void limits(const RunOptions& options, Report& report);
+void gears(const RunOptions& options, Report& report);
+void formulas(const RunOptions& options, Report& report);
 void harsh(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08
