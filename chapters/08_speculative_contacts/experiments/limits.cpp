@@ -192,8 +192,8 @@ void limits(const RunOptions& options, Report& report)
             if (!options.quick || side == 15)
                 add("jaws hold a wedge [μ], of its sides' angle", "pinch", side, dt, pinch_limit(side, dt),
                     pinch);
-        for (const int stones : {10, 20, 40})
-            if ((stones == 10 || !options.quick) && (stones < 40 || dt == 0.005)) {
+        for (const int stones : {10, 20})
+            if (stones == 10 || (!options.quick && dt == 0.01)) {
                 const AgainstFormula found = arch_limit(stones, dt);
                 add("arch stands [thickness / radius], of its stones", "arch", stones, dt, found, arch);
                 report.fact("limits", "arch_measured", found.measured, 3);
