@@ -25,6 +25,11 @@ void spinning(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);
 void driven(const RunOptions& options, Report& report);
 void bouncing(const RunOptions& options, Report& report);
+void spheres(const RunOptions& options, Report& report);
+void disk(const RunOptions& options, Report& report);
+void limits(const RunOptions& options, Report& report);
+void gears(const RunOptions& options, Report& report);
+void formulas(const RunOptions& options, Report& report);
 void harsh(const RunOptions& options, Report& report);
 void constants(const RunOptions& options, Report& report);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace enduring::chapter08 {
@@ -31,6 +32,16 @@ std::vector<Refined> all_swings(bool quick)
         if (!quick && dt > 0.001)
             swings.push_back({"ball", "bowl of 96 x 32", ball_in_bowl(96, 32, dt)});
     }
+    for (const double dt : quick ? std::vector{0.0025} : std::vector{0.0025, 0.001}) {
+        for (const int facets : quick ? std::vector{60} : std::vector{60, 240, 960})
+            swings.push_back({"block", "torus of " + std::to_string(facets), block_in_torus(facets, dt)});
+        if (!quick)
+            for (const int facets : {24, 960})
+                swings.push_back(
+                    {"block", "half pipe of " + std::to_string(facets), block_in_pipe(facets, dt)});
+    }
+    if (!quick)
+        swings.push_back({"ball", "bowl of 192 x 64", ball_in_bowl(192, 64, 0.0025)});
     return swings;
 }
 
@@ -52,6 +63,7 @@ void swing_all(bool quick, Report& report)
                  "deepest_mm", "pairs", "edge_pairs"});
     std::map<std::string, Apart> apart;
     Apart period;
+    std::map<std::string, std::pair<double, double>> finest;  // of pipe, torus and bowl: kept and period [%]
     chapter07::SolveStatistics solves;
     for (Refined& one : all_swings(quick)) {
         const double dt = one.swing.scene.dt;
@@ -61,6 +73,9 @@ void swing_all(bool quick, Report& report)
         const double over = outcome.period_s / pendulum_period(one.swing, mean);
         table.add({one.name, one.in, dt, 100 * outcome.kept, 100 * bound, over, outcome.deepest_mm,
                    outcome.pairs, outcome.edge_pairs});
+        const std::string round = one.in.substr(0, one.in.find(" of"));
+        finest[round.substr(round.find(' ') + 1)] = {100 * outcome.kept,
+                                                     100 * std::abs(over - 1)};  // the last is the finest
         apart[one.name].add(100 * (outcome.kept / bound - 1), dt);
         period.add(100 * (over - 1), dt);
         solves.solves += outcome.solves.solves;
@@ -72,6 +87,10 @@ void swing_all(bool quick, Report& report)
     for (const auto& [body, percent] : apart) {
         report.fact("frictionless", body + "s_apart_percent", percent.all, 2);
         report.fact("frictionless", body + "s_short_steps_percent", percent.with_short_steps, 2);
+    }
+    for (const auto& [round, percent] : finest) {
+        report.fact("frictionless", round + "_kept_percent", percent.first, 4);
+        report.fact("frictionless", round + "_period_percent", percent.second, 2);
     }
     report.fact("frictionless", "period_percent", period.all, 2);
     report.fact("frictionless", "solves", static_cast<double>(solves.solves));

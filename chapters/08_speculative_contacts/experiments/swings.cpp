@@ -32,6 +32,25 @@ SurfaceMesh half_pipe(double radius, int facets, double length)
     return mesh;
 }
 
+/// The outer half of the tube of an upright torus, of its lower half, seen from inside.
+SurfaceMesh half_torus(double ring, double tube, int facets, int across)
+{
+    SurfaceMesh mesh;
+    for (int i = 0; i <= facets; ++i)
+        for (int j = 0; j <= across; ++j) {
+            const double angle = pi * i / facets - pi / 2, aside = pi * j / across - pi / 2;
+            const double radius = ring + tube * std::cos(aside);
+            mesh.vertices.emplace_back(radius * std::sin(angle), -radius * std::cos(angle),
+                                       tube * std::sin(aside));
+        }
+    for (int i = 0; i < facets; ++i)
+        for (int j = 0; j < across; ++j) {
+            const int a = i * (across + 1) + j, next = a + across + 1;
+            mesh.faces.insert(mesh.faces.end(), {{a, a + 1, next + 1}, {a, next + 1, next}});
+        }
+    return mesh;
+}
+
 /// The faces of a bowl that look at its middle.
 SurfaceMesh hollow_of(const SurfaceMesh& bowl, double inner_radius)
 {
@@ -74,7 +93,7 @@ void set_up(Swing& swing, const SurfaceMesh& round, SurfaceMesh body, double dt)
     for (const Vec3& x : body.vertices)
         deepest = std::max(deepest, depth_behind(swing.hollow, x));
     for (Vec3& x : body.vertices)
-        x -= (deepest + first_gap) * down;
+        x -= (deepest + first_gap) / swing.slant * down;
     const MassProperties properties = with_mass(mass_properties(body, 1000), 1);
     swing.arm = properties.centre.norm();
     swing.scene = chapter07::scene_of(std::vector<chapter07::Box>{}, dt, 0, 0, 0);
@@ -96,6 +115,23 @@ Swing block_in_pipe(int facets, double dt)
     swing.arm = std::cos(swing.half_angle) - 0.5 * size.y();
     swing.squared_gyration = (size.x() * size.x() + size.y() * size.y()) / 12;
     swing.hollow = half_pipe(swing.radius, facets, 1);
+    set_up(swing, swing.hollow, box(size), dt);
+    return swing;
+}
+
+Swing block_in_torus(int facets, double dt)
+{
+    constexpr double ring = 0.7, tube = 0.3, aside = pi / 8;  // its corners come on the middles of facets
+    const Vec3 size(0.2, 0.1, 2 * tube * std::sin(aside));
+    Swing swing;
+    swing.radius = ring + tube * std::cos(aside);
+    swing.crease = pi / facets;
+    swing.amplitude = 0.6;
+    swing.slant = std::cos(aside);
+    swing.half_angle = std::asin(0.5 * size.x() / swing.radius);
+    swing.arm = swing.radius * std::cos(swing.half_angle) - 0.5 * size.y();
+    swing.squared_gyration = (size.x() * size.x() + size.y() * size.y()) / 12;
+    swing.hollow = half_torus(ring, tube, facets, 12);
     set_up(swing, swing.hollow, box(size), dt);
     return swing;
 }

@@ -18,12 +18,16 @@ struct Swing {
     double half_angle = 0;  ///< between the two places where the body touches, seen from the middle [rad]
     double radius = 1;      ///< of the round thing [m]
     double direction = 0;   ///< of the swing, about the vertical [rad]
+    double slant = 1;       ///< cosine between the normals where the body touches and the plane of the swing
 };
 
 /// A block of 0.2 x 0.1 x 0.3 m in a half pipe, an open surface whose half circle has so many facets.
 Swing block_in_pipe(int facets, double dt);
 /// A ball of 0.2 m in the course's bowl of 1 m; its swing passes over facets askew.
 Swing ball_in_bowl(int segments_around, int segments_along, double dt);
+
+/// A block inside of a torus that stands upright, 0.7 m to the middle of its tube of 0.3 m, which has 24 facets around it.
+Swing block_in_torus(int facets, double dt);
 
 /// The part of its amplitude that an inelastic body keeps after one period: at each crease it loses its velocity
 /// against the next facet, and nothing else.

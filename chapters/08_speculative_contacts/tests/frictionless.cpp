@@ -22,6 +22,15 @@ TEST_CASE(
         }
 }
 
+TEST_CASE("frictionless: a block inside an upright torus keeps what an inelastic body keeps, to a hundredth")
+{
+    Swing swing = block_in_torus(240, 0.0025);
+    const SwingOutcome outcome = watch_swing(swing);
+    CHECK(outcome.kept == doctest::Approx(inelastic_bound(swing)).epsilon(0.01));
+    CHECK(outcome.period_s == doctest::Approx(pendulum_period(swing, 0.6)).epsilon(0.01));
+    CHECK(outcome.deepest_mm < 0.3);
+}
+
 TEST_CASE("frictionless: a ball in a bowl of triangles keeps what an inelastic body keeps, to 2 percent")
 {
     Swing swing = ball_in_bowl(24, 8, 0.0025);

@@ -1,0 +1,98 @@
+#include "chapters/08_speculative_contacts/experiments/experiments.hpp"
+#include "chapters/08_speculative_contacts/experiments/sphere_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace enduring::chapter08 {
+namespace {
+
+/// Rows of impacts, and how far the worst of them is off.
+class Impacts {
+public:
+    double worst_percent = 0;
+
+    void add(const std::string& test, double varied, const SphereImpact& impact)
+    {
+        const AfterImpact after = strike(impact);
+        table_.add({test, varied, impact.dt, after.along.measured, after.along.formula, after.rim.measured,
+                    after.rim.formula, 100 * after.largest_off, 100 * after.rebound});
+        worst_percent = std::max(worst_percent, 100 * after.largest_off);
+    }
+    const Table& table() const { return table_; }
+
+private:
+    Table table_{{"test", "varied", "dt_s", "along_m_per_s", "by_formula_m_per_s", "rim_m_per_s",
+                  "rim_by_formula_m_per_s", "off_percent", "rebound_percent"}};
+};
+
+/// Chung and Ooi's tests 4 to 8; tests 1 to 3 are normal and ask for a rebound.
+void impacts(bool quick, Report& report)
+{
+    Impacts rows;
+    for (const double dt : quick ? std::vector{5e-4} : std::vector{5e-4, 1e-4}) {
+        for (int angle = 5; angle <= 85; angle += 10) {
+            const double from_normal = angle * std::numbers::pi / 180, speed = 3.9;
+            rows.add("4: angle [°]", angle,
+                     {.normal_speed = speed * std::cos(from_normal),
+                      .along = speed * std::sin(from_normal),
+                      .dt = dt});
+        }
+        for (const double along : {0.5, 2.0, 8.0})
+            rows.add("5: speed along [m/s]", along, {.normal_speed = 2, .along = along, .dt = dt});
+        for (const double spin : {5.0, 15.0, 45.0}) {
+            rows.add("6: spin [rad/s]", spin, {.spin = spin, .dt = dt});
+            rows.add("7: spins of two equal balls [rad/s]", spin,
+                     {.spin = spin, .other_radius = sphere_radius, .other_spin = spin, .dt = dt});
+            rows.add("8: spin on a large ball [rad/s]", spin,
+                     {.spin = spin, .other_radius = 2.5 * sphere_radius, .dt = dt});
+        }
+    }
+    report.table("spheres", rows.table());
+    report.page_table("spheres", rows.table(), 4);
+    report.plot("chapters/08_speculative_contacts/plots/spheres.gp");
+    report.fact("spheres", "impacts", static_cast<double>(rows.table().rows().size()));
+    report.fact("spheres", "worst_percent", rows.worst_percent, 2);
+}
+
+/// What finer facets give: a ball on a vertex, one askew, and two balls.
+void over_the_mesh(bool quick, Report& report)
+{
+    Table table({"subdivisions", "faces", "on_a_vertex_percent", "askew_percent", "two_balls_percent",
+                 "rolling_after_slip_percent", "kept_when_rolling_percent"});
+    const double dt = 1e-4;
+    for (int subdivisions = 2; subdivisions <= (quick ? 3 : 5); ++subdivisions) {
+        SphereImpact ball{.along = 0.5, .dt = dt, .subdivisions = subdivisions};
+        const double on_vertex = strike(ball).largest_off;
+        ball.askew = true;
+        const double askew = strike(ball).largest_off;
+        const double two =
+            strike({.spin = 15, .other_radius = 2.5 * sphere_radius, .dt = dt, .subdivisions = subdivisions})
+                .largest_off;
+        const double rolling = slide_to_roll(0.002, subdivisions).speed.error(),
+                     kept = 1 + keeps_rolling(0.002, subdivisions).error();
+        table.add({static_cast<long>(subdivisions), 20L << (2 * subdivisions), 100 * on_vertex, 100 * askew,
+                   100 * two, 100 * rolling, 100 * kept});
+        report.fact("spheres", "finest_vertex_percent", 100 * on_vertex, 2);
+        report.fact("spheres", "finest_askew_percent", 100 * askew, 2);
+        report.fact("spheres", "finest_pair_percent", 100 * two, 2);
+        report.fact("spheres", "finest_rolling_percent", 100 * rolling, 2);
+        report.fact("spheres", "finest_kept_percent", 100 * kept, 3);
+    }
+    report.table("spheres_mesh", table);
+    report.page_table("spheres_mesh", table, 3);
+}
+
+}  // namespace
+
+/// Balls strike the ground and each other, slide and roll: against the formulas of round ones.
+void spheres(const RunOptions& options, Report& report)
+{
+    impacts(options.quick, report);
+    over_the_mesh(options.quick, report);
+}
+
+}  // namespace enduring::chapter08
