@@ -48,9 +48,10 @@ public:
     void add(const Track& track)
     {
         const int node = add_node(track.name, add_mesh(track));
+        place(node, track);  // where it begins, for viewers that play nothing
         if (!track.moves || track.times.size() < 2)
-            place(node, track);
-        else if (track.soft)
+            return;
+        if (track.soft)
             animate(node, track, "weights", add_weights(track.surfaces.size()));
         else
             add_poses(node, track);

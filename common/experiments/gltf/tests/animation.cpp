@@ -101,6 +101,9 @@ TEST_CASE("gltf: what moves as a whole is where the run had it, at every frame, 
         const auto [same_times, turns] = run.samples(node, "rotation");
         const std::vector<float> points = run.mesh_points(node);
         REQUIRE(times.size() == 31);
+        const std::vector<double>& begin = run.model.nodes.at(static_cast<std::size_t>(node)).translation;
+        REQUIRE(begin.size() == 3);  // for who plays no animation
+        CHECK((Vec3(begin[0], begin[1], begin[2]) - row(places, 0)).norm() < 1e-6);
         CHECK(times == same_times);
         for (std::size_t frame = 0; frame < times.size(); ++frame) {
             const Eigen::Map<const Eigen::Quaternionf> turn(turns.data() + 4 * frame);
