@@ -106,7 +106,8 @@ Arrangement arrange(std::string name, std::unique_ptr<StaticBody> a, std::unique
 
 Picture draw(Renderer& renderer, const Arrangement& one)
 {
-    Stage stage = stage_of(one.world, Scene{});
+    const Scene plain;  // no camera and no colours
+    Stage stage = stage_of(one.world, plain);
     stage.bodies[0].color = palette::sand;
     stage.bodies[1].color = palette::blue;
     stage.bodies[1].opacity = 0.45;
