@@ -65,7 +65,8 @@ Engine bullet_engine()
             {"best", 4, 100},
             [](Scene scene, const Way& way, int steps) {
                 return run_solver(std::move(scene), way.substeps, steps, [&](Scene& taken) {
-                    return way.iterations > 0 ? bullet_solver(taken, way.iterations) : bullet_solver(taken);
+                    return way.iterations > 0 ? iterated_bullet_solver(taken, way.iterations)
+                                              : bullet_solver(taken);
                 });
             }};
 }

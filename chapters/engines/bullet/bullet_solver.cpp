@@ -6,9 +6,9 @@
 
 namespace enduring {
 
-Solver bullet_solver(Scene& scene) { return bullet_solver(scene, bullet::default_iterations); }
+Solver bullet_solver(Scene& scene) { return iterated_bullet_solver(scene, bullet::default_iterations); }
 
-Solver bullet_solver(Scene& scene, int iterations)
+Solver iterated_bullet_solver(Scene& scene, int iterations)
 {
     const auto bullet = std::make_shared<bullet::BulletWorld>(scene, iterations);
     Solver solver;

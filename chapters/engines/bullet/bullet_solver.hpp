@@ -20,7 +20,7 @@ namespace enduring {
 /// @throws InputError  Bullet cannot take the scene; names the scene, the body and why
 Solver bullet_solver(Scene& scene);
 /// The same with so many iterations of its solver.
-Solver bullet_solver(Scene& scene, int iterations);
+Solver iterated_bullet_solver(Scene& scene, int iterations);
 
 /// Of the library, as "3.24".
 std::string bullet_version();

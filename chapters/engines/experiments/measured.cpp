@@ -54,15 +54,10 @@ std::string short_number(double value)
     if (std::isinf(value))
         return "lost";
     std::ostringstream text;
-    text.precision(2);
-    if (value == 0 || std::abs(value) >= 0.01)
-        text << (std::abs(value) >= 100 ? std::round(value) : value);
-    else
-        text << value;
-    if (std::abs(value) >= 100) {
-        text.str("");
-        text << std::fixed;
-        text.precision(0);
+    if (std::abs(value) >= 99.5)
+        text << std::lround(value);
+    else {
+        text.precision(2);
         text << value;
     }
     return text.str();
@@ -112,6 +107,50 @@ void pivot(const std::vector<Row>& rows, const std::string& name, const std::vec
     report.page_table(name, table, 2);
 }
 
+/// Every number, by its scene, engine, settings and quantity, for the text; and what each engine was.
+void report_facts(const std::vector<Row>& rows, Report& report)
+{
+    for (const Row& row : rows) {
+        const std::string who = word(row.at("engine"));
+        const std::string name = word(row.at("scene")) + "_" + who + "_" + row.at("way") + "_" +
+                                 row.at("quantity");
+        report.fact("measured", name, short_number(number(row.at("value"))));
+        report.fact("measured", "version_" + who, row.at("version"));
+    }
+}
+
+/// Of how many scenes everything is right.
+void report_verdicts(const std::vector<Row>& rows, Report& report)
+{
+    std::vector<std::pair<std::string, std::string>> order;
+    std::map<std::pair<std::string, std::string>, std::map<std::string, bool>> right;
+    for (const Row& row : rows) {
+        const std::pair who{row.at("engine"), row.at("way")};
+        if (!right.contains(who))
+            order.push_back(who);
+        const auto place = right[who].try_emplace(row.at("scene"), true).first;
+        place->second = place->second && row.at("right") == "yes";
+    }
+    Table table({"engine", "version", "default", "best", "of"});
+    for (const auto& who : order) {
+        if (who.second != "default")
+            continue;
+        const auto count = [&](const std::string& way) {
+            const auto& scenes = right[{who.first, way}];
+            return static_cast<long>(
+                std::count_if(scenes.begin(), scenes.end(), [](const auto& scene) { return scene.second; }));
+        };
+        const auto row = std::find_if(rows.begin(), rows.end(),
+                                      [&](const Row& one) { return one.at("engine") == who.first; });
+        table.add({who.first, row->at("version"), count("default"), count("best"),
+                   static_cast<long>(right[who].size())});
+        report.fact("measured", "right_" + word(who.first), static_cast<double>(count("best")));
+        report.fact("measured", "scenes", static_cast<double>(right[who].size()));
+    }
+    report.table("verdicts", table);
+    report.page_table("verdicts", table);
+}
+
 }  // namespace
 
 void measured(const RunOptions&, Report& report)
@@ -137,15 +176,8 @@ void measured(const RunOptions&, Report& report)
            {"overlap", "depth_um", "overlap, depth [µm]"},
            {"thin", "through_count", "shots through, of 12"}},
           report);
-    std::map<std::string, std::string> versions;
-    for (const Row& row : rows) {
-        const std::string who = word(row.at("engine"));
-        versions[who] = row.at("version");
-        report.fact("measured", row.at("scene") + "_" + who + "_" + row.at("way") + "_" + row.at("quantity"),
-                    number(row.at("value")), 2);
-    }
-    for (const auto& [who, version] : versions)
-        report.fact("measured", "version_" + who, version);
+    report_facts(rows, report);
+    report_verdicts(rows, report);
     std::ifstream file(source_directory() / "chapters/engines/measured/date.txt");
     std::string date;
     std::getline(file, date);
