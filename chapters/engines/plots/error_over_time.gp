@@ -1,7 +1,7 @@
 # A point a setting: how deep a stack rests, and what part of its amplitude a swing loses, over processor time.
 height = 640
 load style
-set multiplot layout 2,1 margins 0.13,0.74,0.1,0.98 spacing 0,0.13
+set multiplot layout 2,1 margins 0.13,0.74,0.13,0.98 spacing 0,0.16
 set logscale xy
 set format xy "10^{%L}"
 set xlabel "processor time of a frame over ours"
