@@ -28,8 +28,8 @@ class Cost:
 
 
 def folders(root=ROOT):
-    """The base, the chapters, and all solvers together; as in `course`."""
-    return ["00_base", *sorted(path.parent.name for path in root.glob("chapters/[0-9][0-9]_*/main.cpp")), "solvers"]
+    """The base, the chapters, all solvers together, and other engines; as in `course`."""
+    return ["00_base", *sorted(path.parent.name for path in root.glob("chapters/[0-9][0-9]_*/main.cpp")), "solvers", "engines"]
 
 
 def program_of(folder):

@@ -67,6 +67,18 @@ enduring_want(ENDURING_HDF5 libhdf5-dev "chapter 11 reads no problems in HDF5")
 if(NOT PROJECT_NAME STREQUAL EnduringContacts OR NOT PROJECT_IS_TOP_LEVEL)
   return()  # what follows is for the course itself: tests, command lines, pictures
 endif()
+# other physics engines, to compare with
+pkg_check_modules(ODE QUIET ode)
+set(ENDURING_ODE ${ODE_FOUND})
+enduring_want(ENDURING_ODE libode-dev "no rows of ODE beside ours")
+find_path(MUJOCO_INCLUDE mujoco/mujoco.h)
+find_library(MUJOCO_LIBRARY mujoco)
+set(ENDURING_MUJOCO ON)
+if(NOT MUJOCO_INCLUDE OR NOT MUJOCO_LIBRARY)
+  set(ENDURING_MUJOCO OFF)
+endif()
+enduring_want(ENDURING_MUJOCO libmujoco-dev "no rows of Debian's MuJoCo beside ours")
+
 find_package(doctest QUIET)
 enduring_need(doctest_FOUND doctest-dev)
 include(doctest)

@@ -77,8 +77,8 @@ def made_by(program):
 
 
 def result_folders(results):
-    """Those of the base and of the chapters, in their order; then what all solvers left together."""
-    return [path for pattern in ("[0-9][0-9]_*", "solvers") for path in sorted(results.glob(pattern)) if path.is_dir()]
+    """Those of the base and of the chapters, in their order; then what all solvers left together, and other engines."""
+    return [path for pattern in ("[0-9][0-9]_*", "solvers", "engines") for path in sorted(results.glob(pattern)) if path.is_dir()]
 
 
 def word_of(folder):

@@ -1,6 +1,6 @@
 #include "chapters/solvers/ledger.hpp"
 
-#include "chapters/bullet_baseline/bullet_solver.hpp"
+#include "chapters/engines/bullet/bullet_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/input/number_text.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "chapters/bullet_baseline/bullet_bodies.hpp"
-#include "chapters/bullet_baseline/bullet_shapes.hpp"
+#include "chapters/engines/bullet/bullet_bodies.hpp"
+#include "chapters/engines/bullet/bullet_shapes.hpp"
 #include "common/scenes/scene.hpp"
 
 #include <BulletSoftBody/btDeformableLagrangianForce.h>
@@ -9,12 +9,14 @@
 
 namespace enduring::bullet {
 
+constexpr int default_iterations = 10;  ///< of Bullet's solver
+
 /// Bullet's world of a scene, with all that it refers to.
 class BulletWorld {
 public:
     /// Replaces the moving bodies of the scene by ones that Bullet moves.
     /// @throws InputError  see bullet_solver()
-    explicit BulletWorld(Scene& scene);
+    explicit BulletWorld(Scene& scene, int iterations = default_iterations);
     ~BulletWorld();
     BulletWorld(const BulletWorld&) = delete;
     BulletWorld& operator=(const BulletWorld&) = delete;

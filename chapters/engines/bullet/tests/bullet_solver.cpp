@@ -1,4 +1,4 @@
-#include "chapters/bullet_baseline/bullet_solver.hpp"
+#include "chapters/engines/bullet/bullet_solver.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/input/input_error.hpp"

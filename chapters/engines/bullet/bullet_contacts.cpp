@@ -1,6 +1,6 @@
-#include "chapters/bullet_baseline/bullet_contacts.hpp"
+#include "chapters/engines/bullet/bullet_contacts.hpp"
 
-#include "chapters/bullet_baseline/bullet_vectors.hpp"
+#include "chapters/engines/bullet/bullet_vectors.hpp"
 #include "common/geometry/triangle_distance.hpp"
 #include "common/geometry/triangle_foot.hpp"
 

@@ -1,7 +1,7 @@
-#include "chapters/bullet_baseline/bullet_world.hpp"
+#include "chapters/engines/bullet/bullet_world.hpp"
 
-#include "chapters/bullet_baseline/bullet_contacts.hpp"
-#include "chapters/bullet_baseline/bullet_vectors.hpp"
+#include "chapters/engines/bullet/bullet_contacts.hpp"
+#include "chapters/engines/bullet/bullet_vectors.hpp"
 #include "common/geometry/shortest_turn.hpp"
 #include "common/input/input_error.hpp"
 #include "common/simulation/static_body.hpp"
@@ -30,7 +30,7 @@ btDeformableMultiBodyDynamicsWorld& deformable(btDiscreteDynamicsWorld& world)
 
 }  // namespace
 
-BulletWorld::BulletWorld(Scene& scene)
+BulletWorld::BulletWorld(Scene& scene, int iterations)
     : scene_(scene.name), friction_(std::sqrt(coefficients_of(scene.contact.friction).mu_s)),
       broad_phase_(std::make_unique<btDbvtBroadphase>())
 {
@@ -57,6 +57,7 @@ BulletWorld::BulletWorld(Scene& scene)
         btGImpactCollisionAlgorithm::registerAlgorithm(dispatcher_.get());
     }
     world_->setGravity(to_bullet(scene.world.gravity));
+    world_->getSolverInfo().m_numIterations = iterations;
 
     for (const Plane& plane : scene.world.planes)
         add_plane(plane);

@@ -1,6 +1,6 @@
-#include "chapters/bullet_baseline/bullet_shapes.hpp"
+#include "chapters/engines/bullet/bullet_shapes.hpp"
 
-#include "chapters/bullet_baseline/bullet_vectors.hpp"
+#include "chapters/engines/bullet/bullet_vectors.hpp"
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>

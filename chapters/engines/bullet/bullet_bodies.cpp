@@ -1,7 +1,7 @@
-#include "chapters/bullet_baseline/bullet_bodies.hpp"
+#include "chapters/engines/bullet/bullet_bodies.hpp"
 
-#include "chapters/bullet_baseline/bullet_shapes.hpp"
-#include "chapters/bullet_baseline/bullet_vectors.hpp"
+#include "chapters/engines/bullet/bullet_shapes.hpp"
+#include "chapters/engines/bullet/bullet_vectors.hpp"
 
 #include <algorithm>
 #include <stdexcept>

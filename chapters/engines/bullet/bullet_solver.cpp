@@ -1,14 +1,16 @@
-#include "chapters/bullet_baseline/bullet_solver.hpp"
+#include "chapters/engines/bullet/bullet_solver.hpp"
 
-#include "chapters/bullet_baseline/bullet_world.hpp"
+#include "chapters/engines/bullet/bullet_world.hpp"
 
 #include <LinearMath/btScalar.h>
 
 namespace enduring {
 
-Solver bullet_solver(Scene& scene)
+Solver bullet_solver(Scene& scene) { return iterated_bullet_solver(scene, bullet::default_iterations); }
+
+Solver iterated_bullet_solver(Scene& scene, int iterations)
 {
-    const auto bullet = std::make_shared<bullet::BulletWorld>(scene);
+    const auto bullet = std::make_shared<bullet::BulletWorld>(scene, iterations);
     Solver solver;
     solver.name = "Bullet " + bullet_version();
     solver.finds_stiffness = true;

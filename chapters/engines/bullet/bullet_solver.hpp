@@ -19,6 +19,8 @@ namespace enduring {
 /// @param scene  of which no step is done yet
 /// @throws InputError  Bullet cannot take the scene; names the scene, the body and why
 Solver bullet_solver(Scene& scene);
+/// The same with so many iterations of its solver.
+Solver iterated_bullet_solver(Scene& scene, int iterations);
 
 /// Of the library, as "3.24".
 std::string bullet_version();
