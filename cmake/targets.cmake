@@ -266,7 +266,7 @@ function(enduring_laboratory)
   set(folder ${PROJECT_SOURCE_DIR}/live)
   file(GLOB tests CONFIGURE_DEPENDS ${folder}/lab/tests/*.cpp)
   enduring_library(enduring_laboratory SOURCES ${folder}/laboratory.cpp ${PROJECT_SOURCE_DIR}/chapters/solvers/chapter_solver.cpp
-                   USES chapter10_layer enduring_scenes)
+                   USES chapter11_layer enduring_scenes)
   add_executable(laboratory ${folder}/lab/native.cpp)
   target_link_libraries(laboratory PRIVATE enduring_laboratory CLI11::CLI11)
   enduring_reuse_precompiled(laboratory enduring_headers)

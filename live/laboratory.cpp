@@ -4,6 +4,7 @@
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "chapters/10_self_contact/solver.hpp"
+#include "chapters/11_exact_contact/solver.hpp"
 #include "chapters/solvers/chapter_solver.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -26,6 +27,7 @@ Solver recorded_solver(int chapter, const ContactParameters& parameters,
         case 8: return chapter08_solver(parameters, settings);
         case 9: return chapter09_solver(parameters, settings);
         case 10: return chapter10_solver(parameters, settings);
+        case 11: return chapter11_solver(parameters, settings);
         default: return solvers::chapter_solver(chapter, parameters);
     }
 }
