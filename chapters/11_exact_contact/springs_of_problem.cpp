@@ -1,5 +1,6 @@
 #include "chapters/11_exact_contact/springs_of_problem.hpp"
 
+#include "chapters/07_implicit_contact/block_matrix.hpp"
 #include "chapters/07_implicit_contact/step_problem.hpp"
 #include "chapters/11_exact_contact/natural_map.hpp"
 
@@ -110,17 +111,23 @@ bool add_body_blocks(const FrictionProblem& problem, ContactProblem& springs)
     const int unit = coordinates % 6 == 0 ? 6 : 3;
     if (coordinates % unit != 0)
         return false;
-    std::vector<int> place(static_cast<std::size_t>(coordinates));
+    std::vector<int> place(static_cast<std::size_t>(coordinates)), together(place.size());
     for (const std::vector<int>& units : coupled_units(bodies.mass, unit)) {
-        const MatrixXd mass = among(bodies.mass, coordinates_of(units, unit, springs.size, place));
+        const std::vector<int> of_block = coordinates_of(units, unit, springs.size, place);
+        const MatrixXd mass = among(bodies.mass, of_block);
         const auto size = mass.rows();
         springs.blocks.push_back({springs.size, mass, mass.llt().solve(MatrixXd::Identity(size, size))});
+        for (const int coordinate :
+             of_block)  // bodies that M couples stand in the matrix as vertices of a soft one
+            together[static_cast<std::size_t>(coordinate)] = std::min(
+                unit, coordinates_together(springs.blocks.back()));
         springs.size += static_cast<int>(size);
     }
     for (int number = 0; number < bodies.levers.cols(); ++number) {
         PairRow& row = springs.rows[static_cast<std::size_t>(number / problem.dimension)];
         for (Matrix::InnerIterator entry(bodies.levers, number); entry; ++entry) {
-            const int at = static_cast<int>(entry.row()) % unit,
+            const int width = together[static_cast<std::size_t>(entry.row())],
+                      at = static_cast<int>(entry.row()) % width,
                       first = place[static_cast<std::size_t>(entry.row())] - at;
             const auto end = row.parts.begin() + row.part_count;
             const auto part = std::find_if(row.parts.begin(), end,
@@ -128,7 +135,7 @@ bool add_body_blocks(const FrictionProblem& problem, ContactProblem& springs)
             if (part == row.parts.end())
                 return false;
             if (part == end) {
-                *part = {first, Eigen::MatrixXd::Zero(3, unit)};
+                *part = {first, Eigen::MatrixXd::Zero(3, width)};
                 ++row.part_count;
             }
             part->rate(number % problem.dimension, at) = entry.value();

@@ -7,12 +7,13 @@ failed=0
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 here="$scratch/Größe & mehr"
-mkdir -p "$here/chapters/01_particle_plane/plots" "$here/chapters/solvers" "$here/common/"{scenes,meshes,experiments/verification} "$here/cmake" \
+mkdir -p "$here/chapters/01_particle_plane/plots" "$here/chapters/"{solvers,engines} "$here/common/"{scenes,meshes,experiments/verification} "$here/cmake" \
     "$here/bin" "$here/build/release/bin"
 cp course "$here"
 cp cmake/*.sh cmake/*.py cmake/packages.txt "$here/cmake"
 list='{"drop", "a drop", drop}, {"ground", "a ground", ground},'
 echo "$list" | tee "$here/common/experiments/verification/main.cpp" "$here/chapters/solvers/main.cpp" >"$here/chapters/01_particle_plane/main.cpp"
+: >"$here/chapters/engines/main.cpp" # no experiments
 echo 'plot 1' >"$here/chapters/01_particle_plane/plots/drop.gp"
 echo '{}' >"$here/common/scenes/ground.json"
 : >"$here/build/release/build.ninja"

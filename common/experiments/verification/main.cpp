@@ -85,7 +85,9 @@ double most(const Table& table, const char* law, std::size_t column)
 void leave_hard(Report& report, const std::string& name, const Table& table)
 {
     leave(report, name, table);
-    for (const char* law : {"corotated", "corotated_at_points", "neo_hookean"}) {
+    for (const ElasticLaw each :
+         {ElasticLaw::corotated, ElasticLaw::corotated_at_points, ElasticLaw::neo_hookean}) {
+        const char* law = verification::name_of(each);
         report.fact(name, law + std::string("_inverted"), std::max(most(table, law, 4), most(table, law, 5)));
         report.fact(name, law + std::string("_gain_j"), most(table, law, 7), 2);
     }

@@ -32,7 +32,7 @@ TEST_CASE("laboratory: a mistake in a scene's text is told with its place")
     CHECK_THROWS_WITH_AS(
         Laboratory(R"({"name": "x", "dt": 9, "duration": 1, "bodies": []})", "own.json", {}, 10),
         doctest::Contains("own.json: /dt: expected a number from 1e-06 to 1 [s]"), InputError);
-    CHECK_THROWS_AS(Laboratory(cube(), "own.json", {}, 11), InputError);
+    CHECK_THROWS_AS(Laboratory(cube(), "own.json", {}, 12), InputError);
 }
 
 TEST_CASE("laboratory: without a hand it steps as the chapter's solver does, to the last bit")
