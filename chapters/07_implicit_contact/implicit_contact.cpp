@@ -94,11 +94,11 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
         record.converged = record.residual <= settings.tolerance;
-        if (record.converged && stiffen_where_pressed(world, step, settings.stiffness)) {
+        const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds;
+        if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness)) {
             mixing = {};
             continue;
         }
-        const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds;
         if (record.converged || steps_left <= 0)
             break;
         const double of_round = residual_of(step.problem, begin.change, least);

@@ -56,3 +56,17 @@ TEST_CASE("anderson mixing: rounds of a linear map of more unknowns than it look
         CHECK((x - expected).norm() <= 1e-8);
     }
 }
+
+TEST_CASE("anderson mixing: rounds that hardly change any more, or not at all, end at a number")
+{
+    for (const double change : {0.0, 1e-18, 1e-160, 1e-200, 1e-320}) {
+        CAPTURE(change);
+        AndersonMixing mixing;
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
+        for (int round = 0; round < 20; ++round) {
+            const Eigen::VectorXd image = Eigen::Vector3d(change * round, change * (round % 2), 0);
+            x = mixing.next(x, image);
+            CHECK(x.allFinite());
+        }
+    }
+}
