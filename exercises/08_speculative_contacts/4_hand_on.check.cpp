@@ -52,7 +52,8 @@ TEST_CASE("depth and compression: what the spring feels is the depth less the re
     given("a vertex 3 mm below a face");
     expect("depth", depth_of(face, inside), -0.003, 1e-12, "m");
     expect("compression, rest offset 0", compression_of({1, 0, {}}, face, inside), -0.003, 1e-12, "m");
-    expect("compression, rest offset -1 mm", compression_of({1, -0.001, {}}, face, inside), -0.002, 1e-12, "m");
+    expect("compression, rest offset -1 mm", compression_of({1, -0.001, {}}, face, inside), -0.002, 1e-12,
+           "m");
     expect("compression, rest offset -5 mm", compression_of({1, -0.005, {}}, face, inside), 0, 1e-12, "m");
     const Vec3 outside = face.point + 0.002 * face.normal;
     given("a vertex 2 mm above a face");

@@ -50,7 +50,8 @@ TEST_CASE("faded: deep inside it fades by the speed, near the surface by a part"
     given("keep 0.9, speed 0.25 m/s, dt 0.01 s");
     expect("rest offset after -0.5 m", faded(-0.5, fade, 0.01), -0.4975, 1e-15, "m");
     expect("rest offset after -0.01 m", faded(-0.01, fade, 0.01), -0.009, 1e-15, "m");
-    expect("rest offset after -0.025 m, where both are the same", faded(-0.025, fade, 0.01), -0.0225, 1e-15, "m");
+    expect("rest offset after -0.025 m, where both are the same", faded(-0.025, fade, 0.01), -0.0225, 1e-15,
+           "m");
     expect("rest offset after 0", faded(0, fade, 0.01), 0.0, 0, "m");
 }
 

@@ -21,7 +21,8 @@ ConstantsOutcome stack_with(const std::string& name, const std::string& of_its_v
 
 }  // namespace
 
-TEST_CASE("constants: with a tenth of h a stack is pressed deeper where it lands, and it rests no deeper than the wanted depth")
+TEST_CASE(
+    "constants: with a tenth of h a stack is pressed deeper where it lands, and it rests no deeper than the wanted depth")
 {
     const ConstantsOutcome as_is = stack_with("none", "1"), soft = stack_with("h = k dt^2 / m", "1/10"),
                            wide = stack_with("wanted depth", "10");

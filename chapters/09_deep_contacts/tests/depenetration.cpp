@@ -119,7 +119,8 @@ TEST_CASE("inside pairs: what was traced serves any list of pairs, until the nex
     CHECK(least_along(apart) == 1);
 }
 
-TEST_CASE("depenetration: the rest offset fades by a tenth, and no faster than the largest depenetration velocity")
+TEST_CASE(
+    "depenetration: the rest offset fades by a tenth, and no faster than the largest depenetration velocity")
 {
     Contacts contacts(3);
     contacts[0].rest_offset = -1e-3;
@@ -175,7 +176,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("depenetration: a block that is laid exactly on triangles is not thrown off, as it was by chapter 6")
+TEST_CASE(
+    "depenetration: a block that is laid exactly on triangles is not thrown off, as it was by chapter 6")
 {
     double most[3] = {0, 0, 0};
     for (const double turned : {0.0, 0.3, 0.6, std::numbers::pi / 4}) {

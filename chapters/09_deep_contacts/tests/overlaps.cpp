@@ -32,7 +32,8 @@ Vec3 area_of(const SurfaceMesh& a, const SurfaceMesh& b)
 
 }  // namespace
 
-TEST_CASE("separation direction: two boxes' vector area is how fast the volume that they share grows, wherever they stand")
+TEST_CASE(
+    "separation direction: two boxes' vector area is how fast the volume that they share grows, wherever they stand")
 {
     const Vec3 size_a(1, 0.8, 0.6), size_b(2, 2, 2);
     const SurfaceMesh a = box(size_a, {2, 2, 1}), b = box(size_b, {3, 1, 2});
@@ -70,7 +71,8 @@ TEST_CASE("separation direction: a ball leaves a floor upwards, and the floor le
         CHECK(ball.vertices[vertex].y() < 0);
 }
 
-TEST_CASE("separation direction: what is wholly inside takes the shortest path, also where it begins at two sides")
+TEST_CASE(
+    "separation direction: what is wholly inside takes the shortest path, also where it begins at two sides")
 {
     const SurfaceMesh room = box({4, 4, 4}, {3, 3, 3}), small = box({0.5, 0.5, 0.5});
     const auto right = overlaps_of(moved(small, {1.2, 0.3, -0.2}), room);
