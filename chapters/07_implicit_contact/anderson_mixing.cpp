@@ -37,7 +37,7 @@ Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::Vect
     if (errors_.empty())
         return image;
     const Eigen::VectorXd shares = as_columns(errors_).colPivHouseholderQr().solve(error);
-    const Eigen::VectorXd mixed = image - as_columns(images_) * shares;
+    Eigen::VectorXd mixed = image - as_columns(images_) * shares;
     if (mixed.allFinite())
         return mixed;
     *this = {};  // rounds that hardly change any more have no shares that numbers could tell
