@@ -106,6 +106,24 @@ TEST_CASE("separation direction: two feet of one body are two overlaps, each wit
     CHECK(overlaps[1].vertices_of_a.size() == 4);
 }
 
+TEST_CASE(
+    "separation direction: curves of one rod in two walls are not joined by the rod's ends, which are outside")
+{
+    const SurfaceMesh plate = box({0.1, 3, 3}, {1, 2, 2});
+    SurfaceMesh plates = moved(plate, {-0.5, 0, 0});
+    const int count = static_cast<int>(plates.vertices.size());
+    const SurfaceMesh right = moved(plate, {0.5, 0, 0});
+    plates.vertices.insert(plates.vertices.end(), right.vertices.begin(), right.vertices.end());
+    for (Face face : right.faces) {
+        for (int& vertex : face)
+            vertex += count;
+        plates.faces.push_back(face);
+    }
+    const auto overlaps = overlaps_of(moved(box({3, 0.2, 0.2}), {0, 0.23, 0.17}), plates);
+    CHECK(overlaps.size() ==
+          4);  // no vertex is inside, so nothing tells which two of the four curves bound one volume
+}
+
 TEST_CASE("exit: the first face behind the point, where a straight way meets it")
 {
     const OverlapShape room(box({2, 2, 2}, {3, 3, 3}));
