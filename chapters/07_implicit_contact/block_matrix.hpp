@@ -47,7 +47,7 @@ private:
     struct Column {
         int first, size;
         std::vector<int> neighbours;  ///< places among all columns, ascending, its own first
-        auto operator<=>(const Column&) const = default;
+        bool operator==(const Column&) const = default;
     };
     std::vector<Column> find_columns(const ContactProblem& problem);
     void build();

@@ -25,8 +25,8 @@ constexpr ReflectionLimits reflection_limits;
 //! [reflection_limits]
 
 /// Projected Gauss-Seidel over some of the pairs.
-VectorXd stopping_impulses(const MatrixXd& response, const VectorXd& velocities,
-                           const std::vector<Eigen::Index>& pairs, double still)
+VectorXd impulses_that_stop(const std::vector<Eigen::Index>& pairs, const MatrixXd& response,
+                            const VectorXd& velocities, double still)
 {
     VectorXd impulses = VectorXd::Zero(velocities.size());
     VectorXd after = velocities;
@@ -71,7 +71,7 @@ VectorXd stopping_impulses(const MatrixXd& response, const VectorXd& velocities)
     all.reserve(static_cast<std::size_t>(velocities.size()));
     for (Eigen::Index i = 0; i < velocities.size(); ++i)
         all.push_back(i);
-    return stopping_impulses(response, velocities, all, 1e-2 * stillness(velocities));
+    return impulses_that_stop(all, response, velocities, 1e-2 * stillness(velocities));
 }
 
 //! [reflect]
@@ -83,7 +83,7 @@ VectorXd reflecting_impulses(const MatrixXd& response, const VectorXd& velocitie
         const std::vector<Eigen::Index> pairs = approaching(now, still);
         if (pairs.empty())
             break;
-        const VectorXd stopping = stopping_impulses(response, now, pairs, 1e-2 * still);
+        const VectorXd stopping = impulses_that_stop(pairs, response, now, 1e-2 * still);
         const VectorXd change = response * stopping;
         const double curvature = stopping.dot(change);
         if (!(curvature > 0))

@@ -71,7 +71,7 @@ Engine mujoco_engine()
                   {}};
 #ifdef ENDURING_MUJOCO
     engine.version = mj_versionString();
-    engine.run = [](Scene scene, const Way& way, int steps) {
+    engine.run = [](const Scene& scene, const Way& way, int steps) {
         const EngineScene described = describe(scene);
         const int substeps = substeps_of(way, described, mujoco_default_step);
         MujocoWorld world(described, way, described.dt / substeps);

@@ -109,7 +109,7 @@ Engine node_engine(Engine engine, const std::string& package, const std::string&
         engine.missing = "node is not installed";
     else
         engine.version = json::parse(file)["version"];
-    engine.run = [=](Scene scene, const Way& way, int steps) {
+    engine.run = [=](const Scene& scene, const Way& way, int steps) {
         return run_node(script, scene, way, steps, default_dt);
     };
     return engine;

@@ -133,7 +133,7 @@ Engine ode_engine()
                   {}};
 #ifdef ENDURING_ODE
     engine.version = ENDURING_ODE;
-    engine.run = [](Scene scene, const Way& way, int steps) {
+    engine.run = [](const Scene& scene, const Way& way, int steps) {
         const EngineScene described = describe(scene);
         OdeWorld world(described, way);
         return follow(described, world, substeps_of(way, described, described.dt), steps);
