@@ -147,8 +147,8 @@ void report_verdicts(const std::vector<Row>& rows, Report& report)
         report.fact("measured", "right_" + word(who.first), static_cast<double>(count("best")));
         report.fact("measured", "scenes", static_cast<double>(right[who].size()));
     }
-    report.table("verdicts", table);
-    report.page_table("verdicts", table);
+    report.table("engine_verdicts", table);
+    report.page_table("engine_verdicts", table);
 }
 
 }  // namespace
