@@ -23,7 +23,7 @@ constexpr double weight(int point)
 
 /// What the gradient at a corner has of that at a point: the centroid's is the mean of all.
 template <class B>
-constexpr double share(int point, int corner)
+constexpr double corner_share(int point, int corner)
 {
     return point == B::points ? 1.0 / B::points : point == corner ? 1 : 0;
 }
@@ -70,7 +70,7 @@ Eigen::Matrix<double, 3, B::nodes> basis_gradients(const ElasticElement& element
     Eigen::Matrix<double, 3, B::nodes> gradients = Eigen::Matrix<double, 3, B::nodes>::Zero();
     for (int k = 0; k < B::points; ++k)
         for (int j = 0; j < 4; ++j)
-            gradients.col(B::corner_tetrahedra[k][j]) += share<B>(point, k) * B::gradient_scale *
+            gradients.col(B::corner_tetrahedra[k][j]) += corner_share<B>(point, k) * B::gradient_scale *
                                                          element.gradients.col(j);
     return gradients;
 }

@@ -15,7 +15,7 @@ namespace {
 using GradientVector = Eigen::Matrix<double, 9, 1>;
 
 /// d det F / dF.
-Mat3 cofactors(const Mat3& f)
+Mat3 determinant_gradient(const Mat3& f)
 {
     Mat3 c;
     c << f.col(1).cross(f.col(2)), f.col(2).cross(f.col(0)), f.col(0).cross(f.col(1));
@@ -96,7 +96,8 @@ double NeoHookeanLaw::energy(const Mat3& f) const
 
 Mat3 NeoHookeanLaw::stress(const Mat3& f) const
 {
-    return mu_ * (1 - 1 / (f.squaredNorm() + 1)) * f + lambda_ * (f.determinant() - alpha_) * cofactors(f);
+    return mu_ * (1 - 1 / (f.squaredNorm() + 1)) * f +
+           lambda_ * (f.determinant() - alpha_) * determinant_gradient(f);
 }
 
 //! [neo_hookean_stiffness]
