@@ -219,7 +219,8 @@ TEST_CASE("chapter program: an experiment says how far it is in a file, which is
     CAPTURE(told);
     CHECK(contains(told, "Not finished. sweep, "));
     for (const std::string row : {"1", "2"})
-        CHECK(contains(told, " s; " + row + " of 3 rows of sweep, about "));
+        CHECK(contains(told, " s; " + row + " of 3 rows of sweep"));
+    CHECK(contains(told, " rows of sweep, about "));  // once a row has taken a time that a clock can tell
     CHECK(content(folder.path / "sweep.csv") == "run\n1\n2\n");
     CHECK(folder.count() == 1);
 }
