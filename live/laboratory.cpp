@@ -1,10 +1,5 @@
 #include "live/laboratory.hpp"
 
-#include "chapters/07_implicit_contact/solver.hpp"
-#include "chapters/08_speculative_contacts/solver.hpp"
-#include "chapters/09_deep_contacts/solver.hpp"
-#include "chapters/10_self_contact/solver.hpp"
-#include "chapters/11_exact_contact/solver.hpp"
 #include "chapters/solvers/chapter_solver.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -16,20 +11,12 @@
 namespace enduring::laboratory {
 namespace {
 
-/// The same as chapter_solver(), and what it solves is told to `record`.
-Solver recorded_solver(int chapter, const ContactParameters& parameters,
-                       std::function<void(const SolveRecord&)> record)
+/// Settings that tell `record` what was solved.
+ImplicitSettings telling(std::function<void(const SolveRecord&)> record)
 {
     ImplicitSettings settings;
     settings.record = std::move(record);
-    switch (chapter) {
-        case 7: return chapter07_solver(parameters, settings);
-        case 8: return chapter08_solver(parameters, settings);
-        case 9: return chapter09_solver(parameters, settings);
-        case 10: return chapter10_solver(parameters, settings);
-        case 11: return chapter11_solver(parameters, settings);
-        default: return solvers::chapter_solver(chapter, parameters);
-    }
+    return settings;
 }
 
 std::tuple<ContactKind, int, int, int, int> features_of(const Contact& contact)
@@ -42,10 +29,10 @@ std::tuple<ContactKind, int, int, int, int> features_of(const Contact& contact)
 Laboratory::Laboratory(const std::string& text, const std::string& file,
                        const std::vector<std::filesystem::path>& meshes, int chapter)
     : scene_(read_scene(text, "", file, {meshes})),
-      solver_(recorded_solver(chapter, scene_.contact, [this](const SolveRecord& record) {
-          rounds_ += record.rounds;
-          newton_steps_ += record.newton_steps;
-      }))
+      solver_(solvers::chapter_solver(chapter, scene_.contact, telling([this](const SolveRecord& record) {
+                                          rounds_ += record.rounds;
+                                          newton_steps_ += record.newton_steps;
+                                      })))
 {
     const auto pulled = [this](World& world, Contacts&, double dt) { pull(world, dt); };
     const std::vector<Pass>& refresh = solver_.passes(StepStage::refresh);

@@ -14,7 +14,7 @@
 #include "common/input/input_error.hpp"
 
 namespace enduring::solvers {
-Solver chapter_solver(int chapter, const ContactParameters& parameters)
+Solver chapter_solver(int chapter, const ContactParameters& parameters, const ImplicitSettings& settings)
 {
     switch (chapter) {
         case 1: return chapter01_solver(parameters);
@@ -23,11 +23,11 @@ Solver chapter_solver(int chapter, const ContactParameters& parameters)
         case 4: return chapter04_solver(parameters);
         case 5: return chapter05_solver(parameters);
         case 6: return chapter06_solver(parameters);
-        case 7: return chapter07_solver(parameters);
-        case 8: return chapter08_solver(parameters);
-        case 9: return chapter09_solver(parameters);
-        case 10: return chapter10_solver(parameters);
-        case 11: return chapter11_solver(parameters);
+        case 7: return chapter07_solver(parameters, settings);
+        case 8: return chapter08_solver(parameters, settings);
+        case 9: return chapter09_solver(parameters, settings);
+        case 10: return chapter10_solver(parameters, settings);
+        case 11: return chapter11_solver(parameters, settings);
         default:
             throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to " +
                              std::to_string(chapters) + " have");

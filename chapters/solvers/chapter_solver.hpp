@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "common/simulation/contact_parameters.hpp"
 #include "common/simulation/step.hpp"
 
@@ -8,7 +9,9 @@ namespace enduring::solvers {
 constexpr int chapters = 11;
 
 /// The solver of a chapter by its number, 1 to `chapters`.
+/// @param settings     from chapter 7 on
 /// @throws InputError  there is no such chapter
-Solver chapter_solver(int chapter, const ContactParameters& parameters);
+Solver chapter_solver(int chapter, const ContactParameters& parameters,
+                      const ImplicitSettings& settings = {});
 
 }  // namespace enduring::solvers

@@ -16,29 +16,11 @@ namespace {
 
 constexpr double g = 9.81, pi = std::numbers::pi;
 
-/// A cylinder of 0.4 m about z, with `sides` flat sides.
-SurfaceMesh prism(int sides)
-{
-    SurfaceMesh mesh;
-    for (const double z : {-0.2, 0.2})
-        for (int i = 0; i < sides; ++i)
-            mesh.vertices.emplace_back(Roll::radius * std::cos(2 * pi * i / sides),
-                                       Roll::radius * std::sin(2 * pi * i / sides), z);
-    mesh.vertices.insert(mesh.vertices.end(), {{0, 0, -0.2}, {0, 0, 0.2}});
-    for (int i = 0; i < sides; ++i) {
-        const int next = (i + 1) % sides;
-        mesh.faces.insert(mesh.faces.end(), {{i, next, sides + next},
-                                             {i, sides + next, sides + i},
-                                             {next, i, 2 * sides},
-                                             {sides + i, sides + next, 2 * sides + 1}});
-    }
-    return mesh;
-}
-
 /// It starts a hair above the ground: a pair begins with a crossing.
 SurfaceMesh placed_shape(const Roll& roll)
 {
-    SurfaceMesh mesh = roll.sides == 0 ? sphere(Roll::radius, roll.subdivisions) : prism(roll.sides);
+    SurfaceMesh mesh = roll.sides == 0 ? sphere(Roll::radius, roll.subdivisions)
+                                       : prism(roll.sides, Roll::radius, 0.2);
     const auto lower = [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); };
     const double lowest = std::min_element(mesh.vertices.begin(), mesh.vertices.end(), lower)->y();
     for (Vec3& x : mesh.vertices)
@@ -89,6 +71,24 @@ double braking_torque(const Roll& roll, double surface_speed)
 //! [brake]
 
 }  // namespace
+
+SurfaceMesh prism(int sides, double radius, double half_length)
+{
+    SurfaceMesh mesh;
+    for (const double z : {-half_length, half_length})
+        for (int i = 0; i < sides; ++i)
+            mesh.vertices.emplace_back(radius * std::cos(2 * pi * i / sides),
+                                       radius * std::sin(2 * pi * i / sides), z);
+    mesh.vertices.insert(mesh.vertices.end(), {{0, 0, -half_length}, {0, 0, half_length}});
+    for (int i = 0; i < sides; ++i) {
+        const int next = (i + 1) % sides;
+        mesh.faces.insert(mesh.faces.end(), {{i, next, sides + next},
+                                             {i, sides + next, sides + i},
+                                             {next, i, 2 * sides},
+                                             {sides + i, sides + next, 2 * sides + 1}});
+    }
+    return mesh;
+}
 
 RollOutcome roll(const Roll& roll, const MakeSolver& make_solver)
 {

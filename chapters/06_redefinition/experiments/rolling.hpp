@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/06_redefinition/experiments/make_solver.hpp"
+#include "common/geometry/meshes.hpp"
 #include "common/scenes/scene.hpp"
 
 namespace enduring::chapter06 {
@@ -22,6 +23,9 @@ struct Roll {
 
     static constexpr double radius = 0.2;  ///< [m]
 };
+
+/// A cylinder about z with so many flat sides; the middles of its two ends are the last vertices.
+SurfaceMesh prism(int sides, double radius, double half_length);
 
 struct RollOutcome {
     double acceleration = 0;   ///< of the centre, down the slope [m/s^2]

@@ -32,6 +32,8 @@ double deepest(const World& world, const Contacts& contacts)
     return -depth;
 }
 
+}  // namespace
+
 std::vector<Vec3> centres_of(const World& world)
 {
     std::vector<Vec3> centres;
@@ -40,16 +42,13 @@ std::vector<Vec3> centres_of(const World& world)
     return centres;
 }
 
-/// From these places to where the bodies are now [m].
-double longest_way(const World& world, const std::vector<Vec3>& from)
+double longest_displacement(const World& world, const std::vector<Vec3>& from)
 {
     double longest = 0;
     for (std::size_t body = 0; body < from.size(); ++body)
         longest = std::max(longest, (world.bodies[body]->centre() - from[body]).norm());
     return longest;
 }
-
-}  // namespace
 
 Scene scene_of(const std::vector<Box>& boxes, double dt, double slope_deg, double mu_s, double mu_d)
 {
@@ -134,8 +133,8 @@ PileOutcome watch(Scene& scene, double duration, MakeSolver make, Probe* observe
             observer->observe(world, contacts, scene.dt);
     }
     outcome.pairs = static_cast<long>(contacts.size());
-    outcome.moved_mm = 1000 * longest_way(world, at_first);
-    outcome.drift_um_per_s = 1e6 * longest_way(world, at_half_time) / (0.5 * duration);
+    outcome.moved_mm = 1000 * longest_displacement(world, at_first);
+    outcome.drift_um_per_s = 1e6 * longest_displacement(world, at_half_time) / (0.5 * duration);
     return outcome;
 }
 

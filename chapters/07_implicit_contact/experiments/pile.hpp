@@ -35,6 +35,12 @@ std::vector<Box> stack_of(int n, double first_mass = 10, double last_mass = 10, 
 /// @param side  cubes along each side of a layer
 std::vector<Box> loose_cubes(int n, int side, unsigned seed);
 
+/// The middles of all bodies [m].
+std::vector<Vec3> centres_of(const World& world);
+/// Of the body that is now farthest from where it was [m].
+/// @param from  centres_of() of the same world
+double longest_displacement(const World& world, const std::vector<Vec3>& from);
+
 /// How well the steps of a run were solved.
 struct SolveStatistics {
     long solves = 0, unconverged = 0;

@@ -48,23 +48,6 @@ std::vector<Constant> constants_of_settings()
     };
 }
 
-double fastest(const World& world, const std::vector<Vec3>& before, double dt)
-{
-    double speed = 0;
-    for (std::size_t i = 0; i < world.bodies.size(); ++i)
-        speed = std::max(speed, (world.bodies[i]->centre() - before[i]).norm() / dt);
-    return speed;
-}
-
-std::vector<Vec3> centres_of(const World& world)
-{
-    std::vector<Vec3> centres;
-    centres.reserve(world.bodies.size());
-    for (const auto& body : world.bodies)
-        centres.push_back(body->centre());
-    return centres;
-}
-
 }  // namespace
 
 std::vector<ChangedConstant> changed_constants()
@@ -106,13 +89,13 @@ ConstantsOutcome run_with(const ChangedConstant& constant, Scene scene, int step
     const double scale = std::max(std::abs(energy), held_energy(world, contacts).moving);
     try {
         while (outcome.steps < steps) {
-            const std::vector<Vec3> before = centres_of(world);
+            const std::vector<Vec3> before = chapter07::centres_of(world);
             advance(world, contacts, solver, scene.dt,
                     [&](const std::string& pass) { outcome.parts += pass == "commit"; });
             ++outcome.steps;
             outcome.at_end_m = chapter07::true_depth(world);
             outcome.deepest_m = std::max(outcome.deepest_m, outcome.at_end_m);
-            outcome.speed = fastest(world, before, scene.dt);
+            outcome.speed = chapter07::longest_displacement(world, before) / scene.dt;
             const double after = held_energy(world, contacts).total;
             outcome.gain = std::max(outcome.gain, (after - energy) / scale);
             energy = after;

@@ -1,5 +1,6 @@
 #include "chapters/08_speculative_contacts/experiments/euler_disk.hpp"
 
+#include "chapters/06_redefinition/experiments/rolling.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/08_speculative_contacts/experiments/experiments.hpp"
 #include "chapters/08_speculative_contacts/experiments/formula_runs.hpp"
@@ -20,21 +21,9 @@ constexpr double disk_radius = 0.1, disk_mass = 0.4;  // [m], [kg]
 /// About y; the middles of its lower and its upper face are its last two vertices.
 SurfaceMesh flat_prism(int sides, double thickness)
 {
-    SurfaceMesh mesh;
-    for (const double y : {-0.5 * thickness, 0.5 * thickness})
-        for (int i = 0; i < sides; ++i) {
-            const double angle = 2 * std::numbers::pi * i / sides;
-            mesh.vertices.emplace_back(disk_radius * std::cos(angle), y, -disk_radius * std::sin(angle));
-        }
-    mesh.vertices.emplace_back(0, -0.5 * thickness, 0);
-    mesh.vertices.emplace_back(0, 0.5 * thickness, 0);
-    for (int i = 0; i < sides; ++i) {
-        const int next = (i + 1) % sides;
-        mesh.faces.insert(mesh.faces.end(), {{i, next, sides + next},
-                                             {i, sides + next, sides + i},
-                                             {next, i, 2 * sides},
-                                             {sides + i, sides + next, 2 * sides + 1}});
-    }
+    SurfaceMesh mesh = chapter06::prism(sides, disk_radius, 0.5 * thickness);
+    for (Vec3& vertex : mesh.vertices)
+        vertex = Vec3(vertex.x(), vertex.z(), -vertex.y());
     return mesh;
 }
 
@@ -90,8 +79,7 @@ DiskRun spin_disk(const EulerDisk& disk, double duration)
         const Vec3 before = disk_axis(body);
         advance(scene.world, contacts, solver, disk.dt);
         const Vec3 after = disk_axis(body);
-        turned += std::atan2(before.z() * after.x() - before.x() * after.z(),
-                             before.x() * after.x() + before.z() * after.z());
+        turned += formula_runs::turn_about_y(before, after);
         found.by_formula += disk_rate(disk_radius, half, across, along, disk_lean(after)) /
                             static_cast<double>(steps);
     }

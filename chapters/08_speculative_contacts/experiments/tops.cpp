@@ -1,6 +1,7 @@
 #include "chapters/08_speculative_contacts/experiments/tops.hpp"
 
 #include "chapters/08_speculative_contacts/experiments/experiments.hpp"
+#include "chapters/08_speculative_contacts/experiments/formula_runs.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "common/experiments/report/growing_table.hpp"
 #include "common/input/input_error.hpp"
@@ -81,8 +82,7 @@ Precession spin_top(const Top& top, double duration)
         const Vec3 before = axis_of(body);
         advance(scene.world, contacts, solver, top.dt);
         const Vec3 after = axis_of(body);
-        turned += std::atan2(before.z() * after.x() - before.x() * after.z(),
-                             before.x() * after.x() + before.z() * after.z());
+        turned += formula_runs::turn_about_y(before, after);
     }
     found.rate = turned / (static_cast<double>(steps) * top.dt);
     found.lean_change_deg = (lean_of(axis_of(body)) - lean) / degree;
