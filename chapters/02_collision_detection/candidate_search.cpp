@@ -21,7 +21,7 @@ void CandidateSearch::build(const World& world)
     }
 }
 
-void CandidateSearch::find_candidates(const World& world, double margin)
+void CandidateSearch::find_candidates(const World& world, std::span<const double> margins)
 {
     const auto same = [](const Body* mine, const std::unique_ptr<Body>& theirs) {
         return mine == theirs.get();
@@ -30,7 +30,7 @@ void CandidateSearch::find_candidates(const World& world, double margin)
         build(world);
     std::vector<SweptBox> boxes;
     for (std::size_t i = 0; i < trees_.size(); ++i) {
-        trees_[i].refit(surface_step(*world.bodies[i]), margin);
+        trees_[i].refit(surface_step(*world.bodies[i]), margins.empty() ? 0 : margins[i]);
         boxes.push_back(trees_[i].box());
     }
     std::size_t count = 0;

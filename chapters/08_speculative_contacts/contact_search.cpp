@@ -138,11 +138,29 @@ void append_plane_pairs(const World& world, double margin, Contacts& contacts)
     }
 }
 
+namespace {
+
+/// How far the features of each body are looked around [m]. What an impact has left inside may move on inwards, to a neighbour
+/// of the feature that it is pushed by: so as far as the body's deepest pair.
+std::vector<double> margins_of(const World& world, const Contacts& known, double margin)
+{
+    std::vector<double> margins(world.bodies.size(), margin);
+    for (const Contact& contact : known) {
+        const Body& body = *world.bodies[static_cast<std::size_t>(contact.body_a)];
+        double& of_body = margins[static_cast<std::size_t>(contact.body_a)];
+        of_body = std::max(
+            of_body, std::min(-contact_geometry(world, contact, 0).depth, search_parts.inside * body.size()));
+    }
+    return margins;
+}
+
+}  // namespace
+
 //! [find]
 Contacts ContactSearch::find(const World& world, const Contacts& known, double dt)
 {
     margin_ = search_margin(world, dt);
-    find_candidates(world, std::max(margin_, search_parts.still_seen * smallest_size(world)));
+    find_candidates(world, margins_of(world, known, margin_));
     seen_t1_.clear();
     for (const auto& body : world.bodies)
         seen_t1_.emplace_back(body->positions_t1().begin(), body->positions_t1().end());

@@ -41,9 +41,6 @@ double fold_at_edge(const SurfaceMoment& surface, int edge)
 bool in_cone_of_vertex(const SurfaceMoment& surface, int vertex, const Vec3& direction, double sine)
 {
     const SurfaceTopology& topology = surface.step.topology;
-    const auto faces = topology.faces_around_vertex(vertex);
-    if (!faces.empty() && !any_faces(surface, faces, direction))
-        return false;
     const Vec3 corner = surface.position(vertex);
     for (const int index : topology.edges_around_vertex(vertex)) {
         const auto [p, q] = surface.step.edge(index);

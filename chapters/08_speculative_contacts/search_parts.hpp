@@ -16,10 +16,6 @@ struct SearchParts {
     /// of the smaller body's size [1]: how deep a pair may be at the start of a step. Deeper, geometry does not tell
     /// on which side a feature came in.
     double inside = 0.1;
-    /// of the size of the smallest body [1]: how far a feature reaches whose pairs are asked about. What an impact has left
-    /// inside by more than that, and moves on inwards, would lose its pair: with a tenth, a corner at 10 m/s in steps of
-    /// 10 ms passes a plate. Ten times as much only costs time.
-    double still_seen = 5e-3;
     /// sine by which a neighbour may pass the plane of a pair: a body that comes down on a side has all of its corners
     /// in play before it lies flat.
     double cone_sine = 0.2;

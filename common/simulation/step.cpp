@@ -243,6 +243,10 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
             return;
         run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
     }
+    if (any_waiting(contacts) && world.attempt.trouble == StepTrouble::none)
+        world.attempt.trouble = StepTrouble::unanswered;  // each response brings new pairs
+    if (is_given_up(world))
+        return;
 
     run_passes(solver.passes(StepStage::finish), world, contacts, dt, done);
     const double driven = driven_work(world, contacts, dt);

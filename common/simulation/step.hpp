@@ -26,7 +26,15 @@ struct Plane {
 };
 
 /// Why a step is thrown away.
-enum class StepTrouble : std::uint8_t { none, turns_too_far, unsolved, too_deep, gains_energy, not_finite };
+enum class StepTrouble : std::uint8_t {
+    none,
+    turns_too_far,
+    unsolved,
+    too_deep,
+    unanswered,
+    gains_energy,
+    not_finite
+};
 
 /// An impulse on a vertex of a body [N s] that no other body has given.
 struct OutsideImpulse {

@@ -143,7 +143,7 @@ TEST_CASE("contact search: the same pairs are found in a world of any size, whoe
 }
 
 TEST_CASE(
-    "contact search: what is found does not depend on what is known, but where a pair is a hair past its end")
+    "contact search: who knows pairs finds the same, and what is deeper than the margin or a hair past its end")
 {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const World world = random_heap(seed, 1, 0.01);
@@ -152,9 +152,18 @@ TEST_CASE(
         Contacts every_other;
         for (std::size_t i = 0; i < found.size(); i += 2)
             every_other.push_back(found[i]);
+        const auto shallow = [&](Contacts pairs) {
+            std::erase_if(pairs, [&](const Contact& pair) {
+                return contact_geometry(world, pair, 0).depth < -search_margin(world, 0.01);
+            });
+            return keys_of(pairs);
+        };
         CAPTURE(seed);
-        CHECK(keys_of(search.find(world, found, 0.01)) == keys_of(found));
-        CHECK(keys_of(search.find(world, every_other, 0.01)) == keys_of(found));
+        for (const Contacts& known : {found, every_other}) {
+            const Contacts again = search.find(world, known, 0.01);
+            CHECK(shallow(again) == shallow(found));
+            CHECK(again.size() >= found.size());
+        }
     }
     // A cube's corner a hair beside a fixed one stays with the side on which it lay.
     for (const double parts : {0.5, 2.0}) {
@@ -215,8 +224,12 @@ TEST_CASE("contact search: of two triangles below a corner, it stays with the on
         if (surface_at(*world.bodies[0], 0).face_normal(face).y() > 0)
             upper.push_back(face);
     REQUIRE(upper.size() == 2);
+    const auto known_pair = [&](int vertex, int face) {
+        const auto [p, q, r] = world.bodies[0]->surface().faces()[static_cast<std::size_t>(face)];
+        return Contact{ContactKind::vertex_face, 1, 0, vertex, face, {vertex, p, q, r}, {1, -1, 0, 0}};
+    };
     for (const int face : upper)
-        CHECK(face_with({{ContactKind::vertex_face, 1, 0, lowest, face}}) == face);
+        CHECK(face_with({known_pair(lowest, face)}) == face);
 }
 
 TEST_CASE("contact search: the corner that leads into a box has a pair, however fast it comes")
@@ -257,6 +270,49 @@ TEST_CASE("contact search: the corner that leads into a box has a pair, however 
         CHECK(contact_geometry(world, *its_own, 0).normal.y() == doctest::Approx(1));
         CHECK(contact_geometry(world, *its_own, 1).depth < 0);
     }
+}
+
+namespace {
+
+/// The pairs of a cube's corners with a floor that they are in and go on into, if that of one corner is known.
+/// @param down   which of the cube's sides is the lower one
+/// @param depth  of the cube's edge
+std::ptrdiff_t corners_seen_inside(const Vec3& down, double depth, double size)
+{
+    World world;
+    add_static(world, placed(box({6, 1, 6}), size, Quaternion::Identity(), Vec3(0, -0.5, 0) * size));
+    const SurfaceMesh cube = placed(box(Vec3::Ones()), size, Quaternion::FromTwoVectors(down, -Vec3::UnitY()),
+                                    Vec3(0.3, 0.5 - depth, 0) * size);
+    add_rigid(world, cube, 10, Vec3(2, -10, 3) * size);
+    predict(world, 1e-3);
+    const SurfaceMoment ground = surface_at(*world.bodies[0], 0);
+    Contact known{ContactKind::vertex_face, 1, 0, 0, 0, {}, {1, -1, 0, 0}};
+    while (ground.face_normal(known.feature_b).y() <= 0)
+        ++known.feature_b;
+    while (cube.vertices[static_cast<std::size_t>(known.feature_a)].y() > 0)
+        ++known.feature_a;
+    const auto [p, q, r] = ground.step.face(known.feature_b);
+    known.vertices = {known.feature_a, p, q, r};
+    const Contacts found = ContactSearch().find(world, {known}, 1e-3);
+    return std::count_if(found.begin(), found.end(), [](const Contact& contact) {
+        return contact.kind == ContactKind::vertex_face && contact.body_a == 1;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("contact search: what an impact has left inside keeps its pairs, however deep it is")
+{
+    for (const double size : {0.01, 1.0, 50.0})
+        for (const double depth : {1e-3, 0.01, 0.09})
+            for (const int side : {0, 1, 2, 3, 4, 5}) {
+                CAPTURE(size);
+                CAPTURE(depth);
+                CAPTURE(side);
+                Vec3 down = Vec3::Zero();
+                down[side / 2] = side % 2 == 0 ? 1 : -1;
+                CHECK(corners_seen_inside(down, depth, size) == 4);
+            }
 }
 
 TEST_CASE("contact search: bodies apart by more than the margin, at rest or leaving, have no pair")

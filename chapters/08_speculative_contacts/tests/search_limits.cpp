@@ -162,7 +162,10 @@ TEST_CASE("contact search: edges that have a pair keep it a hair past an end")
         return has_kind(ContactSearch().find(world, known, 0.01), ContactKind::edge_edge);
     };
     CHECK_FALSE(pairs({}));
-    CHECK(pairs({{ContactKind::edge_edge, 0, 1, edge_of(0), edge_of(1)}}));
+    Contact known{ContactKind::edge_edge, 0, 1, edge_of(0), edge_of(1), {0, 1, 0, 1}, {0.5, 0.5, -0.5, -0.5}};
+    if (contact_geometry(world, known, 0).depth > 0)
+        known.orientation = -1;
+    CHECK(pairs({known}));
 }
 
 TEST_CASE("contact search: a vertex has moved in whatever direction, and whichever it is")

@@ -88,7 +88,7 @@ TEST_CASE("self-detection: each body that asks for it is looked at, and no other
     for (const bool self_contact : {false, true, true})
         world.bodies.push_back(soft_fork(1, 1e5, self_contact));
     SelfSearch search;
-    search.find_candidates(world, 0.03);
+    search.find_candidates(world, std::vector<double>(world.bodies.size(), 0.03));
     std::array<long, 3> of_itself{};
     const auto count = [&](int a, int, int b, int) { of_itself[static_cast<std::size_t>(a)] += a == b; };
     search.visit_candidates(count, count);

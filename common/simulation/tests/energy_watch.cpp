@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <limits>
 
 using namespace enduring;
@@ -142,6 +144,32 @@ TEST_CASE("step: a body that turns already may be turned further by as much as o
         CAPTURE(turns);
         CHECK(parts_of(less, spin_up(0.45 / dt), dt) == 1);
         CHECK(parts_of(more, spin_up(0.55 / dt), dt) > 1);
+    }
+}
+
+TEST_CASE("step: one that leaves pairs unanswered is taken in halves, and told where no half is left")
+{
+    for (const int halvings : {0, 1, 3}) {
+        CAPTURE(halvings);
+        World world = two_boxes();
+        const double first = world.time;
+        Contacts contacts;
+        Solver solver;
+        solver.max_halvings = halvings;
+        solver.append(StepStage::refresh, "forget", [](World&, Contacts& living, double) { living.clear(); });
+        solver.append(StepStage::detect, "one more", [&](World& w, Contacts& found, double dt) {
+            if (found.size() < 7 && dt > 0.003 &&
+                w.time == first)  // a step of 10 ms has two halves that still do
+                found.push_back({ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}});
+        });
+        solver.append(StepStage::respond, "answer", [](World&, Contacts& found, double) {
+            for (Contact& contact : found)
+                contact.state = ContactState::answered;
+        });
+        advance(world, contacts, solver, 0.01);
+        CHECK(world.time == doctest::Approx(first + 0.01));
+        CHECK(world.thrown_away == std::min(halvings, 2));
+        CHECK(world.ended_badly == (halvings == 1 ? 1 : 0));
     }
 }
 
