@@ -38,17 +38,23 @@ double fold_at_edge(const SurfaceMoment& surface, int edge)
 }
 
 //! [cone_tests]
-bool in_cone_of_vertex(const SurfaceMoment& surface, int vertex, const Vec3& direction, double sine)
+bool is_foremost(const SurfaceMoment& surface, int vertex, const Vec3& direction, double sine)
 {
-    const SurfaceTopology& topology = surface.step.topology;
     const Vec3 corner = surface.position(vertex);
-    for (const int index : topology.edges_around_vertex(vertex)) {
+    for (const int index : surface.step.topology.edges_around_vertex(vertex)) {
         const auto [p, q] = surface.step.edge(index);
         const Vec3 path = surface.position(p == vertex ? q : p) - corner;
         if (path.dot(direction) > sine * path.norm())
             return false;
     }
     return true;
+}
+
+bool in_cone_of_vertex(const SurfaceMoment& surface, int vertex, const Vec3& direction, double sine)
+{
+    const auto faces = surface.step.topology.faces_around_vertex(vertex);
+    return (faces.empty() || any_faces(surface, faces, direction)) &&
+           is_foremost(surface, vertex, direction, sine);
 }
 
 bool in_cone_of_edge(const SurfaceMoment& surface, int edge, const Vec3& direction, double sine,

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <numbers>
+
 using namespace enduring;
 using namespace enduring::chapter08;
 
@@ -67,6 +69,30 @@ TEST_CASE("vertex meeting: near or inside at the start there is a pair, however 
             CHECK_FALSE(over_triangle(at, at, reach, size));
         }
     }
+}
+
+TEST_CASE(
+    "vertex meeting: one that is known stays where its surface turns inside out, and not where a neighbour leads")
+{
+    const SurfaceMesh sheet = plane_grid(0.2, 0.2, {2, 2});
+    SurfaceMesh turned = sheet, led = sheet;
+    for (Face& face : turned.faces)
+        std::swap(face[0], face[1]);
+    led.vertices[3] += Vec3(0, 0.1, 0);  // below the middle, once the sheet is turned over
+    const Quaternion over(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX()));  // its outer side looks down
+    const Reach reach{0.01, 0.1};
+    for (const double height : {-0.002, 0.0, 0.002})
+        for (const bool known : {false, true}) {
+            CAPTURE(height);
+            CAPTURE(known);
+            const auto meets = [&](const SurfaceMesh& mesh) {
+                const MovingSurface above(placed(mesh, 1, over, Vec3(0, height, 0)));
+                return meeting_of(above, 4, MovingSurface(triangle(1)), 0, reach, known).has_value();
+            };
+            CHECK(meets(sheet));
+            CHECK(meets(turned) == known);
+            CHECK_FALSE(meets(led));
+        }
 }
 
 TEST_CASE("vertex meeting: the weights put its foot below the vertex, at the moment that tells")
