@@ -24,12 +24,26 @@ std::vector<std::array<int, 4>> vertex_candidates(const CandidateSearch& search)
     return all;
 }
 
-Reach reach_of(const World& world, int body_a, int body_b, double margin)
-{
-    const double size = std::min(world.bodies[static_cast<std::size_t>(body_a)]->size(),
-                                 world.bodies[static_cast<std::size_t>(body_b)]->size());
-    return {margin, search_parts.inside * size};
-}
+/// How near the features of two bodies have to be, for all pairs of bodies of a world.
+class Reaches {
+public:
+    Reaches(const World& world, double margin) : world_(world), margin_(margin)
+    {
+        for (const auto& body : world.bodies)
+            faces_tell_.push_back(body->inverted_elements() == 0);
+    }
+    Reach of(int body_a, int body_b) const
+    {
+        const auto a = static_cast<std::size_t>(body_a), b = static_cast<std::size_t>(body_b);
+        const double size = std::min(world_.bodies[a]->size(), world_.bodies[b]->size());
+        return {margin_, search_parts.inside * size, faces_tell_[a]};
+    }
+
+private:
+    const World& world_;
+    double margin_;
+    std::vector<bool> faces_tell_;
+};
 
 /// Of the bodies that move [m]; 0 if none does.
 double smallest_size(const World& world)
@@ -48,14 +62,14 @@ SurfaceStep surface_of(const World& world, int body)
 
 //! [vertex_pairs]
 void append_vertex_pairs(const World& world, const CandidateSearch& search, const KnownPairs& known,
-                         double margin, double dt, Contacts& contacts)
+                         const Reaches& reaches, double dt, Contacts& contacts)
 {
     const auto all = vertex_candidates(search);
     std::vector<FaceMeeting> meetings;
     for (std::size_t i = 0, first = 0; i < all.size(); ++i) {
         const auto [body_a, vertex, body_b, face] = all[i];
         const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
-        const Reach reach = reach_of(world, body_a, body_b, margin);
+        const Reach reach = reaches.of(body_a, body_b);
         Contact pair{ContactKind::vertex_face, body_a, body_b, vertex, face};
         const bool is_known = known.contain(pair);
         if (auto meeting = find_meeting(a, vertex, b, face, reach, is_known)) {
@@ -86,24 +100,24 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
 //! [vertex_pairs]
 
 void append_edge_pairs(const World& world, const CandidateSearch& search, const KnownPairs& known,
-                       double margin, Contacts& contacts)
+                       const Reaches& reaches, Contacts& contacts)
 {
-    search.visit_candidates(
-        [](int, int, int, int) {},
-        [&](int body_a, int edge_a, int body_b, int edge_b) {
-            Contact pair{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b};
-            const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
-            const auto meeting = find_edge_meeting(
-                a, edge_a, b, edge_b, reach_of(world, body_a, body_b, margin), known.contain(pair));
-            if (!meeting)
-                return;
-            const auto [a0, a1] = a.edge(edge_a);
-            const auto [b0, b1] = b.edge(edge_b);
-            pair.vertices = {a0, a1, b0, b1};
-            pair.weights = meeting->weights;
-            pair.orientation = meeting->orientation;
-            contacts.push_back(pair);
-        });
+    search.visit_candidates([](int, int, int, int) {},
+                            [&](int body_a, int edge_a, int body_b, int edge_b) {
+                                Contact pair{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b};
+                                const SurfaceStep a = surface_of(world, body_a),
+                                                  b = surface_of(world, body_b);
+                                const auto meeting = find_edge_meeting(
+                                    a, edge_a, b, edge_b, reaches.of(body_a, body_b), known.contain(pair));
+                                if (!meeting)
+                                    return;
+                                const auto [a0, a1] = a.edge(edge_a);
+                                const auto [b0, b1] = b.edge(edge_b);
+                                pair.vertices = {a0, a1, b0, b1};
+                                pair.weights = meeting->weights;
+                                pair.orientation = meeting->orientation;
+                                contacts.push_back(pair);
+                            });
 }
 
 }  // namespace
@@ -168,8 +182,9 @@ Contacts ContactSearch::find(const World& world, const Contacts& known, double d
     const KnownPairs known_pairs(known);
     Contacts found;
     append_plane_pairs(world, margin_, found);
-    append_vertex_pairs(world, *this, known_pairs, margin_, dt, found);
-    append_edge_pairs(world, *this, known_pairs, margin_, found);
+    const Reaches reaches(world, margin_);
+    append_vertex_pairs(world, *this, known_pairs, reaches, dt, found);
+    append_edge_pairs(world, *this, known_pairs, reaches, found);
     for (Contact& contact : found)
         contact.category = ContactCategory::regular;
     std::sort(found.begin(), found.end(),

@@ -36,8 +36,9 @@ inline constexpr SearchParts search_parts;
 
 /// How near two bodies' features have to be, in metres.
 struct Reach {
-    double margin = 0;  ///< apart
-    double inside = 0;  ///< inside each other at the start of the step
+    double margin = 0;       ///< apart
+    double inside = 0;       ///< inside each other at the start of the step
+    bool faces_tell = true;  ///< the outer side of A; not where elements are inside out
 
     /// How far a feature goes on beyond a border at which no other one takes over [m].
     /// @param depth  of the pair, of either sign [m]

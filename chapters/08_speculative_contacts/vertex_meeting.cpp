@@ -51,13 +51,12 @@ struct VertexAndFace {
     {
         return foot_on_face({a, tau}, vertex, {b, tau}, face);
     }
-    /// Of a pair that is known the side is known, too: an impact may have turned a soft surface inside out since.
     bool in_cone(double tau) const
     {
         const SurfaceMoment side{b, tau};
         const Vec3 direction = -side.face_normal(face).stableNormalized();
-        return known ? is_foremost({a, tau}, vertex, direction, search_parts.cone_sine)
-                     : in_cone_of_vertex({a, tau}, vertex, direction, search_parts.cone_sine);
+        return reach.faces_tell ? in_cone_of_vertex({a, tau}, vertex, direction, search_parts.cone_sine)
+                                : is_foremost({a, tau}, vertex, direction, search_parts.cone_sine);
     }
     /// Whether they are nearest to each other at a moment when they are near.
     std::optional<Meeting> near_at(double tau, const TriangleFoot& foot) const

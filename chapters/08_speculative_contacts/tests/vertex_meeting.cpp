@@ -72,7 +72,7 @@ TEST_CASE("vertex meeting: near or inside at the start there is a pair, however 
 }
 
 TEST_CASE(
-    "vertex meeting: one that is known stays where its surface turns inside out, and not where a neighbour leads")
+    "vertex meeting: where faces do not tell the outer side, both sides of a flat surface push, and no side behind a neighbour")
 {
     const SurfaceMesh sheet = plane_grid(0.2, 0.2, {2, 2});
     SurfaceMesh turned = sheet, led = sheet;
@@ -80,17 +80,17 @@ TEST_CASE(
         std::swap(face[0], face[1]);
     led.vertices[3] += Vec3(0, 0.1, 0);  // below the middle, once the sheet is turned over
     const Quaternion over(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX()));  // its outer side looks down
-    const Reach reach{0.01, 0.1};
     for (const double height : {-0.002, 0.0, 0.002})
-        for (const bool known : {false, true}) {
+        for (const bool faces_tell : {false, true}) {
             CAPTURE(height);
-            CAPTURE(known);
+            CAPTURE(faces_tell);
             const auto meets = [&](const SurfaceMesh& mesh) {
                 const MovingSurface above(placed(mesh, 1, over, Vec3(0, height, 0)));
-                return meeting_of(above, 4, MovingSurface(triangle(1)), 0, reach, known).has_value();
+                return meeting_of(above, 4, MovingSurface(triangle(1)), 0, {0.01, 0.1, faces_tell})
+                    .has_value();
             };
             CHECK(meets(sheet));
-            CHECK(meets(turned) == known);
+            CHECK(meets(turned) == !faces_tell);
             CHECK_FALSE(meets(led));
         }
 }
