@@ -99,3 +99,23 @@ TEST_CASE("harsh: a spring that is pressed on a plane holds half its load times 
     CHECK(spring_energy({pressed, given}) ==
           doctest::Approx(0.5 * 20 * (20 / 1000.0) + 0.5 * 1000 * 0.005 * 0.005));
 }
+
+TEST_CASE("harsh: soft bodies that an impact turns inside out do not leave the room")
+{
+    for (const unsigned seed : {84U, 188U}) {
+        CAPTURE(seed);
+        const HarshOutcome outcome = run_harsh(seed, true, chapter08_solver);
+        CHECK(outcome.max_inverted > 10);
+        CHECK(outcome.lost == 0);
+    }
+}
+
+TEST_CASE("harsh: what is left inside by a hit, and moves on inwards, is not lost")
+{
+    for (const unsigned seed : {1U, 13U}) {
+        CAPTURE(seed);
+        const HarshOutcome outcome = run_harsh(seed, false, chapter08_solver);
+        CHECK(outcome.lost == 0);
+        CHECK(outcome.deepest_m < 0.01);
+    }
+}
