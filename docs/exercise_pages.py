@@ -73,9 +73,9 @@ def exercise_page(root, folder, exercises):
 
 
 def expected(exercise):
-    """What a right answer prints; of a prediction, folded, for it tells the answer."""
+    """What a right answer prints; folded where the exercise asks for a prediction, which it tells."""
     printed = ["", "```", *exercise.expected.strip().splitlines(), "```", ""]
-    if exercise.kind == "predict":
+    if exercise.asks_first:
         yield from [opened("What a right answer prints: first write down your prediction"), *printed, CLOSED, ""]
     else:
         yield from ["A right answer prints", *printed]

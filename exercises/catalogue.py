@@ -101,6 +101,11 @@ class Exercise:
         path = ROOT / "solutions" / self.chapter / f"{self.name}.second.cpp"
         return path if path.is_file() else None
 
+    @property
+    def asks_first(self):
+        """Whether a student should write a prediction down before they see what a right answer prints."""
+        return self.kind == "predict" or "Before you run the check" in self.text
+
     def stub_text(self):
         """What the student starts from."""
         if self.kept_stub.is_file():

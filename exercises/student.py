@@ -185,7 +185,7 @@ def show_text(exercise):
     print(plain(f"{exercise.goal.strip()}\n\n{exercise.text.strip()}"))
     if exercise.kind == "rebuild":
         print(f"\n{CLOSE_THE_PAGE}")
-    if exercise.kind == "predict" and exercise.untouched():
+    if exercise.asks_first and exercise.untouched():
         print("\nWhat a right answer prints is shown here once you have begun: first your prediction.")
     else:
         print(f"\nA right answer prints:\n{textwrap.indent(exercise.expected.strip(), '   ')}")

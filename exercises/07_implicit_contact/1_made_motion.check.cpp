@@ -53,6 +53,36 @@ TEST_CASE("step: by the mean velocity the height moves by the mean of both veloc
     expect("height", next.height, 0.005 + 0.01 * 0.5 * (next.velocity - 1), 1e-12, "m");
 }
 
+TEST_CASE("step: mass, gravity, the centre of the weight and the length of the step count")
+{
+    const double mass = 3, k = 5000, gravity = 2, centre = 0.8, dt = 0.02, height = -0.1, velocity = -1;
+    given("height -0.1 m, velocity -1 m/s, m 3 kg, k 5000 N/m, g 2 m/s^2, centre 0.8, dt 0.02 s");
+    const ParticleState by_end = step({height, velocity},
+                                      {mass, k, gravity, centre, PositionUpdate::end_velocity, dt});
+    const double free_velocity = velocity - gravity * dt, stiff = centre * k * dt * dt;
+    expect("velocity, moved by the end's", by_end.velocity,
+           (mass * free_velocity - k * dt * height) / (mass + stiff), 1e-12, "m/s");
+    const ParticleState by_mean = step({height, velocity},
+                                       {mass, k, gravity, centre, PositionUpdate::mean_velocity, dt});
+    const double mean = (mass * (velocity + free_velocity) - k * dt * height) / (2 * mass + stiff);
+    expect("velocity, moved by the mean", by_mean.velocity, 2 * mean - velocity, 1e-12, "m/s");
+    expect("height, moved by the mean", by_mean.height, height + dt * mean, 1e-12, "m");
+}
+
+TEST_CASE("step: it tells how many steps of Newton's method it took, and they are few")
+{
+    int count = -1;
+    step({1, 0}, ground(1e6), &count);
+    given("height 1 m, velocity 0: the ground does not push");
+    expect_that("0 or 1 steps are told; got: " + readable(count), count == 0 || count == 1);
+    for (const double height : {-0.001, 0.005}) {
+        count = -1;
+        step({height, -1}, ground(1e6), &count);
+        given("height ", height, " m, velocity -1 m/s, k 1 000 000 N/m, m 1 kg, dt 0.01 s");
+        expect_that("1 to 13 steps are told; got: " + readable(count), count >= 1 && count <= 13);
+    }
+}
+
 TEST_CASE("energy: kinetic, of the height, and of the ground's spring while it is compressed")
 {
     const ImplicitParticle problem = ground(1000);
@@ -60,6 +90,11 @@ TEST_CASE("energy: kinetic, of the height, and of the ground's spring while it i
     expect("energy", energy({0.5, 2}, problem), 2 + 9.81 * 0.5, 1e-12, "J");
     given("height -0.1 m, velocity 0, k 1000 N/m");
     expect("energy", energy({-0.1, 0}, problem), -0.981 + 5, 1e-12, "J");
+    ImplicitParticle heavy = ground(1000);
+    heavy.mass = 3;
+    heavy.gravity = 2;
+    given("height -0.1 m, velocity 2 m/s, m 3 kg, g 2 m/s^2, k 1000 N/m");
+    expect("energy", energy({-0.1, 2}, heavy), 6 - 0.6 + 5, 1e-12, "J");
 }
 
 TEST_CASE("bounce: by the mean velocity it costs nothing, on a soft and on a stiff ground")

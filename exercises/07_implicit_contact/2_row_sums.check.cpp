@@ -174,6 +174,48 @@ TEST_CASE("rounds: pairs side by side under one block share it and need a single
     }
 }
 
+TEST_CASE(
+    "rounds: with twice its own entry as divisor a pair keeps half of its velocity, down to the tolerance")
+{
+    const auto rounds = [](double tolerance, int most) {
+        const Eigen::MatrixXd one = Eigen::MatrixXd::Constant(1, 1, 1.0);
+        return rounds_until_answered(one, Eigen::VectorXd::Constant(1, -1.0),
+                                     Eigen::VectorXd::Constant(1, 2.0), tolerance, most);
+    };
+    for (const auto& [tolerance, expected] :
+         {std::pair{0.2, 3}, {0.125, 4}, {0.01, 7}, {1e-3, 10}, {1e-9, 30}}) {
+        given("1 kg that falls with 1 m/s, divisor 2 1/kg, tolerance ", tolerance, " m/s");
+        expect("rounds", rounds(tolerance, 100), expected, 0);
+    }
+    for (const int most : {0, 2, 3, 4}) {
+        given("the same, tolerance 0.2 m/s, at most ", most, " rounds");
+        expect("rounds", rounds(0.2, most), std::min(most, 3), 0);
+    }
+}
+
+TEST_CASE("rounds: the last pair counts as much as the first one, and no mean hides it")
+{
+    for (Eigen::Index slow = 0; slow < 4; ++slow) {
+        Eigen::VectorXd divisors = Eigen::VectorXd::Ones(4), free = Eigen::VectorXd::Constant(4, -1);
+        divisors(slow) = 2;
+        given("4 pairs that do not touch each other, all of 1 kg and falling with 1 m/s; pair ", slow,
+              " has the divisor 2 1/kg, the others 1 1/kg; tolerance 0.01 m/s");
+        expect("rounds", rounds_until_answered(Eigen::MatrixXd::Identity(4, 4), free, divisors, 0.01, 100), 7,
+               0);
+    }
+}
+
+TEST_CASE("rounds: a pair that opens is answered only when it pushes no more, however little it pushed")
+{
+    const Eigen::MatrixXd w = delassus_of_sole(2, 3);
+    given(
+        "2 pairs under 3 kg, velocities -1 and -0.25 m/s, divisors 1/3 and 1e9 1/kg, tolerance 1e-6 m/s: "
+        "after a round the second one opens with 0.75 m/s and pushes with 2.5e-10 N s");
+    expect("rounds",
+           rounds_until_answered(w, Eigen::Vector2d(-1, -0.25), Eigen::Vector2d(1.0 / 3, 1e9), 1e-6, 100), 2,
+           0);
+}
+
 TEST_CASE("rounds: pairs that each take the whole block for themselves never agree")
 {
     const Eigen::MatrixXd w = delassus_of_sole(4, 3);

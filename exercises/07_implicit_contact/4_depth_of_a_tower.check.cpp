@@ -137,6 +137,29 @@ TEST_CASE("measurement: it takes the choice of stiffness that it is given")
                   {tower_gravity * 1e-4 / 25 * 5.8 / 3}, 1e-3);
 }
 
+TEST_CASE("measurement: it ends after the seconds that it is given, also while the piece still swings")
+{
+    StiffnessChoice soft = wanting(1);
+    soft.k_dt2_over_m = 0.05;
+    for (const double dt : {0.001, 0.002})
+        for (const int steps : {0, 1, 20}) {
+            // Three springs of k = 0.05 (m / 5.8) / dt^2 under one piece, and the implicit step of chapter 7.
+            const double h = 3 * 0.05 / 5.8;
+            double height = 1e-9, velocity = 0;
+            for (int step = 0; step < steps; ++step) {
+                const double fallen = velocity - tower_gravity * dt;
+                const bool pressed = height + dt * fallen < 0;
+                velocity = pressed ? (fallen - h * height / dt) / (1 + h) : fallen;
+                height += dt * velocity;
+            }
+            given(told(single), " h 0.05, wanted depth 1 m, dt ", dt, " s, ", steps, " steps");
+            const std::vector<double> depths = measured_depths(single, soft, dt, steps * dt);
+            expect("number of depths", depths.size(), 1, 0);
+            if (depths.size() == 1)
+                expect("depth", 1e6 * depths[0], -1e6 * height, 1e-3 * std::abs(1e6 * height) + 1e-3, "um");
+        }
+}
+
 TEST_CASE(
     "law: where masses decide, every tower comes to rest as the law says, whatever its sizes, masses and step")
 {

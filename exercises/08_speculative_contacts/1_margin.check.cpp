@@ -51,6 +51,8 @@ TEST_CASE("fall: many steps are what the scheme sums up")
         given("g 9.81 m/s^2, dt 0.01 s, steps ", step);
         expect("fall", fall_from_rest(9.81, 0.01, step), height, 1e-9, "m");
     }
+    given("g 10 m/s^2, dt 0.001 s, steps 100 000");
+    expect("fall", fall_from_rest(10, 0.001, 100000), 10 * 0.001 * 0.001 * 5000050000.0, 1e-3, "m");
 }
 
 TEST_CASE("margin: gravity decides it, and where that is weak the smallest body")
@@ -59,6 +61,8 @@ TEST_CASE("margin: gravity decides it, and where that is weak the smallest body"
     expect("margin", margin_of(9.81, 0.01, 1, 1.5, 1e-4), 1.4715e-3, 1e-12, "m");
     given("the same without gravity, and with a body of 20 m");
     expect("margin", margin_of(0, 0.01, 20, 1.5, 1e-4), 2e-3, 1e-12, "m");
+    given("g 9.81 m/s^2, dt 0.01 s, smallest body 1 m, fall 3, nearness 1e-4");
+    expect("margin", margin_of(9.81, 0.01, 1, 3, 1e-4), 2.943e-3, 1e-12, "m");
     given("dt 0.001 s, smallest body 1 m, fall 3, nearness 1e-3");
     expect("margin", margin_of(9.81, 0.001, 1, 3, 1e-3), 1e-3, 1e-12, "m");
 }
@@ -78,9 +82,11 @@ TEST_CASE("find: near at the start comes first, then a crossing; what ends outsi
     expect_found({1e-3, -5}, dt, margin, Found::near_start);
     expect_found({1e-3, 100}, dt, margin, Found::near_start);
     expect_found({-1e-3, 0}, dt, margin, Found::near_start);
+    expect_found({-0.5, 0}, dt, margin, Found::near_start);
     expect_found({1.5e-3, 0}, dt, margin, Found::near_start);
     expect_found({0.5, 100}, dt, margin, Found::crossing);
     expect_found({1.5001e-3, 0.06}, dt, margin, Found::crossing);
+    expect_found({0.8e-3, 0}, dt, 0.5e-3, Found::crossing);
     expect_found({0.5, 49.8}, dt, margin, Found::not_at_all);
     expect_found({2e-3, 0}, dt, margin, Found::not_at_all);
     expect_found({0.5, 49.7}, dt, margin, Found::not_at_all);
@@ -115,6 +121,8 @@ TEST_CASE("first question only: who rests within the margin is found outside, wh
     const double dt = 0.01, margin = 1.5e-3;
     given("gap 1 mm, speed 0, dt 0.01 s, margin 1.5 mm");
     expect("depth", depth_when_found({1e-3, 0}, 9.81, dt, margin), 0, 1e-12, "m");
+    given("gap 1.5 mm, just on the margin, speed 10 m/s, dt 0.01 s, margin 1.5 mm");
+    expect("depth", depth_when_found({1.5e-3, 10}, 9.81, dt, margin), 0, 1e-12, "m");
     given("gap 2 mm, speed 0, dt 0.01 s, margin 1.5 mm");
     expect("depth", depth_when_found({2e-3, 0}, 9.81, dt, margin), 0, 1e-12, "m");
     given("gap 0.5 m, speed 80 m/s, dt 0.01 s, margin 1.5 mm");

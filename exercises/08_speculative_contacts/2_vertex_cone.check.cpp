@@ -3,6 +3,7 @@
 #include "common/geometry/round_shapes.hpp"
 #include "exercises/checking.hpp"
 
+#include <algorithm>
 #include <random>
 
 using namespace enduring;
@@ -103,6 +104,16 @@ TEST_CASE("cone: of a flat surface only the outer side is in it")
     given("a flat grid that faces up");
     expect_that("up is in the cone", in_cone(flat, middle, Vec3::UnitY(), 1e-9));
     expect_that("down is not", !in_cone(flat, middle, -Vec3::UnitY(), 1e-9));
+    expect_that("up is in the cone with a sine of 0: no neighbour passes",
+                in_cone(flat, middle, Vec3::UnitY(), 0));
+    const SurfaceMesh cube = box(Vec3::Ones(), {2, 2, 2});
+    for (std::size_t v = 0; v < cube.vertices.size(); ++v)
+        if (const Vec3& place = cube.vertices[v]; std::abs(place.norm() - 0.5) < 1e-9) {
+            given("the middle of a side of a closed cube, at ", readable(place));
+            expect_that("out is in the cone", in_cone(cube, static_cast<int>(v), place.normalized(), 1e-9));
+            expect_that("in is not, though another side of the cube looks that way",
+                        !in_cone(cube, static_cast<int>(v), -place.normalized(), 1e-9));
+        }
 }
 
 TEST_CASE("a direction: hills have one, flat ground has one, hollows and saddles have none")
@@ -110,6 +121,7 @@ TEST_CASE("a direction: hills have one, flat ground has one, hollows and saddles
     const SurfaceMesh hill = grid_with([](double x, double z) { return -0.2 * (x * x + z * z); }),
                       hollow = grid_with([](double x, double z) { return 0.2 * (x * x + z * z); }),
                       saddle = grid_with([](double x, double z) { return 0.3 * (x * x - z * z); }),
+                      shallow = grid_with([](double x, double z) { return 0.02 * (x * x + z * z); }),
                       flat = grid_with([](double, double) { return 0.0; });
     const auto expect_one = [](const std::string& name, const SurfaceMesh& mesh, bool expected) {
         const auto direction = direction_in_cone(mesh, middle);
@@ -130,6 +142,7 @@ TEST_CASE("a direction: hills have one, flat ground has one, hollows and saddles
     expect_one("flat grid", flat, true);
     expect_one("hollow", hollow, false);
     expect_one("saddle", saddle, false);
+    expect_one("shallow hollow", shallow, false);
 }
 
 TEST_CASE("a direction: every vertex of a convex body has one, and it is in its cone")
@@ -163,19 +176,19 @@ TEST_CASE("a direction: of a bumpy ball, as many have one as can touch a plane w
     int with = 0;
     for (std::size_t v = 0; v < ball.vertices.size(); ++v) {
         // Slower and without a border: many directions.
+        std::vector<Vec3> paths;
+        for (const Face& face : ball.faces)
+            if (face[0] == static_cast<int>(v) || face[1] == static_cast<int>(v) ||
+                face[2] == static_cast<int>(v))
+                for (const int other : face)
+                    paths.emplace_back(ball.vertices[static_cast<std::size_t>(other)] - ball.vertices[v]);
         bool touches = false;
         std::mt19937 directions(7);
         for (int trial = 0; trial < 20000 && !touches; ++trial) {
             const Vec3 direction = random_direction(directions);
-            touches = true;
-            for (const Face& face : ball.faces)
-                if (face[0] == static_cast<int>(v) || face[1] == static_cast<int>(v) ||
-                    face[2] == static_cast<int>(v))
-                    for (const int other : face)
-                        touches = touches &&
-                                  (ball.vertices[static_cast<std::size_t>(other)] - ball.vertices[v])
-                                          .dot(direction) <= 0;
-            touches = touches && direction.dot(ball.vertices[v]) > 0;
+            touches = direction.dot(ball.vertices[v]) > 0 &&
+                      std::all_of(paths.begin(), paths.end(),
+                                  [&](const Vec3& path) { return path.dot(direction) <= 0; });
         }
         const bool got = direction_in_cone(ball, static_cast<int>(v)).has_value();
         with += got;

@@ -121,6 +121,12 @@ TEST_CASE("can push: the sine widens the cone on both sides, but never into the 
     expect_that("190 degrees with a sine of 0.2: yes", is_in(190, 0.2));
     expect_that("194 degrees with a sine of 0.2: no", !is_in(194, 0.2));
     expect_that("315 degrees, into the body, with a sine of 0.99: no", !is_in(315, 0.99));
+    given("a thin edge: normals at 90 and at 260 degrees, direction at 80 degrees, sine 0.2");
+    expect_that("it can push: one face looks that way, although the mean of both does not",
+                can_push(fold_by(-170), {std::cos(80 * degree), std::sin(80 * degree), 0}, 1e-4, 0.2));
+    given("an edge that folds by -3 degrees, direction at 90 degrees; least sine 0.1, and 0.01");
+    expect_that("with 0.1 it is flat and cannot push", !can_push(fold_by(-3), Vec3::UnitY(), 0.1, 1e-4));
+    expect_that("with 0.01 it is a ridge and can push", can_push(fold_by(-3), Vec3::UnitY(), 0.01, 1e-4));
     given("edges that fold by 5 and by 0 degrees, direction at 90 degrees");
     expect_that("a shallow valley with a sine of 0.2: no", !can_push(fold_by(5), Vec3::UnitY(), 1e-4, 0.2));
     expect_that("a flat edge with a sine of 0.2: no", !can_push(fold_by(0), Vec3::UnitY(), 1e-4, 0.2));
@@ -143,6 +149,42 @@ TEST_CASE(
                     expect("normal, roof A, keel B", *down, Vec3(0, -1, 0), 1e-9);
                 }
             }
+    }
+}
+
+TEST_CASE("pair: the size of the edges does not matter, and nearly parallel ones still have a normal")
+{
+    for (const double scale : {1e-6, 1e-3, 1.0, 1e3})
+        for (const double about : {0.3, -0.3, 90.0}) {
+            const FoldedEdge below = placed(roof(45), scale, Quaternion::Identity()),
+                             above = placed(
+                                 turned(turned(roof(45), 180, Vec3::UnitX()), about, Vec3::UnitY()), scale,
+                                 Quaternion::Identity());
+            given("edges of ", 2 * scale, " m, a keel across a roof, turned by ", about,
+                  " degrees about y; edges of less than a sine of 1e-4 are parallel");
+            const auto normal = normal_of_pair(above, below, 1e-4, 0.2, 1e-4);
+            expect_that("there is a normal", normal.has_value());
+            if (normal)
+                expect("normal", *normal, Vec3(0, 1, 0), 1e-9);
+        }
+}
+
+TEST_CASE("pair: the sine widens the cones of both edges")
+{
+    const FoldedEdge below = roof(45), keel = turned(turned(roof(45), 180, Vec3::UnitX()), 90, Vec3::UnitY());
+    for (const double lean : {50.0, -50.0}) {
+        // One of its normals leans by 95 degrees then; sin(5 degrees) is 0.087.
+        const FoldedEdge leaning_roof = turned(below, lean, Vec3::UnitZ()),
+                         leaning_keel = turned(keel, lean, Vec3::UnitX());
+        for (const double sine : {0.05, 0.2}) {
+            given("a keel across a roof of 45 degrees; one of the two leans by ", lean, " degrees; sine ",
+                  sine);
+            const std::string expected = sine > 0.1 ? "there is a normal" : "there is none";
+            expect_that(expected + " where the roof leans",
+                        normal_of_pair(keel, leaning_roof, 1e-4, sine, 1e-4).has_value() == (sine > 0.1));
+            expect_that(expected + " where the keel leans",
+                        normal_of_pair(leaning_keel, below, 1e-4, sine, 1e-4).has_value() == (sine > 0.1));
+        }
     }
 }
 

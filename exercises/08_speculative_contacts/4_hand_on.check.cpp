@@ -121,6 +121,11 @@ TEST_CASE(
         expect("rest offset, from 2 mm to 12 mm", up->rest_offset, -0.01, 1e-12, "m");
         expect("rest offset, from 12 mm to 2 mm", down->rest_offset, 0, 1e-12, "m");
     }
+    const auto nearer = handed_on({1e4, -0.005, {0, 0, 0}}, high, low, {0, -0.002, 0}, 0.7);
+    given("from 12 mm deep with a rest offset of -5 mm to 2 mm deep: 7 mm compressed before");
+    expect_that("it is handed on", nearer.has_value());
+    if (nearer)
+        expect("rest offset", nearer->rest_offset, 0, 1e-12, "m");
     const PairSpring loose{1e4, -0.005, {0, 0, 0}};
     const auto still_loose = handed_on(loose, low, high, {0, -0.002, 0}, 0.7);
     given("rest offset -5 mm, 2 mm deep: not compressed at all");
@@ -140,6 +145,8 @@ TEST_CASE("handed on: to a face that looks elsewhere nothing is")
             handed_on(spring, leaning(0), leaning(44 * sign), {0, -0.001, 0}, std::sqrt(0.5)).has_value());
         expect_that("46 degrees: it is not",
                     !handed_on(spring, leaning(0), leaning(46 * sign), {0, -0.001, 0}, std::sqrt(0.5)));
+        expect_that("150 degrees, nearly the other side: it is not",
+                    !handed_on(spring, leaning(0), leaning(150 * sign), {0, -0.001, 0}, std::sqrt(0.5)));
     }
 }
 
@@ -156,6 +163,15 @@ TEST_CASE("tour: once around a wheel the spring comes back as it was")
         expect("stiffness", back->stiffness, 3e4, 0, "N/m");
         expect("rest offset", back->rest_offset, -0.001, 1e-9, "m");
         expect("stretch", back->stretch, spring.stretch, 1e-9, "m");
+    }
+    const Wheel all = wheel(12, 0.004);
+    const std::vector<FacePlane> half(all.faces.begin(), all.faces.begin() + 7);
+    const auto opposite = after_tour(spring, half, all.places, 0.7);
+    given("half way around a wheel of 12 facets, 4 mm below each");
+    expect_that("it comes through", opposite.has_value());
+    if (opposite) {
+        expect("rest offset", opposite->rest_offset, -0.001, 1e-9, "m");
+        expect("stretch", opposite->stretch, Vec3(-2e-4, 0, 1e-4), 1e-9, "m");
     }
     const Wheel coarse = wheel(7, 0.004);
     given("a wheel of 7 facets: 51 degrees from one to the next");

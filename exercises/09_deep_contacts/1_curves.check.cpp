@@ -1,6 +1,7 @@
 #include "chapters/09_deep_contacts/intersection_curve.hpp"
 #include "chapters/09_deep_contacts/overlap_shape.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "exercises/checking.hpp"
 
 #include <algorithm>
@@ -231,6 +232,22 @@ TEST_CASE("curves: of two, the one with the first piercing comes first")
         expect_that("it is later than the curve before", first > least);
         least = first;
     }
+}
+
+TEST_CASE("curve: around the tip of a tetrahedron in one large face it has three piercings, and closes")
+{
+    SurfaceMesh mesh = tetrahedron(1);
+    const Vec3 tip = mesh.vertices[0], turned_by = -tip.normalized();
+    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(-turned_by, Vec3(0.05, -1, 0.03));
+    for (Vec3& x : mesh.vertices)
+        x = turn * (x - tip) + Vec3(0.7, 0.15, -0.4);
+    const Shape above(mesh), floor(box({4, 0.5, 4}));
+    const Intersection crossing = trace_intersection(above.still(), floor.still());
+    given("a tetrahedron of 1 m whose tip is 10 cm deep in a face of a floor");
+    expect("piercings", crossing.piercings.size(), 3, 0);
+    expect("curves", count_of(crossing), 1, 0);
+    expect("closed ones", closed_ones(crossing), 1, 0);
+    expect_whole_curves(crossing, above, floor);
 }
 
 TEST_CASE("curves: what does not cross has none")

@@ -115,6 +115,18 @@ TEST_CASE("side: it is exact for coordinates up to 1e9")
         expect("side of (0, 0)", side_of_line({0, 0}, a, b, shift), -1, 0);
         expect("side of (0, 1)", side_of_line({0, 1}, a, b, shift), 1, 0);
     }
+    std::uniform_int_distribution<std::int64_t> coordinate(-large, large);
+    for (int trial = 0; trial < 1000; ++trial) {
+        LatticePoint points[3];
+        for (LatticePoint& point : points) {
+            point.x = coordinate(generator);
+            point.y = coordinate(generator);
+        }
+        const auto& [p, from, to] = points;
+        given("a ", told(from), ", b ", told(to), ", p ", told(p), ", shift 1");
+        if (!is_right("side", side_of_line(p, from, to, 1), plain_side(p, from, to)))
+            return;
+    }
 }
 
 TEST_CASE("crosses: from the left to the right is 1, back is -1, and past either end it is 0")
@@ -210,6 +222,10 @@ TEST_CASE("winding number: 1 inside, 0 outside, -1 where the polygon runs the ot
 TEST_CASE("winding number: a polygon that runs around twice winds twice")
 {
     const LatticePolygon twice{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}, {9, 0}, {9, 9}, {0, 9}};
+    const std::int64_t far = 1000000;
+    given("a square of 1e6 at (0, 0)");
+    expect("winding number of (500 000, 100)", winding_number({500000, 100}, rectangle(0, 0, far, far), 1), 1,
+           0);
     given("a square of 9, run around twice");
     expect("winding number of (4, 4)", winding_number({4, 4}, twice, 1), 2, 0);
 }

@@ -159,6 +159,42 @@ TEST_CASE("way out: none where the areas cancel")
         expect("way", *with, Vec3(0, 0, 1), 1e-12);
 }
 
+TEST_CASE("way out: `cancelled` is a part of what the areas are summed from, wherever they look")
+{
+    const Quaternion turn(Eigen::AngleAxisd(0.9, Vec3(1, 2, 3).normalized()));
+    std::vector<Loop> nearly{tile, Loop(tile.rbegin(), tile.rend())};
+    for (Vec3& point : nearly[1])
+        point.x() *= 1.01;
+    for (const double size : {1e-3, 1.0, 1e3}) {
+        std::vector<Loop> loops = nearly;
+        for (Loop& loop : loops)
+            for (Vec3& point : loop)
+                point = size * (turn * point);
+        given("two loops that look away from each other, the second one larger by 1 %, of ", size,
+              " m, turned: 0.01 / 2.01 = 0.498 % is left");
+        expect_that("there is a way where 0.45 % counts as cancelled",
+                    separation_direction(loops, 0.0045).has_value());
+        expect_that("there is none where 0.55 % does", !separation_direction(loops, 0.0055).has_value());
+    }
+    std::vector<Loop> many;
+    for (int i = 0; i < 10; ++i) {
+        many.push_back(moved(tile, {0, 0, 2.0 * i}));
+        many.push_back(moved(Loop(tile.rbegin(), tile.rend()), {0, 0, 2.0 * i + 1}));
+    }
+    Loop narrow = tile;
+    for (Vec3& point : narrow)
+        point.x() *= 0.1;
+    for (const bool first : {true, false}) {
+        std::vector<Loop> loops = many;
+        loops.insert(first ? loops.begin() : loops.end(), narrow);
+        given(
+            "ten loops of 1 m^2 that look up, ten that look down, and one of 0.1 m^2 that looks up, which comes ",
+            first ? "first" : "last", ": 0.1 of 20.1 m^2 is left");
+        expect_that("there is none where 1 % counts as cancelled", !separation_direction(loops, 0.01));
+        expect_that("there is one where 0.4 % does", separation_direction(loops, 0.004).has_value());
+    }
+}
+
 TEST_CASE("way out: none without a loop, and none of loops without an area")
 {
     given("no loop; a loop of two points; a loop that runs there and back");

@@ -99,6 +99,15 @@ TEST_CASE("work: the impulse that holds against gravity, times the speed of the 
            1e-12, "J");
 }
 
+TEST_CASE("work: gravity and the length of the step are the particle's")
+{
+    ImplicitParticle particle = particle_of(3, 1e5, 0.004, PositionUpdate::end_velocity);
+    particle.gravity = 1.62;
+    given("m 3 kg, g 1.62 m/s^2, dt 0.004 s, velocity 0 before and 1 m/s after, the ground rises by 2 mm");
+    expect("work", work_of_rising({0, 0}, {0.002, 1}, 0.002, particle), 3 * (1 + 1.62 * 0.004) * 0.5, 1e-12,
+           "J");
+}
+
 TEST_CASE("work: none on what falls freely, and none by a ground that rests")
 {
     const ImplicitParticle particle = particle_of(3, 1e5, 0.02, PositionUpdate::end_velocity);
@@ -128,6 +137,19 @@ TEST_CASE("let out: the first step is an implicit step, seen from a ground that 
     expect("height", out.state.height, seen.height - 0.4975, 1e-14, "m");
     expect("velocity", out.state.velocity, seen.velocity + 0.25, 1e-12, "m/s");
     expect("work", out.work, 2 * (seen.velocity + 0.25 + 0.0981) * 0.25, 1e-12, "J");
+}
+
+TEST_CASE("let out: the fade and the step are those that it is given")
+{
+    ImplicitParticle particle = particle_of(2, 1e4, 0.004, PositionUpdate::end_velocity);
+    particle.gravity = 1.62;
+    given("0.5 m deep, m 2 kg, k 10 000 N/m, g 1.62 m/s^2, dt 0.004 s, keep 0.5, speed 2 m/s, one step");
+    const LettingOut out = let_out(0.5, particle, {0.5, 2}, 1);
+    const ParticleState seen = step({0, -2}, particle);
+    expect("rest offset", out.rest_offset, -0.492, 1e-15, "m");
+    expect("height", out.state.height, seen.height - 0.492, 1e-14, "m");
+    expect("velocity", out.state.velocity, seen.velocity + 2, 1e-12, "m/s");
+    expect("work", out.work, 2 * (seen.velocity + 2 + 1.62 * 0.004) * 2, 1e-12, "J");
 }
 
 TEST_CASE("let out: the budget closes, on quiet and on bouncing lifts")
@@ -168,6 +190,12 @@ TEST_CASE("let out: the fastest is the largest velocity of all steps, not the la
         fastest = std::max(fastest, let_out(0.1, particle, {}, steps).state.velocity);
     given("0.1 m deep, m 1 kg, k 10 000 N/m, end velocity, 59 steps");
     expect("fastest", let_out(0.1, particle, {}, 59).fastest, fastest, 0, "m/s");
+    const LettingOut begun = let_out(0.1, particle, {}, 2);
+    given("the same after two steps, while it still becomes faster");
+    expect("fastest", begun.fastest, begun.state.velocity, 0, "m/s");
+    given("it begins at the surface of a soft ground, k 100 N/m: three steps down");
+    expect("fastest upwards",
+           let_out(0, particle_of(1, 100, 0.01, PositionUpdate::end_velocity), {}, 3).fastest, 0, 0, "m/s");
 }
 
 TEST_CASE("let out: half a metre costs little more than the lifting itself")

@@ -181,6 +181,8 @@ TEST_CASE("neighbours: the longest edge of either end counts")
     given("vertex 2 has an edge of 1.41 m; vertex 4 is 1.1 m away and has edges of at most 0.14 m");
     expect_that("2 and 4 are neighbours", table[2][4]);
     expect_that("4 and 2 are neighbours", table[4][2]);
+    given("vertices 0 and 1 are 1 m apart, and the ends of an edge; later edges at both of them are shorter");
+    expect_that("0 and 1 are neighbours", table[0][1] && table[1][0]);
     given("vertices 4 and 5, 0.6 m apart; 4 has short edges, and 5 one of 0.51 m");
     expect_that("4 and 5 are none", !table[4][5] && !table[5][4]);
 }
@@ -209,6 +211,14 @@ TEST_CASE("neighbours: they are those of the shape at rest, however it lies now"
                      bent = find_neighbours(bent_strip(1.9 * std::numbers::pi));
     given("a strip that is bent to nearly a ring, and the same strip straight");
     expect_that("the tables are the same", straight == bent);
+    SoftShape blown_up = wall(0.05);
+    const Neighbours at_rest = find_neighbours(blown_up);
+    for (const double size : {10.0, 0.1}) {
+        for (std::size_t v = 0; v < blown_up.now.size(); ++v)
+            blown_up.now[v] = size * blown_up.rest[v];
+        given("a wall that is now ", size, " times as large as at rest");
+        expect_that("the tables are the same", find_neighbours(blown_up) == at_rest);
+    }
     const SoftShape strip = bent_strip(1.9 * std::numbers::pi);
     expect_that("its two ends are no neighbours, although they nearly touch",
                 !bent[vertex_at(strip, {-0.3, 0, 0})][vertex_at(strip, {0.3, 0, 0})]);

@@ -89,6 +89,8 @@ TEST_CASE("passes: the error falls by 1 + h each time, and the first solve count
             given("h ", h, ", part ", part);
             expect("passes", passes_needed(h, part), expected, 0, "");
         }
+    given("h 1, part 0.25, which two passes leave exactly");
+    expect("passes", passes_needed(1, 0.25), 2, 0, "");
     say("to 1e-9 of the speed: ", passes_needed(100, 1e-9), " passes at h = 100, ", passes_needed(1e6, 1e-9),
         " at h = 1e6");
 }

@@ -14,7 +14,7 @@ Vec3 map_of_contact(const Vec3& impulse, const Vec3& velocity, double mu);
 /// after the step is free_velocity + impulse / mass [N s].
 Vec3 impulse_on_block(const Vec3& free_velocity, double mass, double mu);
 
-/// How many passes bring the velocity of a block that holds below a part of its free one, if springs of this h = k dt^2 / m remember
+/// How many passes bring the velocity of a block that holds down to a part of its free one, or below, if springs of this h = k dt^2 / m remember
 /// their force. The first solve is a pass. `part` is above 0 and below 1.
 int passes_needed(double h, double part);
 

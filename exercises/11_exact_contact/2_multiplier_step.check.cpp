@@ -36,6 +36,16 @@ TEST_CASE("solve: a spring that is pressed in pushes, and never pulls")
            1e-13, "N s");
 }
 
+TEST_CASE("solve: friction is cut to its limit at every size")
+{
+    for (const double size : {1e-6, 1e-3, 1.0, 1e3}) {
+        given("2 kg, h 3, mu 0.4, free velocity ", size, " times (-1, 0.3, 0.4) m/s");
+        expect("impulse over the size",
+               Vec3(impulse_of_spring(block_of(3, 0.4, size * Vec3(-1, 0.3, 0.4)), Vec3::Zero()) / size),
+               Vec3(1.5, -0.36, -0.48), 1e-12, "N s");
+    }
+}
+
 TEST_CASE("memory: a block at rest under it is pushed the same, and does not move")
 {
     given("2 kg, h 3, impulse (2, -0.6, -0.8) N s");

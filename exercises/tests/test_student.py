@@ -55,6 +55,14 @@ class AStudent(unittest.TestCase):
             status = student.check(exercises, named)
         return status, told.getvalue()
 
+    def test_what_a_prediction_should_be_is_not_shown_before_it(self):
+        for exercise in (replace(self.first, kind="predict"), replace(self.first, text="Before you run the check: how deep?")):
+            for text, shown in ((exercise.stub_text(), False), ("mine", True)):
+                self.answer(exercise, text)
+                with redirect_stdout(io.StringIO()) as told:
+                    student.show_text(exercise)
+                self.assertEqual("4.9 m" in told.getvalue(), shown, exercise.kind)
+
     def test_a_diagnosis_is_hedged_where_many_mistakes_get_the_same(self):
         mutant = mock.Mock(diagnosis="the sign", fails=["fall: down"])
         heads = {}
