@@ -116,11 +116,14 @@ export function told(exercise, outcome) {
 }
 
 /** The known mistakes whose wrong numbers this answer has, or the one that fails in the same properties.
- *  @param judged  gives the outcome of a known mistake */
+ *  @param judged  gives the outcome of a known mistake, or nothing where nobody waits any more */
 export async function diagnosis(exercise, outcome, judged) {
     const cases = to_explain(outcome), mine = wrong_numbers(outcome), found = [];
     for (const mutant of exercise.mutants.filter(mutant => within(mutant.fails, cases))) {
-        const theirs = [...wrong_numbers(await judged(mutant))], same = theirs.filter(one => mine.has(one)).length;
+        const its = await judged(mutant);
+        if (!its)
+            return "";
+        const theirs = [...wrong_numbers(its)], same = theirs.filter(one => mine.has(one)).length;
         if (2 * same > theirs.length)
             found.push({ same, mutant });
     }

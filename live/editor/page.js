@@ -58,6 +58,7 @@ async function judge(exercise, text) {
 class Editor {
     constructor(exercise) {
         this.exercise = exercise;
+        this.turn = 0; // of its checks
         this.key = `enduring contacts ${exercise.number}`;
         this.state = made("span", { className: "editor-state" });
         this.state.setAttribute("role", "status");
@@ -103,21 +104,25 @@ class Editor {
         this.verdict.dataset.state = state;
     }
 
-    /** The verdict of what stands in the editor. */
+    /** The verdict of what stands in the editor; then its diagnosis, if no other check begins before that is found. */
     async check() {
+        const turn = ++this.turn;
         this.button.disabled = true;
         try {
             await this.prepared;
             this.tell("Compiling.");
-            const begun = performance.now(), found = await judge(this.exercise, this.text);
-            const verdict = told(this.exercise, found);
+            const begun = performance.now(), found = await judge(this.exercise, this.text), verdict = told(this.exercise, found);
             this.show(verdict, found.state);
             this.tell(`${((performance.now() - begun) / 1000).toFixed(1)} s.`);
             if (found.state === "failed") {
+                this.button.disabled = false;
                 this.tell("Compared with known mistakes.");
-                found.diagnosis ??= await diagnosis(this.exercise, found, mutant => judge(this.exercise, mutant.text));
-                this.show(found.diagnosis ? `${verdict}\n\n${found.diagnosis}` : verdict, found.state);
-                this.tell("");
+                const reason = await diagnosis(this.exercise, found, mutant => turn === this.turn ? judge(this.exercise, mutant.text) : null);
+                if (turn === this.turn) {
+                    found.diagnosis = reason;
+                    this.show(reason ? `${verdict}\n\n${reason}` : verdict, found.state);
+                    this.tell("");
+                }
             }
             return found;
         } catch (error) {
