@@ -28,7 +28,7 @@ ROOT = Path(__file__).resolve().parent.parent
 WORK, NPM = ROOT / "build/editor", ROOT / "build/editor_npm"
 EIGEN = Path("/usr/include/eigen3")
 CLANG = NPM / "node_modules/@yowasp/clang/gen"
-OFFERED = ["1.1", "1.2", "1.3", "1.4", "2.1", "2.2", "2.3", "2.4"]  # those that `./course prove --page` has proven
+OFFERED = ["1.1", "1.2", "1.3", "1.4", "2.1"]  # those that `./course prove --page` has proven
 LIBRARIES = ["standalonewasm-memgrow", "stubs", "c", "dlmalloc", "compiler_rt", "c++-except", "c++abi-except", "unwind-except"]
 IMPORTED = "emscripten_notify_memory_growth\n__call_sighandler\n"  # what the C library asks of the page
 # Of the C library's headers, those of screens, sound and networks are left out; of clang's, those of processors.

@@ -28,9 +28,9 @@ OPEN = """const [number, done] = arguments, page = new URL('live/editor/page.js'
   window.editors ??= {}; window.editors[number] ??= await open(number, button); await window.editors[number].prepared; done(''); })().catch(error => done(String(error.stack)));"""
 JUDGE = """const [number, text, done] = arguments, editor = window.editors[number]; editor.write(text); const begun = performance.now();
 editor.check().then(found => done({ ...found, shown: editor.verdict.textContent, seconds: (performance.now() - begun) / 1000 }));"""
-LINE = "return depth_t1 < 0 ? -k * dt * depth_t1 : 0.0;"  # of exercise 1.1
-BROKEN = {"no semicolon": "return 0", "another name": "return 0; }\ndouble discrete_push(double, double, double)\n{\n    return 0;", "leaves": "std::exit(0);", "stops": "std::abort();",
-          "past the end": "return std::vector<double>(1, k)[static_cast<std::size_t>(3 + dt)];", "throws": "throw std::out_of_range(\"depth\");", "never ends": "for (volatile bool on = true; on;) {}\n    return 0;"}
+LINE, NAME = "return depth_t1 < 0 ? -k * dt * depth_t1 : 0.0;", "double discrete_plane_impulse("  # of exercise 1.1
+BROKEN = {"no semicolon": (LINE, "return 0"), "another name": (NAME, "double discrete_push("), "leaves": (LINE, "std::exit(0);"), "stops": (LINE, "std::abort();"),
+          "throws": (LINE, 'throw std::out_of_range("depth");'), "never ends": (LINE, "for (volatile bool on = true; on;) {}\n    return 0;")}
 
 
 def answers_of(exercise):
@@ -41,7 +41,7 @@ def answers_of(exercise):
         yield "second solution", exercise.second.read_text(encoding="utf-8")
     yield from ((mutant.name, exercise.mutated(mutant)) for mutant in exercise.mutants)
     if exercise.number == "1.1":
-        yield from ((name, exercise.source.read_text(encoding="utf-8").replace(LINE, by)) for name, by in BROKEN.items())
+        yield from ((name, exercise.source.read_text(encoding="utf-8").replace(*change)) for name, change in BROKEN.items())
 
 
 def here(exercise, name, text):

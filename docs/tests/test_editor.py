@@ -73,7 +73,7 @@ class Words(unittest.TestCase):
             shutil.copyfile(ROOT / "live/editor/judge.js", Path(folder) / "judge.mjs")
             (Path(folder) / "tell.mjs").write_text(TELL)
             given = {"exercise": editor.entry_of(cls.exercise), "outcome": cls.for_page(cls.outcome), "alike": cls.for_page(cls.alike), "compiler": COMPILER,
-                     "linker": "wasm-ld: error: answer.o: undefined symbol: enduring::f(double)\nwasm-ld: error: check.o: undefined symbol: enduring::f(double)\nwasm-ld: error: duplicate symbol: main"}
+                     "linker": "wasm-ld: error: answer.o: undefined symbol: enduring::f(double)\nwasm-ld: error: check.o: undefined symbol: enduring::f(double)"}
             done = subprocess.run([NODE, Path(folder) / "tell.mjs"], input=json.dumps(given), capture_output=True, text=True, check=True)
         cls.told, cls.compiler, cls.linker, cls.diagnosis = json.loads(done.stdout)
 
@@ -96,7 +96,7 @@ class Words(unittest.TestCase):
         self.assertEqual(self.compiler, f"{file}:2: static assertion failed\n      two;\n      ^\n{file}:2: expected ';'\n      two;\n         ^")
 
     def test_what_the_linker_misses_is_told_once(self):
-        self.assertEqual(self.linker, "Your file should define enduring::f(double); its name, its arguments or its namespace differ.\nYour file defines main, which stands elsewhere, too.")
+        self.assertEqual(self.linker, "Your file should define enduring::f(double); its name, its arguments or its namespace differ.")
 
 
 if __name__ == "__main__":

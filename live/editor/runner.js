@@ -36,6 +36,6 @@ onmessage = async ({ data: program }) => {
         instance.exports._start();
         postMessage({ ended: "itself", code: 0 });
     } catch (error) {
-        postMessage(error?.code === undefined ? { ended: "trap", why: String(error) } : { ended: "itself", code: error.code });
+        postMessage(error?.code === undefined ? { ended: "trap" } : { ended: "itself", code: error.code });
     }
 };
