@@ -11,6 +11,7 @@ import sys
 from pathlib import Path
 
 import checks
+import editor
 import lab
 import live
 import weave
@@ -142,6 +143,7 @@ def main():
     if options.live:
         live.bring(html)
         lab.bring(html)
+        editor.bring(html)
     mend_member_lists(html)
     if faults := [*leftovers(html), *checks.link_faults(html)]:
         sys.exit("\n".join(faults))

@@ -159,10 +159,10 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
         pass
 
 
-def serve(opens):
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(WORK))) as server:
-        place = f"http://127.0.0.1:{server.server_address[1]}/"
-        print(f"The laboratory: {place}   (Ctrl-C ends it)", flush=True)
+def serve(opens, folder=WORK, page="", name="The laboratory"):
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder))) as server:
+        place = f"http://127.0.0.1:{server.server_address[1]}/{page}"
+        print(f"{name}: {place}   (Ctrl-C ends it)", flush=True)
         if opens:
             webbrowser.open(place)
         try:

@@ -1,7 +1,6 @@
 #include "exercises/02_collision_detection/2_conservative_time.hpp"
 #include "exercises/checking.hpp"
-
-#include <random>
+#include "exercises/random_inputs.hpp"
 
 namespace enduring {
 namespace {
@@ -30,9 +29,8 @@ double distance_at(const VertexFaceStep& s, double tau)
 
 std::vector<VertexFaceStep> random_steps(int count)
 {
-    std::mt19937 random(2);
-    std::uniform_real_distribution<double> anywhere(-1, 1);
-    const auto point = [&] { return Vec3(anywhere(random), anywhere(random), anywhere(random)); };
+    RandomInputs random(5);
+    const auto point = [&] { return random.point(-1, 1); };
     std::vector<VertexFaceStep> steps;
     for (int i = 0; i < count; ++i)
         steps.push_back({point(), point(), point(), point(), point(), point(), point(), point()});

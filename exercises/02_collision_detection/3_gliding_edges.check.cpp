@@ -1,8 +1,7 @@
 #include "exercises/02_collision_detection/3_gliding_edges.hpp"
 #include "chapters/02_collision_detection/certified.hpp"
 #include "exercises/checking.hpp"
-
-#include <random>
+#include "exercises/random_inputs.hpp"
 
 using namespace enduring;
 
@@ -45,10 +44,10 @@ void expect_touch(const Case& c, std::optional<double> expected)
 /// have it, and all products are exact.
 std::vector<Case> random_cases(int count, int spread)
 {
-    std::mt19937 generator(7);
-    std::uniform_int_distribution<int> whole(-spread, spread);
+    RandomInputs random(7);
     const auto point = [&] {
-        const int x = whole(generator), y = whole(generator), z = whole(generator);
+        const int x = random.whole(-spread, spread), y = random.whole(-spread, spread),
+                  z = random.whole(-spread, spread);
         return Vec3(x, y, z);
     };
     std::vector<Case> cases;
