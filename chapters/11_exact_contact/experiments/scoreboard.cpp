@@ -23,7 +23,7 @@ struct Score {
 /// One solve on springs alone, as well as it goes.
 double error_of_springs(const FrictionProblem& problem, double h)
 {
-    ExactSettings settings{.h = h, .first_residual = 1e-10};
+    ExactSettings settings{.h = h, .keeps_h = true, .first_residual = 1e-10};
     settings.max_passes = 1;
     return solve_exactly(problem, settings).error;
 }
