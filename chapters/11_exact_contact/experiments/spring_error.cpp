@@ -45,7 +45,7 @@ void tell(Report& report, const std::string& which, const FrictionProblem& probl
 void spring_error(const RunOptions&, Report& report)
 {
     const FrictionProblem block = block_that_holds(),
-                          many = read_problem(own_problems() / "Confeti-ex03-Fc3D-SBM.dat");
+                          many = read_problem(public_problems() / "Confeti-ex03-Fc3D-SBM.dat");
     Table table({"h", "block", "block_2_passes", "block_4_passes", "many", "many_2_passes", "many_4_passes",
                  "many_8_passes"});
     double best_alone = 1, best_of_many = 1;
