@@ -14,23 +14,23 @@ Vec3 relaxed_impulse(const Vec3& free_velocity, double mass, double mu)
     if (mu * along <= -wanted.x())
         return Vec3::Zero();
     const double normal = (wanted.x() + mu * along) / (1 + mu * mu);
-    return {normal, mu * normal * wanted.y() / along, mu * normal * wanted.z() / along};
+    const double side = mu * normal / along;
+    return {normal, side * wanted.y(), side * wanted.z()};
 }
 
 double rising_speed(const Vec3& free_velocity, double mass, double mu)
 {
-    return free_velocity.x() + relaxed_impulse(free_velocity, mass, mu).x() / mass;
+    const Vec3 impulse = relaxed_impulse(free_velocity, mass, mu);
+    return free_velocity.x() + impulse.x() / mass;
 }
 
 double gap_after(const BlockOverGround& block, double mu, double dt)
 {
-    const Vec3 free_velocity(block.gap / dt + block.rising - 9.81 * dt, block.speed, 0);
+    const double opening = block.gap / dt + block.rising - 9.81 * dt;
+    const Vec3 free_velocity(opening, block.speed, 0);
     return dt * rising_speed(free_velocity, 1, mu);
 }
 
-double floating_gap(double speed, double mu, double dt)
-{
-    return mu * speed * dt;
-}
+double floating_gap(double speed, double mu, double dt) { return mu * speed * dt; }
 
 }  // namespace enduring
