@@ -144,7 +144,11 @@ public:
     void tell() const
     {
         report_.table("own_problems", table_);
-        report_.page_table("own_problems", table_, 2);
+        Table hardest(table_.columns());
+        for (const std::vector<Cell>& row : table_.rows())
+            if (std::get<long>(row[4]) >= 300)
+                hardest.add(row);
+        report_.page_table("own_problems", hardest, 2);
         report_.fact("own_problems", "problems", static_cast<double>(table_.rows().size()));
         report_.fact("own_problems", "solved", static_cast<double>(solved_));
         report_.fact("own_problems", "worst_name", worst_name_);
