@@ -71,10 +71,24 @@ void remember_impulses(ContactProblem& springs, const VectorXd& impulses)
 }
 //! [remember]
 
+/// of a pass' solve: from here on it is sharp, and its springs are what is left of the error
+constexpr double sharp_residual = 1e-5;
+
+//! [stiffer_by]
+/// After a pass that did not take 70 % of the error: by how much stiffer the springs of the next one are.
+double stiffer_by(bool reached, double residual)
+{
+    if (!reached)
+        return 0.1;
+    return residual < sharp_residual ? 10 : 1;
+}
+//! [stiffer_by]
+
 //! [solve_exactly]
 ExactSolution solve_exactly(const FrictionProblem& problem, const ExactSettings& settings)
 {
-    ContactProblem springs = springs_of(problem, settings.h);
+    ContactProblem springs = springs_of(problem,
+                                        settings.keeps_h ? settings.h : std::min(settings.h, stiffest_h));
     NewtonMatrix matrix;
     const double least_speed = 1e-14 * problem.free_velocity.norm();
     VectorXd impulses = VectorXd::Zero(3 * problem.contacts());
@@ -91,8 +105,14 @@ ExactSolution solve_exactly(const FrictionProblem& problem, const ExactSettings&
                                                               std::min(left, settings.max_steps_of_pass));
         impulses = impulses_at(springs, found.change);
         const double error = natural_map_error(problem, in_dimension(problem, impulses));
-        if (!best.errors.empty() && error > 0.3 * best.errors.back())
-            residual = std::max(1e-13, 0.1 * residual);
+        if (!best.errors.empty() && error > 0.3 * best.errors.back()) {
+            const bool reached = true_residual(springs, found.change, least_speed) <= residual;
+            if (!settings.keeps_h)
+                for (PairRow& row : springs.rows)
+                    row.law.stiffness *= stiffer_by(reached, residual);
+            if (reached || settings.keeps_h)
+                residual = std::max(1e-13, 0.1 * residual);
+        }
         idle = error < 0.5 * best.error ? 0 : idle + 1;
         best.errors.push_back(error);
         best.steps.push_back(found.newton_steps);

@@ -9,9 +9,11 @@ namespace enduring {
 
 /// How near to exact contact, and with how much work.
 struct ExactSettings {
-    /// h = k dt^2 / m of the springs. A hundredth: twice as many passes. A hundred times: the rounding of a spring is larger than
-    /// the error that is left.
+    /// h = k dt^2 / m of the springs in the first pass. Where passes bring little, the next ones have another; so a hundredth or a
+    /// hundred times end with the same error, after up to twice as many steps.
     double h = 1e6;
+    /// All passes have this h, whatever they bring: to measure springs.
+    bool keeps_h = false;
     /// of the natural map; the collections count 1e-8 as solved
     double tolerance = 1e-9;
     /// Of a pass' solve, at first; a tenth of it where a pass did not take 70 % of the error. A thousandth: the first passes
@@ -25,6 +27,10 @@ struct ExactSettings {
     /// So many passes without half of the best error mean that rounding or a jam is left.
     int max_idle_passes = 8;
 };
+
+/// The stiffest h with which a problem is begun: a spring's impulse is k times a motion, so rounding leaves h times 2e-16 of it. A
+/// tenth: more passes. A hundred times: the first passes end above 1e-8, and the springs have to become softer.
+inline constexpr double stiffest_h = 4e6;
 
 /// The length of all contacts' natural maps over the length of q from which on a problem counts as solved.
 inline constexpr double solved_error = 1e-8;
@@ -47,7 +53,9 @@ struct ExactSolution {
 /// @param impulses  r, three numbers for each pair [N s]
 void remember_impulses(ContactProblem& springs, const Eigen::VectorXd& impulses);
 
-/// One solve after the other, each with what the last one found, until the tolerance is reached or passes bring no more.
+/// One solve after the other, each with what the last one found, until the tolerance is reached or passes bring no more. Where a pass
+/// brings little, there are two causes: springs that give too much, or a solve that did not reach its residual. It cannot where rounding is larger,
+/// and where bodies jam: then limits of friction come back enlarged by springs that are stiff. So the next springs are ten times stiffer, or softer.
 ExactSolution solve_exactly(const FrictionProblem& problem, const ExactSettings& settings = {});
 
 }  // namespace enduring

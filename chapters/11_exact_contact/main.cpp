@@ -18,10 +18,13 @@ int main(int argc, char** argv)
         {
             {"spring_error", "how far springs are from exact contact, over their stiffness and over passes",
              chapter11::spring_error},
-            {"scoreboard", "public problems of contact, and those in a folder of yours (--problems)",
+            {"scoreboard",
+             "public problems of contact, and those in a folder of yours (--problems), beside Siconos",
              [more](const RunOptions& options, Report& report) {
                  chapter11::scoreboard(options, report, *more);
              }},
+            {"own_problems", "problems of our own scenes for others, written with our answers",
+             chapter11::own_problems},
             {"stack_exact", "a stack at rest on springs that remember their force: how deep it is pressed",
              chapter11::stack_exact},
             {"exact_scenes", "scenes at rest on springs and on springs that remember: depth, drift and time",

@@ -123,24 +123,31 @@ std::string siconos_text(const FrictionProblem& problem)
     return out.str();
 }
 
-void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder)
+void take_problems(Solver& solver, const ContactParameters& parameters,
+                   std::function<void(int step, const FrictionProblem&)> take)
 {
-    std::filesystem::create_directories(folder);
-    solver.insert_before("solve contacts in passes", "write problem",
-                         [friction = coefficients_of(parameters.friction), folder](
+    solver.insert_before("solve contacts in passes", "hand on problem",
+                         [friction = coefficients_of(parameters.friction), take = std::move(take)](
                              World& world, Contacts& contacts, double dt) {
                              if (std::any_of(contacts.begin(), contacts.end(),
                                              [](const Contact& contact) { return contact.answered(); }))
                                  return;
                              const FrictionProblem problem = problem_of_step(world, contacts, friction, dt);
-                             if (problem.contacts() == 0)
-                                 return;
-                             std::ostringstream name;
-                             name << "step_" << std::setw(6) << std::setfill('0') << world.step + 1 << ".dat";
-                             std::ofstream out(folder / name.str());
-                             if (!(out << siconos_text(problem)))
-                                 throw InputError((folder / name.str()).string() + ": cannot be written");
+                             if (problem.contacts() > 0)
+                                 take(world.step + 1, problem);
                          });
+}
+
+void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder)
+{
+    std::filesystem::create_directories(folder);
+    take_problems(solver, parameters, [folder](int step, const FrictionProblem& problem) {
+        std::ostringstream name;
+        name << "step_" << std::setw(6) << std::setfill('0') << step << ".dat";
+        std::ofstream out(folder / name.str());
+        if (!(out << siconos_text(problem)))
+            throw InputError((folder / name.str()).string() + ": cannot be written");
+    });
 }
 
 }  // namespace enduring

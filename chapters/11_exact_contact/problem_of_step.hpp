@@ -5,6 +5,7 @@
 #include "common/simulation/step.hpp"
 
 #include <filesystem>
+#include <functional>
 
 namespace enduring {
 
@@ -22,8 +23,12 @@ Mat3 contact_frame(const Vec3& normal);
 /// Siconos' text, sparse: what parse_siconos() reads.
 std::string siconos_text(const FrictionProblem& problem);
 
-/// Chapter 11's solver, which writes the problem of each step into a folder: step_000001.dat and so on. Of a step that is taken in halves it
-/// is the last part.
+/// Chapter 11's solver, which hands on the problem of each step in which something is near. Of a step that is taken in halves it is the last part.
+/// @param take  is given the number of the step, from 1 on
+void take_problems(Solver& solver, const ContactParameters& parameters,
+                   std::function<void(int step, const FrictionProblem&)> take);
+
+/// Chapter 11's solver, which writes the problem of each step into a folder: step_000001.dat and so on.
 void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder);
 
 }  // namespace enduring

@@ -79,6 +79,7 @@ Scene scene_of(const SphereImpact& impact)
 {
     Scene scene = chapter07::scene_of({}, impact.dt, 0, impact.mu, impact.mu);
     scene.world.gravity = Vec3::Zero();
+    scene.world.restitution.between = {impact.restitution};
     SurfaceMesh mesh = ball_on_vertex(sphere_radius, impact.subdivisions);
     if (impact.askew)
         turn_mesh(mesh, Quaternion(Eigen::AngleAxisd(0.3, Vec3(1, 0, 2).normalized())));
@@ -114,7 +115,7 @@ AfterImpact strike(const SphereImpact& impact)
         inverse_along += 1 / other.mass + r * r / other.inertia;
         slip += r * impact.other_spin;
     }
-    const double sliding = impact.mu * impact.normal_speed / inverse_mass,
+    const double sliding = impact.mu * (1 + impact.restitution) * impact.normal_speed / inverse_mass,
                  sticking = std::abs(slip) / inverse_along;
     const double impulse = -std::copysign(std::min(sliding, sticking), slip);
     //! [strike]

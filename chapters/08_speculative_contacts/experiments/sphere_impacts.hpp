@@ -4,13 +4,14 @@
 
 namespace enduring::chapter08 {
 
-/// A ball of facets comes down on the ground or on another ball, without gravity and without a rebound. Lengths along the
+/// A ball of facets comes down on the ground or on another ball, without gravity. Lengths along the
 /// surface are positive in one direction, spins where they move the ball's lowest point in this direction.
 struct SphereImpact {
     double normal_speed = 1;  ///< at which the surfaces meet [m/s]
     double along = 0;         ///< velocity of the ball along the surface [m/s]
     double spin = 0;          ///< of the ball [rad/s]
     double mu = 0.3;
+    double restitution = 0;
     double other_radius = 0;  ///< of the other ball, of the same density and at rest; 0 is the ground [m]
     double other_spin = 0;    ///< of the other ball, in the ball's sense of turning [rad/s]
     double dt = 0.0005;       ///< [s]
@@ -30,7 +31,7 @@ struct AfterImpact {
 /// Radius of the ball [m].
 inline constexpr double sphere_radius = 0.1;
 
-/// By J_n = m v_n and J_t = min(mu J_n, m_t s): m is the reduced mass of both, s the slip, and 1/m_t the sum of
+/// By J_n = (1 + e) m v_n and J_t = min(mu J_n, m_t s): m is the reduced mass of both, s the slip, and 1/m_t the sum of
 /// 1/m_i + r_i^2 / I_i; on the ground m_t = 2/7 of the ball's mass.
 AfterImpact strike(const SphereImpact& impact);
 

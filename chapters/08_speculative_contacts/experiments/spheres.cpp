@@ -29,7 +29,29 @@ private:
                   "rim_by_formula_m_per_s", "off_percent", "rebound_percent"}};
 };
 
-/// Chung and Ooi's tests 4 to 8; tests 1 to 3 are normal and ask for a rebound.
+/// Chung and Ooi's tests 1 to 3, along the normal: two balls and a ball on the ground, elastic, and with other coefficients of restitution.
+void rebounds(Report& report)
+{
+    Table table({"test", "restitution", "rebound_percent", "off_percent"});
+    double worst = 0;
+    const auto add = [&](const std::string& test, double restitution, double other_radius) {
+        const double rebound = strike({.restitution = restitution, .other_radius = other_radius}).rebound;
+        table.add({test, restitution, 100 * rebound, 100 * std::abs(rebound - restitution)});
+        worst = std::max(worst, std::abs(rebound - restitution));
+    };
+    add("1: two equal balls", 1, sphere_radius);
+    add("2: on the ground", 1, 0);
+    for (const double restitution : {0.2, 0.4, 0.6, 0.8}) {
+        add("3: two equal balls", restitution, sphere_radius);
+        add("3: on the ground", restitution, 0);
+    }
+    report.table("spheres_rebound", table);
+    report.page_table("spheres_rebound", table, 3);
+    report.fact("spheres", "rebounds", static_cast<double>(table.rows().size()));
+    report.fact("spheres", "worst_rebound_percent", 100 * worst, 2);
+}
+
+/// Chung and Ooi's tests 4 to 8.
 void impacts(bool quick, Report& report)
 {
     Impacts rows;
@@ -91,6 +113,7 @@ void over_the_mesh(bool quick, Report& report)
 /// Balls strike the ground and each other, slide and roll: against the formulas of round ones.
 void spheres(const RunOptions& options, Report& report)
 {
+    rebounds(report);
     impacts(options.quick, report);
     over_the_mesh(options.quick, report);
 }

@@ -25,6 +25,17 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("sphere impacts: balls part with their coefficient of restitution of the speed at which they met")
+{
+    for (const double other_radius : {0.0, sphere_radius})
+        for (const double restitution : {0.4, 1.0}) {
+            CAPTURE(other_radius);
+            CAPTURE(restitution);
+            const SphereImpact impact{.restitution = restitution, .other_radius = other_radius};
+            CHECK(strike(impact).rebound == doctest::Approx(restitution).epsilon(1e-3));
+        }
+}
+
 TEST_CASE("sphere impacts: of two balls each takes its share, also if one is larger or spins")
 {
     CHECK(strike({.spin = 15, .other_radius = 0.1, .other_spin = 15, .dt = 1e-4}).largest_off < 0.015);

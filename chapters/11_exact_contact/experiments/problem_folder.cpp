@@ -8,7 +8,9 @@
 
 namespace enduring::chapter11 {
 
-std::filesystem::path own_problems() { return source_directory() / "chapters/11_exact_contact/problems"; }
+std::filesystem::path public_problems() { return source_directory() / "chapters/11_exact_contact/problems"; }
+
+std::filesystem::path own_problems() { return public_problems() / "ours"; }
 
 ProblemFolder read_problems(const std::filesystem::path& folder)
 {

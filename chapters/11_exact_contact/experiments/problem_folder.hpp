@@ -19,7 +19,8 @@ struct ProblemFolder {
         refused;  ///< what was said of each file that is no problem, or one that is not solved here
 };
 
-/// The problems that lie beside the chapter.
+/// The public problems that lie beside the chapter, and our own.
+std::filesystem::path public_problems();
 std::filesystem::path own_problems();
 
 /// All files of a folder that end in .dat or .hdf5.

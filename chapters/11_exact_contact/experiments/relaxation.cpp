@@ -1,7 +1,11 @@
 #include "chapters/11_exact_contact/relaxation.hpp"
 
+#include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
 #include "chapters/11_exact_contact/force_memory.hpp"
+#include "chapters/11_exact_contact/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +13,25 @@
 #include <string>
 
 namespace enduring::chapter11 {
+
+//! [rod_scene]
+Scene rod_scene(double angle, double mu, double dt)
+{
+    Scene scene = chapter07::scene_of({}, dt, 0, mu, mu);
+    SurfaceMesh mesh = box(Vec3(2, 0.002, 0.5));
+    const Eigen::AngleAxisd lean(angle, Vec3::UnitZ());
+    double lowest = 0;
+    for (Vec3& vertex : mesh.vertices) {
+        vertex = lean * vertex;
+        lowest = std::min(lowest, vertex.y());
+    }
+    for (Vec3& vertex : mesh.vertices)
+        vertex.y() -= lowest;
+    scene.world.bodies.push_back(
+        std::make_unique<RigidBody>("rod", mesh, with_mass(mass_properties(mesh, 1000), 1), Vec3(-1, 0, 0)));
+    return scene;
+}
+//! [rod_scene]
 namespace {
 
 /// How a rod's end goes on that slides at 1 m/s.
@@ -68,6 +91,46 @@ void rods(Report& report)
     report.fact("relaxation", "rods_solved", static_cast<double>(solved));
 }
 
+/// Velocity of the rod's lower end along the ground [m/s].
+double slip_of(const Scene& scene)
+{
+    const RigidMotion& motion = dynamic_cast<const RigidBody&>(*scene.world.bodies[0]).motion();
+    const auto vertices = scene.world.bodies[0]->positions_t0();
+    const auto low = std::min_element(vertices.begin(), vertices.end(),
+                                      [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
+    return (motion.velocity() + motion.angular_velocity().cross(*low - scene.world.bodies[0]->centre())).x();
+}
+
+/// The rod over time under this chapter's solver: how fast its end slides after the first step and after 50 ms.
+void rods_over_time(Report& report)
+{
+    Table table({"mu_over_critical", "dt_ms", "slip_after_a_step_m_per_s", "slip_after_50_ms_m_per_s",
+                 "impulse_of_first_step_over_mv", "unsolved_steps"});
+    const double angle = std::atan(2.0);
+    for (const double part : {0.5, 0.9, 1.1, 2.0})
+        for (const double dt_ms : {1.0, 5.0}) {
+            Scene scene = rod_scene(angle, part * painleve_friction(angle), 1e-3 * dt_ms);
+            long unsolved = 0;
+            ImplicitSettings settings;
+            settings.record = [&](const SolveRecord& record) { unsolved += !record.converged; };
+            const Solver solver = chapter11_solver(scene.contact, settings,
+                                                   {.record = [](const PassRecord&) {}});
+            Contacts contacts;
+            advance(scene.world, contacts, solver, scene.dt);
+            const double first = slip_of(scene);
+            double impulse = 0;
+            for (const Contact& contact : contacts)
+                impulse += contact.impulse.norm();
+            while (scene.world.time < 0.05 - 1e-9)
+                advance(scene.world, contacts, solver, scene.dt);
+            if (part > 1 && dt_ms == 1)
+                report.fact("relaxation", "scene_jam_impulse", impulse, 3);
+            table.add({part, dt_ms, first, slip_of(scene), impulse, unsolved});
+        }
+    report.table("painleve_scene", table);
+    report.page_table("painleve_scene", table, 3);
+}
+
 }  // namespace
 
 /// What the convex relaxation of Coulomb's rule lifts, and what Coulomb's own rule does with Painleve's rod.
@@ -75,6 +138,7 @@ void relaxation(const RunOptions&, Report& report)
 {
     slide(report);
     rods(report);
+    rods_over_time(report);
 }
 
 }  // namespace enduring::chapter11

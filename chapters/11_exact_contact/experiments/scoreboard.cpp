@@ -1,124 +1,261 @@
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
-#include "chapters/11_exact_contact/experiments/problem_folder.hpp"
+#include "chapters/11_exact_contact/experiments/siconos_scores.hpp"
 #include "chapters/11_exact_contact/force_memory.hpp"
-#include "common/experiments/report/growing_table.hpp"
+#include "chapters/11_exact_contact/natural_map.hpp"
+#include "common/experiments/run/processor_clock.hpp"
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <iostream>
 #include <limits>
+#include <map>
+#include <sstream>
 #include <string>
 
 namespace enduring::chapter11 {
 namespace {
 
-constexpr std::array thresholds{1e-4, 1e-6, 1e-8};
+constexpr double never = std::numeric_limits<double>::infinity();
+/// Of a threshold, what every solver is asked for: each measures its error in another way, and ends just below.
+constexpr double asked = 0.1;
+const std::array<std::string, 3> thresholds{"1e-4", "1e-6", "1e-8"};
 
-struct Score {
-    std::string name;
-    int dimension;
-    ExactSolution solution;
+/// What a solver makes of a problem, asked for a part of a threshold.
+struct Outcome {
+    double error = never, seconds = never;
 };
+/// By solver; a place for each problem.
+using Outcomes = std::map<std::string, std::vector<Outcome>>;
 
-/// One solve on springs alone, as well as it goes.
-double error_of_springs(const FrictionProblem& problem, double h)
+/// The least of three runs, unless they are long.
+Outcome timed(const FrictionProblem& problem, const ExactSettings& settings)
 {
-    ExactSettings settings{.h = h, .first_residual = 1e-10};
-    settings.max_passes = 1;
-    return solve_exactly(problem, settings).error;
-}
-
-/// Newton's steps after which a problem's error was below a threshold for the first time.
-double steps_until(const ExactSolution& solution, double threshold)
-{
-    double steps = 0;
-    for (std::size_t pass = 0; pass < solution.errors.size(); ++pass) {
-        steps += solution.steps[pass];
-        if (solution.errors[pass] <= threshold)
-            return steps;
+    Outcome outcome;
+    for (int run = 0; run < 3; ++run) {
+        const double begin = processor_seconds();
+        outcome.error = solve_exactly(problem, settings).error;
+        const double seconds = processor_seconds() - begin;
+        outcome.seconds = std::min(outcome.seconds, seconds);
+        if (seconds > 0.05)
+            break;
     }
-    return std::numeric_limits<double>::infinity();
+    return outcome;
 }
 
-/// How many of all problems are solved with so many steps of Newton's method.
-Table profile(const std::vector<Score>& scores)
+/// Ours and, where it is installed, those of Siconos.
+Outcomes outcomes_for(const std::vector<NamedProblem>& problems, double threshold)
 {
-    Table table({"newton_steps", "to_1e-4_percent", "to_1e-6_percent", "to_1e-8_percent"});
-    for (const long steps : {1L, 2L, 5L, 10L, 20L, 50L, 100L, 200L, 500L, 1000L}) {
-        std::vector<Cell> row{steps};
-        for (const double threshold : thresholds) {
-            const auto solved = std::count_if(scores.begin(), scores.end(), [&](const Score& score) {
-                return steps_until(score.solution, threshold) <= static_cast<double>(steps);
-            });
-            row.emplace_back(100.0 * static_cast<double>(solved) / static_cast<double>(scores.size()));
-        }
+    Outcomes all;
+    std::vector<Outcome>& ours = all["ours"];
+    ours.reserve(problems.size());
+    for (const auto& [name, problem] : problems)
+        ours.push_back(timed(problem, {.tolerance = asked * threshold}));
+    for (const SiconosAnswer& answer : solve_by_siconos(problems, asked * threshold)) {
+        std::vector<Outcome>& theirs = all[answer.solver];
+        theirs.resize(problems.size());
+        const double error = natural_map_error(problems[answer.problem].problem, answer.impulses);
+        theirs[answer.problem] = {std::isfinite(error) ? error : never, answer.seconds};
+    }
+    return all;
+}
+
+//! [kept]
+std::filesystem::path kept_file() { return public_problems() / "siconos.txt"; }
+
+/// A line for each threshold, solver and problem: error, and time over ours.
+std::string kept_text(const std::vector<NamedProblem>& problems, const std::vector<Outcomes>& of_thresholds)
+{
+    std::ostringstream out;
+    for (std::size_t t = 0; t < thresholds.size(); ++t)
+        for (const auto& [solver, outcomes] : of_thresholds[t])
+            for (std::size_t i = 0; i < outcomes.size() && solver != "ours"; ++i)
+                if (outcomes[i].error < never)
+                    out << thresholds[t] << ' ' << solver << ' ' << problems[i].name << ' '
+                        << outcomes[i].error << ' '
+                        << outcomes[i].seconds / of_thresholds[t].at("ours")[i].seconds << '\n';
+    return out.str();
+}
+
+/// Where Siconos is not installed: its outcomes as they were measured on Debian 12, its times by ours of today.
+void add_kept(const std::vector<NamedProblem>& problems, std::vector<Outcomes>& of_thresholds)
+{
+    std::ifstream file(kept_file());
+    std::string threshold, solver, name;
+    double error = 0, over_ours = 0;
+    while (file >> threshold >> solver >> name >> error >> over_ours)
+        for (std::size_t i = 0; i < problems.size(); ++i)
+            if (problems[i].name == name) {
+                Outcomes& all = of_thresholds[static_cast<std::size_t>(
+                    std::find(thresholds.begin(), thresholds.end(), threshold) - thresholds.begin())];
+                all[solver].resize(problems.size());
+                all[solver][i] = {error, over_ours * all["ours"][i].seconds};
+            }
+}
+//! [kept]
+
+//! [profile]
+/// Of all problems, the part that a solver brings below a threshold in at most so many times the time of the best one.
+double part_solved(const std::vector<Outcome>& solver, const Outcomes& all, double threshold, double factor)
+{
+    const auto time_of = [&](const Outcome& outcome) {
+        return outcome.error <= threshold ? outcome.seconds : never;
+    };
+    double solved = 0;
+    for (std::size_t i = 0; i < solver.size(); ++i) {
+        double best = never;
+        for (const auto& [name, outcomes] : all)
+            best = std::min(best, time_of(outcomes[i]));
+        solved += time_of(solver[i]) < never && time_of(solver[i]) <= factor * best;
+    }
+    return solved / static_cast<double>(solver.size());
+}
+//! [profile]
+
+/// E. D. Dolan, J. J. More: Benchmarking optimization software with performance profiles, Mathematical Programming 91, 2002.
+Table profile(const std::vector<Outcomes>& of_thresholds)
+{
+    std::vector<std::string> columns{"time_over_best"};
+    for (const std::string& threshold : thresholds)
+        for (const auto& [solver, outcomes] : of_thresholds.front())
+            columns.push_back(solver + "_" + threshold + "_percent");
+    Table table(columns);
+    for (const double factor : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 1000.0, 10000.0}) {
+        std::vector<Cell> row{factor};
+        for (std::size_t i = 0; i < thresholds.size(); ++i)
+            for (const auto& [solver, outcomes] : of_thresholds[i])
+                row.emplace_back(100 *
+                                 part_solved(outcomes, of_thresholds[i], std::stod(thresholds[i]), factor));
         table.add(row);
     }
     return table;
 }
 
-void tell(Report& report, const std::vector<Score>& scores)
+Cell error_cell(const Outcomes& all, const std::string& solver, std::size_t problem)
 {
-    const auto solved = [&](int dimension, double threshold) {
-        return std::count_if(scores.begin(), scores.end(), [&](const Score& score) {
-            return score.dimension == dimension && score.solution.error <= threshold;
-        });
-    };
-    const auto number = [&](const std::string& name, auto value) {
-        report.fact("scoreboard", name, static_cast<double>(value), 3);
-    };
-    number("problems_3d", solved(3, std::numeric_limits<double>::infinity()));
-    number("problems_2d", solved(2, std::numeric_limits<double>::infinity()));
-    number("solved_1e4", solved(3, 1e-4));
-    number("solved_1e6", solved(3, 1e-6));
-    number("solved_1e8", solved(3, 1e-8));
-    const auto worst = std::max_element(
-        scores.begin(), scores.end(),
-        [](const Score& one, const Score& other) { return one.solution.error < other.solution.error; });
-    report.fact("scoreboard", "worst_name", worst->name);
-    number("worst_error", worst->solution.error);
-    number("most_steps",
-           std::max_element(scores.begin(), scores.end(), [](const Score& one, const Score& other) {
-               return one.solution.newton_steps < other.solution.newton_steps;
-           })->solution.newton_steps);
+    const auto found = all.find(solver);
+    return found == all.end() || found->second[problem].error == never ? Cell("–")
+                                                                       : Cell(found->second[problem].error);
+}
+
+Cell time_cell(const Outcomes& all, const std::string& solver, std::size_t problem)
+{
+    const auto found = all.find(solver);
+    return found == all.end() || found->second[problem].seconds == never
+               ? Cell("–")
+               : Cell(1e3 * found->second[problem].seconds);
+}
+
+/// One solve on springs alone, as well as it goes.
+double error_of_springs(const FrictionProblem& problem, double h)
+{
+    ExactSettings settings{.h = h, .keeps_h = true, .first_residual = 1e-10};
+    settings.max_passes = 1;
+    return solve_exactly(problem, settings).error;
+}
+
+/// How many problems in three dimensions there are and are solved, the worst by name, and the most steps.
+void tell(Report& report, const std::string& which, const std::vector<NamedProblem>& problems)
+{
+    long count = 0, solved = 0;
+    int most_steps = 0;
+    double worst = 0;
+    std::string worst_name;
+    for (const auto& [name, problem] : problems) {
+        const ExactSolution solution = solve_exactly(problem);
+        most_steps = std::max(most_steps, solution.newton_steps);
+        if (problem.dimension != 3)
+            continue;
+        ++count;
+        solved += solution.solved();
+        if (solution.error > worst) {
+            worst = solution.error;
+            worst_name = name;
+        }
+    }
+    report.fact("scoreboard", which + "_3d", static_cast<double>(count));
+    report.fact("scoreboard", which + "_solved_1e8", static_cast<double>(solved));
+    report.fact("scoreboard", which + "_worst_name", worst_name);
+    report.fact("scoreboard", which + "_worst_error", worst, 3);
+    report.fact("scoreboard", which + "_most_steps", most_steps);
+}
+
+/// Of the problems in three dimensions, those that each solver of Siconos solves; a dash where it is not installed.
+void tell_siconos(Report& report, const std::vector<NamedProblem>& problems, const Outcomes& sharp)
+{
+    for (const std::string& solver : siconos_solvers) {
+        long solved = 0;
+        for (std::size_t i = 0; i < problems.size(); ++i)
+            solved += sharp.contains(solver) && sharp.at(solver)[i].error <= solved_error;
+        report.fact("scoreboard", solver + "_solved", sharp.contains(solver) ? std::to_string(solved) : "–");
+    }
+}
+
+/// @param sharp  what all solvers make of them when asked for 1e-8
+Table table_of(const std::vector<NamedProblem>& problems, const Outcomes& sharp)
+{
+    Table table({"problem", "contacts", "springs_alone", "remembered", "passes", "newton_steps", "NSGS",
+                 "Newton", "ADMM", "ours_ms", "NSGS_ms", "Newton_ms", "ADMM_ms"});
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        const FrictionProblem& problem = problems[i].problem;
+        const ExactSolution solution = solve_exactly(problem);
+        std::vector<Cell> row{problems[i].name,
+                              static_cast<long>(problem.contacts()),
+                              error_of_springs(problem, 1e6),
+                              solution.error,
+                              static_cast<long>(solution.errors.size()),
+                              static_cast<long>(solution.newton_steps)};
+        for (const std::string& solver : siconos_solvers)
+            row.push_back(error_cell(sharp, solver, i));
+        row.push_back(time_cell(sharp, "ours", i));
+        for (const std::string& solver : siconos_solvers)
+            row.push_back(time_cell(sharp, solver, i));
+        table.add(std::move(row));
+    }
+    return table;
+}
+
+std::vector<NamedProblem> problems_in(const std::filesystem::path& folder)
+{
+    ProblemFolder read = read_problems(folder);
+    for (const std::string& refused : read.refused)
+        std::cerr << refused << '\n';
+    return std::move(read.problems);
 }
 
 }  // namespace
 
-/// The public problems that lie beside the chapter, or those of another folder: springs alone at three stiffnesses, and springs
-/// that remember.
+/// The public problems that lie beside the chapter and our own, or those of another folder: springs alone, springs that remember, and
+/// the solvers of Siconos, where it is installed.
 void scoreboard(const RunOptions&, Report& report, const std::filesystem::path& more)
 {
-    const ProblemFolder folder = read_problems(more.empty() ? own_problems() : more);
-    for (const std::string& refused : folder.refused)
-        std::cerr << refused << '\n';
-    if (folder.problems.empty())
+    const bool is_ours = more.empty();
+    const std::vector<NamedProblem> given = problems_in(is_ours ? public_problems() : more),
+                                    own = is_ours ? problems_in(own_problems()) : std::vector<NamedProblem>{};
+    if (given.empty())
         return;
-    GrowingTable table(report, more.empty() ? "scoreboard" : "yours",
-                       {"problem", "contacts", "dimension", "springs_h_1e4", "springs_h_1e6", "springs_h_1e8",
-                        "remembered", "passes", "newton_steps"},
-                       folder.problems.size());
-    std::vector<Score> scores;
-    for (const auto& [name, problem] : folder.problems) {
-        const ExactSolution solution = solve_exactly(problem);
-        table.add({name, static_cast<long>(problem.contacts()), static_cast<long>(problem.dimension),
-                   error_of_springs(problem, 1e4), error_of_springs(problem, 1e6),
-                   error_of_springs(problem, 1e8), solution.error, static_cast<long>(solution.errors.size()),
-                   static_cast<long>(solution.newton_steps)});
-        scores.push_back({name, problem.dimension, solution});
-    }
-    if (!more.empty()) {  // the book's tables are those of the chapter's own problems
-        report.table("yours", table);
-        report.page_table("yours", table, 2);
-        report.table("yours_profile", profile(scores));
+    std::vector<NamedProblem> all = given;
+    all.insert(all.end(), own.begin(), own.end());
+    std::vector<Outcomes> of_thresholds;
+    for (const std::string& threshold : thresholds)
+        of_thresholds.push_back(outcomes_for(all, std::stod(threshold)));
+    if (of_thresholds.back().size() > 1 && is_ours)
+        write_file(report.file("siconos.txt"), kept_text(all, of_thresholds));
+    else
+        add_kept(all, of_thresholds);
+    const std::string table_name = is_ours ? "scoreboard" : "yours",
+                      profile_name = is_ours ? "profile" : "yours_profile";
+    const Table table = table_of(given, of_thresholds.back());
+    report.table(table_name, table);
+    report.page_table(table_name, table, 2);
+    report.table(profile_name, profile(of_thresholds));
+    report.page_table(profile_name, profile(of_thresholds), 3);
+    if (!is_ours)
         return;
-    }
-    report.table("scoreboard", table);
-    report.page_table("scoreboard", table, 2);
-    report.table("profile", profile(scores));
-    report.page_table("profile", profile(scores), 3);
     report.plot("chapters/11_exact_contact/plots/profile.gp");
-    tell(report, scores);
+    tell(report, "public", given);
+    tell(report, "own", own);
+    tell_siconos(report, all, of_thresholds.back());
 }
 
 }  // namespace enduring::chapter11

@@ -13,7 +13,7 @@ namespace {
 /// Every pass is solved as well as it can be, so that what is left is the spring's.
 ExactSolution after_passes(const FrictionProblem& problem, double h, int passes)
 {
-    ExactSettings settings{.h = h, .tolerance = 0, .first_residual = 1e-12};
+    ExactSettings settings{.h = h, .keeps_h = true, .tolerance = 0, .first_residual = 1e-12};
     settings.max_passes = passes;
     settings.max_newton_steps = 300;
     return solve_exactly(problem, settings);
@@ -45,7 +45,7 @@ void tell(Report& report, const std::string& which, const FrictionProblem& probl
 void spring_error(const RunOptions&, Report& report)
 {
     const FrictionProblem block = block_that_holds(),
-                          many = read_problem(own_problems() / "Confeti-ex03-Fc3D-SBM.dat");
+                          many = read_problem(public_problems() / "Confeti-ex03-Fc3D-SBM.dat");
     Table table({"h", "block", "block_2_passes", "block_4_passes", "many", "many_2_passes", "many_4_passes",
                  "many_8_passes"});
     double best_alone = 1, best_of_many = 1;

@@ -79,6 +79,20 @@ TEST_CASE("problem of a step: the impulses of a step are an exact answer to its 
           1e-4 * (problem.bodies->levers * impulses).norm());
 }
 
+TEST_CASE("problem of a step: a stack of which only W is known is solved by springs that begin soft, too")
+{
+    Scene scene = chapter07::scene_of(chapter07::stack_of(8, 10, 1000), 0.01);
+    const TemporaryFolder folder;
+    run_and_write(scene, 1, folder.path);
+    FrictionProblem problem = read_problem(folder.path / "step_000001.dat");
+    problem.bodies.reset();
+    for (const double h : {1e1, 1e2, 1e10}) {
+        CAPTURE(h);
+        CHECK(solve_exactly(problem, {.h = h}).solved());
+    }
+    CHECK_FALSE(solve_exactly(problem, {.h = 1e2, .keeps_h = true}).solved());
+}
+
 TEST_CASE("problem of a step: a gap counts as the velocity that closes it in the step")
 {
     Scene scene = chapter07::scene_of({{10, Vec3(0, 0.5001, 0)}}, 0.01);
