@@ -73,6 +73,30 @@ TEST_CASE("anderson mixing: rounds that hardly change any more, or not at all, e
 }
 
 TEST_CASE(
+    "anderson mixing: where the rounds turn into others when they have ended, they end at a number again")
+{
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> normal;
+        const auto number = [&] { return normal(random); };
+        AndersonMixing mixing(8);
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(4);
+        for (int turn = 0; turn < 3; ++turn) {
+            const Eigen::MatrixXd axes =
+                Eigen::MatrixXd::NullaryExpr(4, 4, number).householderQr().householderQ();
+            const Eigen::MatrixXd map = axes * Eigen::VectorXd::LinSpaced(4, -0.8, 0.8).asDiagonal() *
+                                        axes.transpose();
+            const Eigen::VectorXd expected = Eigen::VectorXd::NullaryExpr(4, number);
+            for (int round = 0; round < 40; ++round)
+                x = mixing.next(x, expected + map * (x - expected));
+            CAPTURE(seed);
+            CAPTURE(turn);
+            CHECK((x - expected).norm() <= 1e-8);
+        }
+    }
+}
+
+TEST_CASE(
     "anderson mixing: where each round returns the error enlarged and with the other sign, few rounds end in the middle")
 {
     // A body in a wedge presses both sides by its weight less what friction holds; no limit of friction is negative.
