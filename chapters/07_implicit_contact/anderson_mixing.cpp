@@ -22,13 +22,14 @@ Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::Vect
     if (last_error_.size() > 0) {
         images_.push_back(image - last_image_);
         errors_.push_back(error - last_error_);
-        // What was learned while other pairs were in touch, or slipped, leads astray.
+        // An error that doubles: other pairs are in touch or slip now, or a jam sends it back enlarged. What was learned before
+        // leads astray, and the newest change alone finds the middle of a jam.
         if (error.norm() > 2 * last_error_.norm()) {
-            images_.clear();
-            errors_.clear();
+            images_.erase(images_.begin(), images_.end() - 1);
+            errors_.erase(errors_.begin(), errors_.end() - 1);
         }
     }
-    if (images_.size() > max_rounds) {
+    if (images_.size() > rounds_) {
         images_.erase(images_.begin());
         errors_.erase(errors_.begin());
     }
@@ -40,7 +41,8 @@ Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::Vect
     Eigen::VectorXd mixed = image - as_columns(images_) * shares;
     if (mixed.allFinite())
         return mixed;
-    *this = {};  // rounds that hardly change any more have no shares that numbers could tell
+    // rounds that hardly change any more have no shares that numbers could tell
+    *this = AndersonMixing(static_cast<int>(rounds_));
     return image;
 }
 //! [next]

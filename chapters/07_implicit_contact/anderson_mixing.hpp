@@ -13,14 +13,16 @@ namespace enduring {
 /// g is linear this is GMRES (Walker and Ni 2011).
 class AndersonMixing {
 public:
+    /// @param rounds  at most so many changes from round to round are combined; with none, each round is taken as it comes
+    explicit AndersonMixing(int rounds) : rounds_(static_cast<std::size_t>(rounds)) {}
+
     /// @param x      of this round
     /// @param image  g(x)
     /// @return       x of the next round
     Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& image);
 
 private:
-    static constexpr std::size_t max_rounds = 8;  ///< that it looks back
-
+    std::size_t rounds_;
     Eigen::VectorXd last_image_, last_error_;
     std::vector<Eigen::VectorXd> images_, errors_;  ///< how both changed from one round to the next
 };

@@ -29,7 +29,6 @@ struct PairRow {
     /// of p against q as predicted, all that acts already included [m/s]
     Vec3 velocity = Vec3::Zero();
     Vec3 acting = Vec3::Zero();  ///< impulse on p that the prediction contains already [N s]
-    bool turns = true;           ///< its normal follows the prediction
 
     std::span<const VertexMotion> moving() const
     {
@@ -112,15 +111,13 @@ ProblemSolution unchanged(const ContactProblem& problem);
 /// A convex problem that takes more of Newton's steps is stuck by rounding; a hundred random ones take 25.
 constexpr int max_convex_steps = 100;
 
-/// Newton's method with a line search, with limits of friction that are lagged and a guess
-/// of each pair's friction beside the velocities.
+/// Newton's method with a line search, with limits of friction that are lagged.
 /// @param begin        the change and the impulses with which it begins
 /// @param matrix       of the step's problems, kept from one to the next
 /// @param tolerance    of the residual
 /// @param least_speed  sqrt(kg) m/s: what counts as a momentum at all
-/// @param guesses_friction  else friction's stiffness is the derivative of its impulse: for comparisons
 ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
                              const ProblemSolution& begin, double tolerance, double least_speed,
-                             int max_steps = max_convex_steps, bool guesses_friction = true);
+                             int max_steps = max_convex_steps);
 
 }  // namespace enduring

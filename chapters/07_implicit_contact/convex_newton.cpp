@@ -61,10 +61,10 @@ double step_length(const ContactProblem& problem, const VectorXd& change, const 
 //! [solve_convex]
 ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix,
                              const ProblemSolution& begin, double tolerance, double least_speed,
-                             int max_steps, bool guesses_friction)
+                             int max_steps)
 {
     ProblemSolution solution{begin.change, begin.impulses};
-    DualFriction friction(problem, guesses_friction);
+    DualFriction friction(problem);
     for (;; ++solution.newton_steps) {
         const Answers answers = answers_to(problem, solution.change);
         const VectorXd gradient = times_mass(problem, solution.change) - answers.unbalanced;

@@ -27,7 +27,7 @@ std::vector<Mat3> DualFriction::hessians(const VectorXd& change) const
         const Vec3 velocity = row.velocity_after(change);
         const PairAnswer made = answer(row.law, velocity, problem_.step);
         all.push_back(made.hessian);
-        if (is_used_ && made.slips)
+        if (made.slips)
             all.back() += missing_stiffness(row, spring_impulse(row.law, velocity, problem_.step),
                                             guesses_[i], problem_.step);
     }

@@ -16,9 +16,8 @@ namespace enduring {
 class DualFriction {
 public:
     /// All guesses are zero. The problem outlives it.
-    /// @param is_used  else a slipping pair is as stiff as its answer says
-    explicit DualFriction(const ContactProblem& problem, bool is_used = true)
-        : problem_(problem), is_used_(is_used), guesses_(problem.rows.size(), Vec3::Zero())
+    explicit DualFriction(const ContactProblem& problem)
+        : problem_(problem), guesses_(problem.rows.size(), Vec3::Zero())
     {}
 
     /// Of each pair at these velocities: minus the derivative of its impulse, friction by the equation above.
@@ -28,7 +27,6 @@ public:
 
 private:
     const ContactProblem& problem_;
-    bool is_used_;
     std::vector<Vec3> guesses_;  ///< on p [N s]
 };
 

@@ -2,7 +2,6 @@
 
 #include "chapters/04_friction/surface_turn.hpp"
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
-#include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/pressing_mass.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
@@ -88,26 +87,24 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     SolveRecord& record = outcome.record;
     record.pairs = static_cast<int>(step.problem.rows.size());
     const double least = least_speed(world, island, dt);
-    AndersonMixing mixing;
+    AndersonMixing mixing(settings.mixing_rounds);
     for (;; ++record.rounds) {
         update_kinematics(world, step);
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
         record.converged = record.residual <= settings.tolerance;
-        const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds;
+        // the next round counts as one
+        const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
         if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness)) {
-            mixing = {};
+            mixing = AndersonMixing(settings.mixing_rounds);
             continue;
         }
         if (record.converged || steps_left <= 0)
             break;
         const double of_round = residual_of(step.problem, begin.change, least);
         const double sharp = sharp_enough(record.residual, of_round, settings.tolerance);
-        const ProblemSolution solution = record.rounds < settings.rounds_before_search
-                                             ? solve_convex(step.problem, matrix, begin, sharp, least,
-                                                            std::min(steps_left, max_convex_steps))
-                                             : solve_with_limit_search(step.problem, matrix, begin, sharp,
-                                                                       least, steps_left);
+        const ProblemSolution solution = solve_convex(step.problem, matrix, begin, sharp, least,
+                                                      std::min(steps_left, max_convex_steps));
         record.newton_steps += solution.newton_steps;
         apply_impulses(world, step, mixing.next(begin.impulses, solution.impulses));
     }

@@ -16,6 +16,9 @@ struct StiffnessChoice {
     /// The same, at most, whatever its load asks for: a mass is added to k dt^2, and the sum is rounded. A tenth: a die
     /// of a gram under 100 kg is pressed as many times deeper. Ten times: such solves come to no end.
     double max_k_dt2_over_m = 1e7;
+    /// A pair that lacks this many times its stiffness for the mass that presses it gets it in the same step. Infinite: a light body under a heavy one sinks
+    /// through the ground until its load counts. A half: every landing begins its rounds anew.
+    double at_once = 2;
     /// how deep the load that a pair carries may press it [m]; without it, a part of the pair's size
     std::optional<double> wanted_depth{};
     ScaleParts parts = scale_parts;  ///< of a pair's own units: what of_pair() takes

@@ -26,7 +26,6 @@ std::vector<double> pressing_masses(const World& world, const StepProblem& step)
 //! [stiffen_where_pressed]
 bool stiffen_where_pressed(const World& world, StepProblem& step, const StiffnessChoice& choice)
 {
-    constexpr double enough = 2;
     const double dt = step.problem.step.dt;
     const std::vector<double> masses = pressing_masses(world, step);
     bool any = false;
@@ -36,10 +35,10 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         const double load = law.normal.dot(step.problem.rows[i].acting) / dt;
         const double depth = choice.of_pair(natural_units(world, contact, dt)).depth();
         const double wanted = std::min(choice.k_dt2_over_m * masses[i] / (dt * dt), load / depth);
-        if (wanted < enough * contact.stiffness)
+        if (wanted < choice.at_once * contact.stiffness)
             continue;
         const double most = choice.max_k_dt2_over_m * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
-        if (most < enough * contact.stiffness)
+        if (most < choice.at_once * contact.stiffness)
             continue;
         stiffen(contact, law.depth_t0 + contact.rest_offset, std::min(wanted, most));
         law.stiffness = contact.stiffness;

@@ -5,40 +5,6 @@
 
 namespace enduring {
 
-/// The impact of one pair along its normal, in a step that ended with its surfaces in touch.
-struct PairImpact {
-    double gap_t0 = 0;  ///< at the start of the step [m], positive outside
-    double free_speed =
-        0;  ///< at the end of the step without the impulses of pairs [m/s], negative while it approaches
-    double acceleration = 0;  ///< of p against q by gravity [m/s^2], negative towards each other
-    double pressed = 0;       ///< how far its spring is pressed at the end of the step [m]
-    double dt = 0.01;         ///< [s]
-};
-
-/// The velocity at the moment of touch [m/s], negative; 0 where the pair does not approach.
-///
-/// The velocities of symplectic Euler belong to the middles of its steps, so at the start of the step the velocity is
-/// u_0 + a dt / 2, and a parabola leads from there through the gap.
-double touching_speed(const PairImpact& impact);
-
-/// The velocity at the end of the step [m/s] that belongs to the velocity `leaving` at touch: the height above the pressed spring is
-/// taken into account, and the velocity is brought back to the middle of the step.
-double speed_after(const PairImpact& impact, double leaving);
-
-//! [restitution_limits]
-struct RestitutionLimits {
-    /// Of g dt: the least speed at touch of an impact. At rest gravity brings g dt in a step, and what falls through the width of one step
-    /// up to twice as much. A tenth: a pile trembles for ever. Ten times: a ball of e = 0.5 and dt 10 ms ends its bounces at 20 cm, not at 2 mm.
-    double least_speed = 2;
-    /// Of the pair's length: the depth that counts as none. A spring of 100 m / dt^2 is pressed by this when it answers the least that counts
-    /// as an answer (ScaleParts::least_answer). A tenth: rounding bounces. Ten times: what begins in touch and comes in slowly does not bounce.
-    double least_length = 1e-9;
-    /// over the pairs that rub in an impact. A tenth: a cube that lands flat keeps some slip. Ten times: time only.
-    int friction_sweeps = 20;
-};
-inline constexpr RestitutionLimits restitution_limits;
-//! [restitution_limits]
-
 /// Behind the commit: pairs that met in this step send their bodies back, as the coefficients of restitution of the world say.
 /// Only velocities change, by impulses of pairs that carried one in this step: along their normals, and friction of these. Without coefficients nothing is done.
 /// @param friction  of all pairs; a world's materials come before it

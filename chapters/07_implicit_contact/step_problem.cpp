@@ -1,6 +1,5 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
-#include "chapters/06_redefinition/edge_pairs.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
@@ -97,17 +96,6 @@ Vec3 relative_position(const World& world, const Contact& contact, double tau)
     return sum;
 }
 
-//! [nearly_parallel]
-/// Whether two edges are so near to parallel, at the start or at the end, that chapter 6 would not let them push.
-bool are_nearly_parallel(const PairStep& step)
-{
-    const auto sine = [](const PairInstant& at) {
-        return at.side_1.normalized().cross(at.side_2.normalized()).norm();
-    };
-    return std::min(sine(step.t0), sine(step.t1)) < smallest_edge_sine;
-}
-//! [nearly_parallel]
-
 //! [push_between_paths]
 /// Of the normals between two, the one along which nothing moves; or the nearer one of the two.
 Vec3 normal_of_path(const Vec3& one, const Vec3& other, const Vec3& velocity)
@@ -132,8 +120,7 @@ void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& ro
 /// @return  the pair's depth at the start of the step [m]
 double update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
 {
-    if (row.turns)
-        row.law.normal = normal_of(pair_step(world, contact), step.centre);
+    row.law.normal = normal_of(pair_step(world, contact), step.centre);
     const Vec3 start = relative_position(world, contact, 0), end = relative_position(world, contact, 1);
     const double depth_t0 = row.law.normal.dot(start);
     row.law.depth_t0 = depth_t0 - contact.rest_offset;
@@ -237,7 +224,6 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         PairRow row;
         add_parts(world, contact, step, row);
         const double depth_t0 = update_row(world, contact, step_law, row);
-        row.turns = contact.kind != ContactKind::edge_edge || !are_nearly_parallel(pair_step(world, contact));
         if (row.law.normal.isZero(0) || !gives_way(row))
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));

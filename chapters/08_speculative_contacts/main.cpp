@@ -67,6 +67,7 @@ int main(int argc, char** argv)
                  chapter08::formulas},
                 {"harsh", "random scenes as harsh as a stranger's: energy, depth and solves of every step",
                  chapter08::harsh},
+                {"jams", "bodies that jam, at random: what each help of the solve saves", chapter08::jams},
                 {"constants",
                  "a tenth and ten times of each constant of the solver, and three weights over the step",
                  chapter08::constants},

@@ -11,15 +11,12 @@
 namespace enduring::chapter07 {
 namespace {
 
-/// With what the rounds of a step are helped.
+/// How many rounds mixing combines.
 struct Help {
     const char* name;
-    bool mixes, guesses_friction;
+    int mixing_rounds;
 };
-constexpr Help helps[] = {{"lagging alone", false, false},
-                          {"with mixing", true, false},
-                          {"with dual friction", false, true},
-                          {"with both", true, true}};
+const Help helps[] = {{"lagging alone", 0}, {"with mixing", ImplicitSettings{}.mixing_rounds}};
 constexpr double tolerance = 1e-6;
 constexpr int most_steps = 300;  ///< of Newton's method
 
@@ -28,7 +25,7 @@ struct Point {
     double residual;
 };
 
-/// The rounds of one island, as solve_contacts() has them, without a search for limits.
+/// The rounds of one island, as solve_contacts() has them.
 std::vector<Point> rounds_of(World& world, const Island& island, const ImplicitSettings& settings,
                              const Help& help, double dt)
 {
@@ -40,7 +37,7 @@ std::vector<Point> rounds_of(World& world, const Island& island, const ImplicitS
         mass += world.bodies[static_cast<std::size_t>(body)]->mass();
     const double least = std::sqrt(mass) * world.gravity.norm() * dt;
     NewtonMatrix matrix;
-    AndersonMixing mixing;
+    AndersonMixing mixing(help.mixing_rounds);
     std::vector<Point> points;
     while (true) {
         update_kinematics(world, step);
@@ -52,11 +49,10 @@ std::vector<Point> rounds_of(World& world, const Island& island, const ImplicitS
             return points;
         const double of_round = residual_of(step.problem, begin.change, least),
                      sharp = std::min(std::max(0.1 * tolerance, 1e-3 * residual), 0.1 * of_round);
-        const ProblemSolution solution = solve_convex(
-            step.problem, matrix, begin, std::max(1e-3 * tolerance, sharp), least,
-            std::min(left, max_convex_steps), help.guesses_friction);
-        apply_impulses(world, step,
-                       help.mixes ? mixing.next(begin.impulses, solution.impulses) : solution.impulses);
+        const ProblemSolution solution = solve_convex(step.problem, matrix, begin,
+                                                      std::max(1e-3 * tolerance, sharp), least,
+                                                      std::min(left, max_convex_steps));
+        apply_impulses(world, step, mixing.next(begin.impulses, solution.impulses));
     }
 }
 

@@ -16,9 +16,7 @@ do for [s in "stack heap wedged"] {
   if (s ne "stack") { set key off }
   plot 1e-6 linetype 10 notitle, \
        data using "newton_steps":(of(s, "lagging alone")) with linespoints linetype 3 title "lagging alone", \
-       data using "newton_steps":(of(s, "with mixing")) with linespoints linetype 1 title "mixing", \
-       data using "newton_steps":(of(s, "with dual friction")) with linespoints linetype 5 title "dual friction", \
-       data using "newton_steps":(of(s, "with both")) with linespoints linetype 2 title "both"
+       data using "newton_steps":(of(s, "with mixing")) with linespoints linetype 1 title "mixing"
   unset ylabel
 }
 unset multiplot

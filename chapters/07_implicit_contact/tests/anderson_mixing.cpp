@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 
+#include <cmath>
 #include <random>
 
 using namespace enduring;
@@ -19,7 +20,7 @@ TEST_CASE("anderson mixing: rounds of a linear map end, also where alone they wo
         const Eigen::VectorXd factors = Eigen::VectorXd::LinSpaced(n, -1.5, 0.99),
                               expected = Eigen::VectorXd::NullaryExpr(n, number);
         const Eigen::MatrixXd map = axes * factors.asDiagonal() * axes.transpose();
-        AndersonMixing mixing;
+        AndersonMixing mixing(8);
         Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
         for (int round = 0; round < n + 3; ++round)
             x = mixing.next(x, expected + map * (x - expected));
@@ -30,7 +31,7 @@ TEST_CASE("anderson mixing: rounds of a linear map end, also where alone they wo
 
 TEST_CASE("anderson mixing: rounds that only change the sign of the error end in the middle")
 {
-    AndersonMixing mixing;
+    AndersonMixing mixing(8);
     Eigen::VectorXd x = Eigen::VectorXd::Constant(3, 5);
     for (int round = 0; round < 2; ++round)
         x = mixing.next(x, Eigen::VectorXd(2 - x.array()));
@@ -48,7 +49,7 @@ TEST_CASE("anderson mixing: rounds of a linear map of more unknowns than it look
         const Eigen::VectorXd factors = Eigen::VectorXd::LinSpaced(n, -1.2, 0.8),
                               expected = Eigen::VectorXd::NullaryExpr(n, number);
         const Eigen::MatrixXd map = axes * factors.asDiagonal() * axes.transpose();
-        AndersonMixing mixing;
+        AndersonMixing mixing(8);
         Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
         for (int round = 0; round < 60; ++round)
             x = mixing.next(x, expected + map * (x - expected));
@@ -61,12 +62,60 @@ TEST_CASE("anderson mixing: rounds that hardly change any more, or not at all, e
 {
     for (const double change : {0.0, 1e-18, 1e-160, 1e-200, 1e-320}) {
         CAPTURE(change);
-        AndersonMixing mixing;
+        AndersonMixing mixing(8);
         Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
         for (int round = 0; round < 20; ++round) {
             const Eigen::VectorXd image = Eigen::Vector3d(change * round, change * (round % 2), 0);
             x = mixing.next(x, image);
             CHECK(x.allFinite());
         }
+    }
+}
+
+TEST_CASE(
+    "anderson mixing: where the rounds turn into others when they have ended, they end at a number again")
+{
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        std::mt19937 random(seed);
+        std::normal_distribution<double> normal;
+        const auto number = [&] { return normal(random); };
+        AndersonMixing mixing(8);
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(4);
+        for (int turn = 0; turn < 3; ++turn) {
+            const Eigen::MatrixXd axes =
+                Eigen::MatrixXd::NullaryExpr(4, 4, number).householderQr().householderQ();
+            const Eigen::MatrixXd map = axes * Eigen::VectorXd::LinSpaced(4, -0.8, 0.8).asDiagonal() *
+                                        axes.transpose();
+            const Eigen::VectorXd expected = Eigen::VectorXd::NullaryExpr(4, number);
+            for (int round = 0; round < 40; ++round)
+                x = mixing.next(x, expected + map * (x - expected));
+            CAPTURE(seed);
+            CAPTURE(turn);
+            CHECK((x - expected).norm() <= 1e-8);
+        }
+    }
+}
+
+TEST_CASE(
+    "anderson mixing: where each round returns the error enlarged and with the other sign, few rounds end in the middle")
+{
+    // A body in a wedge presses both sides by its weight less what friction holds; no limit of friction is negative.
+    for (const double factor : {-3.0, -8.0, -15.0}) {
+        AndersonMixing mixing(8);
+        Eigen::VectorXd limit = Eigen::VectorXd::Constant(2, 1);
+        for (int round = 0; round < 18; ++round)
+            limit = mixing.next(limit, (5 + factor * (limit.array() - 5)).cwiseMax(0).matrix());
+        CAPTURE(factor);
+        CHECK(limit[0] == doctest::Approx(5).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("anderson mixing: with none of the rounds before, each round is taken as it comes")
+{
+    AndersonMixing none(0);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(1);
+    for (int round = 0; round < 5; ++round) {
+        x = none.next(x, Eigen::VectorXd(1 - 2 * x.array()));
+        CHECK(x[0] == doctest::Approx((1 - std::pow(-2, round + 1)) / 3));
     }
 }

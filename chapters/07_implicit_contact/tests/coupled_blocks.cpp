@@ -1,6 +1,5 @@
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 #include "chapters/07_implicit_contact/dual_friction.hpp"
-#include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/newton_matrix.hpp"
 
 #include <doctest/doctest.h>
@@ -110,6 +109,10 @@ TEST_CASE("newton matrix: what cannot be factored or solved moves nothing")
     b[2] = std::numeric_limits<double>::quiet_NaN();
     NewtonMatrix matrix;
     CHECK(matrix.solve(bodies.problem, stiff, b).isZero(0));
+    bodies.problem.blocks[0].mass *= -1;
+    NewtonMatrix not_positive;
+    const std::vector<Mat3> soft(bodies.problem.rows.size(), 1e-6 * Mat3::Identity());
+    CHECK(not_positive.solve(bodies.problem, soft, Eigen::VectorXd::Ones(bodies.problem.size)).isZero(0));
 }
 
 TEST_CASE("newton matrix: another number of pairs needs another factor, though the first ones are as before")

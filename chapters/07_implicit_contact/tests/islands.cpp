@@ -267,4 +267,9 @@ TEST_CASE("islands: where two become one in a step, it goes on with the larger c
     matrices.begin_response(two, 4, true);
     CHECK(matrices.of(two[0]).solves() == 0);
     CHECK(matrices.of(two[1]).solves() == 0);
+    // what one of them took in the step before does not count in a step in which they are one from the first
+    matrices.of(two[1]).solve(problem, {}, Eigen::Vector3d::Ones());
+    matrices.begin_response(one, 4, true);
+    matrices.begin_response(one, 4, false);
+    CHECK(matrices.of(one[0]).solves() == 0);
 }

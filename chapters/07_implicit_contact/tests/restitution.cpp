@@ -1,4 +1,5 @@
 #include "chapters/07_implicit_contact/restitution.hpp"
+#include "chapters/07_implicit_contact/island_impact.hpp"
 
 #include "chapters/07_implicit_contact/generalized_reflection.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"

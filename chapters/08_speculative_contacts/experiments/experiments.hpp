@@ -31,6 +31,7 @@ void limits(const RunOptions& options, Report& report);
 void gears(const RunOptions& options, Report& report);
 void formulas(const RunOptions& options, Report& report);
 void harsh(const RunOptions& options, Report& report);
+void jams(const RunOptions& options, Report& report);
 void constants(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter08

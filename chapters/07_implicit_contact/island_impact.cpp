@@ -1,0 +1,159 @@
+#include "chapters/07_implicit_contact/island_impact.hpp"
+
+#include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/natural_units.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace enduring {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+//! [touching_speed]
+double touching_speed(const PairImpact& impact)
+{
+    const double a = impact.acceleration, at_start = impact.free_speed - a * impact.dt + a * impact.dt / 2;
+    const double squared = at_start * at_start - 2 * a * impact.gap_t0;
+    return impact.free_speed < 0 && squared > 0 ? -std::sqrt(squared) : 0;
+}
+
+double speed_after(const PairImpact& impact, double leaving)
+{
+    const double a = impact.acceleration;
+    return std::sqrt(std::max(0.0, leaving * leaving - 2 * a * impact.pressed)) - a * impact.dt / 2;
+}
+//! [touching_speed]
+
+namespace {
+
+/// Whether a pair carried an impulse, and not what rounding leaves of none.
+bool has_pushed(const World& world, const Contact& contact, double dt)
+{
+    return contact.answered() && contact.is_spring() && contact.stiffness > 0 &&
+           contact.impulse.norm() >
+               contact.stiffness * dt * restitution_limits.least_length * natural_length(world, contact);
+}
+
+Struck struck(const World& world, const Contact& contact, double dt)
+{
+    Struck one;
+    one.normal = contact.impulse.normalized();
+    one.restitution = pair_restitution(world, contact);
+    for (int i = 0; i < contact.vertex_count(); ++i) {
+        const Body& body = body_of_vertex(world, contact, i);
+        const auto vertex = static_cast<std::size_t>(i);
+        const double weight = contact.kind == ContactKind::vertex_plane ? 1 : contact.weights[vertex];
+        const Vec3 velocity = weight * body.velocity(contact.vertices[vertex]);
+        one.velocity += velocity;
+        if (body.is_static())
+            one.velocity_driven += velocity;
+    }
+    one.impact.dt = dt;
+    one.impact.pressed = contact.impulse.norm() / (contact.stiffness * dt);
+    one.impact.gap_t0 = -one.impact.pressed - dt * one.normal.dot(one.velocity);
+    return one;
+}
+
+/// Whether its surfaces were apart at the start of the step, or just touched. What was pressed then rests, or is an impact of an earlier step.
+bool was_open(const World& world, const Contact& contact, const Struck& pair)
+{
+    return pair.impact.gap_t0 > -restitution_limits.least_length * natural_length(world, contact);
+}
+
+/// What gravity does to each coordinate.
+VectorXd gravity_on(const World& world, const StepProblem& step)
+{
+    VectorXd all = VectorXd::Zero(step.problem.size);
+    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
+        if (step.block[place] < 0)
+            continue;
+        const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
+        const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[place])];
+        const Vec3 gravity = body.gravity_on(world.gravity);
+        if (body.contact_motion(step.vertices[place], 0, 0).rate.cols() == 6)  // of a rigid body
+            all.segment<3>(block.first) = gravity;
+        else
+            for (int i = 0; i < block.size(); i += 3)
+                all.segment<3>(block.first + i) = gravity;
+    }
+    return all;
+}
+
+MatrixXd response_of(const IslandImpact& island)
+{
+    const auto pairs = static_cast<Eigen::Index>(island.pairs.size());
+    MatrixXd along(island.step.problem.size, pairs), answers(island.step.problem.size, pairs);
+    for (Eigen::Index i = 0; i < pairs; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        VectorXd unit = VectorXd::Zero(island.step.problem.size);
+        island.step.problem.rows[row].add_impulse(island.pairs[row].normal, unit);
+        along.col(i) = unit;
+        answers.col(i) = times_response(island.step.problem, unit);
+    }
+    return along.transpose() * answers;
+}
+
+}  // namespace
+
+Island struck_part(const World& world, const Island& island, double dt)
+{
+    Island part;
+    bool any_meets = false;
+    for (Contact* const contact : island.contacts) {
+        if (!has_pushed(world, *contact, dt))
+            continue;
+        part.contacts.push_back(contact);
+        for (int i = 0; i < contact->vertex_count(); ++i)
+            part.bodies.push_back(static_cast<int>(body_index(*contact, i)));
+        const Struck one = struck(world, *contact, dt);
+        any_meets = any_meets || (one.restitution > 0 && was_open(world, *contact, one));
+    }
+    if (!any_meets)
+        return {};
+    std::sort(part.bodies.begin(), part.bodies.end());
+    part.bodies.erase(std::unique(part.bodies.begin(), part.bodies.end()), part.bodies.end());
+    part.bodies.erase(
+        std::remove_if(part.bodies.begin(), part.bodies.end(),
+                       [&](int body) { return world.bodies[static_cast<std::size_t>(body)]->is_static(); }),
+        part.bodies.end());
+    return part;
+}
+
+IslandImpact impact_of(const World& world, const Island& part, const FrictionCoefficients& friction,
+                       double dt)
+{
+    IslandImpact island;
+    island.step = set_up(world, part, {}, friction, {0, dt}, false);
+    const StepProblem& step = island.step;
+    island.gravity = gravity_on(world, step);
+    island.momentum = VectorXd::Zero(step.problem.size);
+    double work = 0;
+    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
+        const Contact& contact = *step.of_row[i];
+        island.pairs.push_back(struck(world, contact, dt));
+        if (step.problem.rows[i].law.mu > 0)
+            island.pairs.back().mu = pair_friction(world, contact, friction).mu_d;
+        island.pairs.back().running = running_of_surfaces(world, contact);
+        const Vec3 impulse = contact.impulse + contact.friction;
+        step.problem.rows[i].add_impulse(impulse, island.momentum);
+        work += impulse.dot(island.pairs.back().velocity);
+    }
+    const VectorXd change = times_response(step.problem, island.momentum);
+    island.lost = island.momentum.dot(change) / 2 - work;
+    for (std::size_t i = 0; i < island.pairs.size(); ++i) {
+        Struck& pair = island.pairs[i];
+        const PairRow& row = step.problem.rows[i];
+        pair.impact.free_speed = pair.normal.dot(pair.velocity - row.rate_of(change));
+        pair.impact.acceleration = pair.normal.dot(row.rate_of(island.gravity));
+        const double least = std::max(restitution_limits.least_speed * world.gravity.norm() * dt,
+                                      scale_parts.least_answer * natural_length(world, *step.of_row[i]) / dt);
+        pair.meets = pair.restitution > 0 && was_open(world, *step.of_row[i], pair) &&
+                     -touching_speed(pair.impact) > least;
+    }
+    island.response = response_of(island);
+    return island;
+}
+
+}  // namespace enduring
