@@ -16,9 +16,9 @@ struct SearchParts {
     /// of the smaller body's size [1]: how deep a pair may be at the start of a step. Deeper, geometry does not tell
     /// on which side a feature came in.
     double inside = 0.1;
-    /// of the size of the smallest body [1]: how far a feature reaches whose pairs are asked about. What an impact has left
-    /// inside by more than that, and moves on inwards, would lose its pair: with a tenth, a corner at 10 m/s in steps of
-    /// 10 ms passes a plate. Ten times as much only costs time.
+    /// of the size of the smallest body [1]: what an impact may leave inside. So far a feature reaches whose pairs are asked
+    /// about, and so deep behind a face lies what the face still holds. What moves on inwards from deeper would lose its
+    /// pair: with a tenth, a corner at 10 m/s in steps of 10 ms passes a plate. Ten times as much only costs time.
     double still_seen = 5e-3;
     /// sine by which a neighbour may pass the plane of a pair: a body that comes down on a side has all of its corners
     /// in play before it lies flat.
@@ -34,6 +34,10 @@ struct SearchParts {
     double stiffer = 5;
     /// cosine of the angle up to which a vertex hands what it remembers on to another face, and slides from one face to another.
     double hand_on = 0.7;
+    /// of the margin [1]: how deep a vertex may end that comes along a face which turns. Its path is then at right angles to
+    /// the normal of the middle of the step, as energy asks; a tenth loses energy in a screw, ten times as much lets corners
+    /// of bodies that spin into each other.
+    double turned = 0.1;
 };
 inline constexpr SearchParts search_parts;
 //! [search_parts]

@@ -52,10 +52,11 @@ double percent_of(double depth, const chapter07::DepthOutcome& outcome)
 
 using chapter07::DepthOutcome;
 
-/// What all heaps of a family came to, and which of them has the deepest body.
+/// What all heaps of a family came to, which of them has the deepest body, and how many have one that is deeper than half
+/// a percent of the smallest body's size.
 struct FamilyOutcome {
     DepthOutcome worst;
-    long runs = 0;
+    long runs = 0, deep = 0;
     unsigned deepest_seed = 0;
 
     void add(const DepthOutcome& run, unsigned seed)
@@ -63,6 +64,7 @@ struct FamilyOutcome {
         if (run.deepest_m > worst.deepest_m)
             deepest_seed = seed;
         worst.add(run);
+        deep += run.deepest_m > 5e-3 * run.size_m;
         ++runs;
     }
 };
@@ -79,20 +81,22 @@ std::array<FamilyOutcome, family_count> by_family(const std::vector<DepthOutcome
 void report_families(const std::vector<DepthOutcome>& found, const FamilySeeds& seeds, bool quick,
                      Report& report)
 {
-    Table table({"family", "bodies", "runs", "deepest_percent", "of_seed", "at_the_end_percent",
-                 "gain_percent", "lost", "unsolved", "solves", "max_newton_steps"});
+    Table table({"family", "bodies", "runs", "deepest_percent", "of_seed", "deeper_than_half_a_percent",
+                 "at_the_end_percent", "gain_percent", "lost", "unsolved", "solves", "max_newton_steps"});
     const auto families = by_family(found, seeds.count);
     DepthOutcome all;
     double deepest = 0, at_end = 0;
+    long all_deep = 0;
     for (int family = 0; family < family_count; ++family) {
-        const auto& [worst, runs, seed] = families.at(static_cast<std::size_t>(family));
+        const auto& [worst, runs, deep, seed] = families.at(static_cast<std::size_t>(family));
         table.add({family_name(family), std::string(quick ? "8" : "8 to 100"), runs,
-                   percent_of(worst.deepest_m, worst), static_cast<long>(seed),
+                   percent_of(worst.deepest_m, worst), static_cast<long>(seed), deep,
                    percent_of(worst.at_end_m, worst), 100 * worst.gain, static_cast<long>(worst.lost),
                    worst.unsolved, worst.solves, static_cast<long>(worst.max_newton_steps)});
         deepest = std::max(deepest, percent_of(worst.deepest_m, worst));
         at_end = std::max(at_end, percent_of(worst.at_end_m, worst));
         all.add(worst);
+        all_deep += deep;
     }
     report.table("families", table);
     report.page_table("families", table, 2);
@@ -102,6 +106,7 @@ void report_families(const std::vector<DepthOutcome>& found, const FamilySeeds& 
     tell("runs", static_cast<double>(found.size()), 4);
     tell("deepest_percent", deepest, 2);
     tell("at_the_end_percent", at_end, 2);
+    tell("deep", static_cast<double>(all_deep), 6);
     tell("deepest_mm", 1e3 * all.deepest_m, 2);
     tell("at_the_end_um", 1e6 * all.at_end_m, 2);
     tell("gain_percent", 100 * all.gain, 2);
