@@ -119,26 +119,26 @@ TEST_CASE(
     "contact search: on a side that turns a pair has the sliding normal, unless that would leave it deep")
 {
     for (const double turn : {0.005, 0.1}) {  // by 6 micrometres, or by 2.5 mm
-        const double dt = 0.004;
+        const double dt = 0.004, size = 0.2 * turn;
         World world;
         world.gravity = Vec3(0, -9.81, 0);
         world.bodies.push_back(std::make_unique<DrivenBody>(
             "drum", box({2, 1, 1}), Vec3::Zero(), GivenMotion::steady(Vec3::Zero(), Vec3(0, 0, turn / dt))));
         // as fast down as the drum's top sinks below it, and a little more
-        add_rigid(world, cube_at({0, 0.5 + 0.01 + 1e-7, 0}, 0.02), Vec3(0, -0.35 * turn * turn / dt, 0));
+        add_rigid(world, cube_at({0, 0.5 + 0.5 * size + 1e-7, 0}, size),
+                  Vec3(0, -0.35 * turn * turn / dt, 0));
         predict(world, dt);
-        int pairs = 0;
+        int bent = 0;
         for (const Contact& contact : ContactSearch().find(world, {}, dt)) {
             if (contact.kind != ContactKind::vertex_face || contact.body_a != 1)
                 continue;
             const Vec3 expected = sliding_normal(contact_geometry(world, contact, 0).normal,
                                                  contact_geometry(world, contact, 1).normal,
                                                  motion_without_gravity(world, contact, dt));
-            CHECK_FALSE(expected.isZero(0));
+            bent += !expected.isZero(0);
             CHECK((contact.sliding_normal - (turn < 0.05 ? expected : Vec3(0, 0, 0))).norm() < 1e-12);
-            ++pairs;
         }
-        CHECK(pairs > 0);
+        CHECK(bent > 0);
     }
 }
 
