@@ -81,8 +81,8 @@ std::array<FamilyOutcome, family_count> by_family(const std::vector<DepthOutcome
 void report_families(const std::vector<DepthOutcome>& found, const FamilySeeds& seeds, bool quick,
                      Report& report)
 {
-    Table table({"family", "bodies", "runs", "deepest_percent", "of_seed", "deeper_than_half_a_percent",
-                 "at_the_end_percent", "gain_percent", "lost", "unsolved", "solves", "max_newton_steps"});
+    Table table({"family", "bodies", "runs", "deepest_percent", "of_seed", "deep_heaps", "at_the_end_percent",
+                 "gain_percent", "lost", "unsolved", "solves", "max_newton_steps"});
     const auto families = by_family(found, seeds.count);
     DepthOutcome all;
     double deepest = 0, at_end = 0;
