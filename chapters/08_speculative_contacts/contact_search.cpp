@@ -71,12 +71,8 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
         const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
         const Reach reach = reaches.of(body_a, body_b);
         Contact pair{ContactKind::vertex_face, body_a, body_b, vertex, face};
-        const bool is_known = known.contain(pair);
-        if (auto meeting = find_meeting(a, vertex, b, face, reach, is_known)) {
-            if (is_known && !meeting->is_crossing())  // of two equal ones, that of the last step
-                meeting->cost -= 1e-2 * search_parts.hysteresis * reach.inside / search_parts.inside;
+        if (const auto meeting = find_meeting(a, vertex, b, face, reach, known.contain(pair)))
             meetings.push_back({face, *meeting});
-        }
         const bool last = i + 1 == all.size() ||
                           !std::equal(all[i].begin(), all[i].begin() + 3, all[i + 1].begin());
         if (!last)
@@ -85,13 +81,18 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
         for (; first <= i; ++first)
             if (!meetings.empty())
                 ground.look_at(a, vertex, b, all[first][3]);
-        for (const FaceMeeting& chosen : choose_walls(b, std::move(meetings))) {
+        const double held = search_parts.still_held / search_parts.inside * reach.inside;
+        for (const FaceMeeting& chosen : choose_walls(b, std::move(meetings), held)) {
             const auto [f0, f1, f2] = b.face(chosen.face);
             pair.feature_b = chosen.face;
             pair.vertices = {vertex, f0, f1, f2};
             pair.weights = chosen.meeting.weights;
-            pair.sliding_normal = sliding_normal(ground.normal, contact_geometry(world, pair, 1).normal,
-                                                 motion_without_gravity(world, pair, dt));
+            const Vec3 start = contact_geometry(world, pair, 0).normal,
+                       end = contact_geometry(world, pair, 1).normal,
+                       motion = motion_without_gravity(world, pair, dt);
+            pair.sliding_normal.setZero();
+            if (0.5 * motion.norm() * (end - start).norm() <= search_parts.turned * reach.margin)
+                pair.sliding_normal = sliding_normal(ground.normal, end, motion);
             contacts.push_back(pair);
         }
         meetings.clear();
@@ -138,7 +139,7 @@ void append_plane_pairs(const World& world, double margin, Contacts& contacts)
                 const auto height = [&](double tau) {
                     return plane.normal.dot(body.position(vertex, tau) - plane.point);
                 };
-                if (height(0) > margin && height(1) > 0)
+                if (height(0) > margin && height(1) > margin)
                     continue;
                 contacts.push_back({ContactKind::vertex_plane,
                                     static_cast<int>(i),

@@ -16,6 +16,10 @@ struct SearchParts {
     /// of the smaller body's size [1]: how deep a pair may be at the start of a step. Deeper, geometry does not tell
     /// on which side a feature came in.
     double inside = 0.1;
+    /// of the smaller body's size [1]: how deep behind a face lies what the face still holds. As long as it does, other faces
+    /// that the vertex passes count as well; deeper, they are the far side of the same wall. With none, a heap swallows a
+    /// body whose corner is pressed into one wall and passes another.
+    double still_held = 5e-3;
     /// sine by which a neighbour may pass the plane of a pair: a body that comes down on a side has all of its corners
     /// in play before it lies flat.
     double cone_sine = 0.2;
@@ -30,6 +34,10 @@ struct SearchParts {
     double stiffer = 5;
     /// cosine of the angle up to which a vertex hands what it remembers on to another face, and slides from one face to another.
     double hand_on = 0.7;
+    /// of the margin [1]: how deep a vertex may end that comes along a face which turns. Its path is then at right angles to
+    /// the normal of the middle of the step, as energy asks; a tenth loses energy in a screw, ten times as much lets corners
+    /// of bodies that spin into each other.
+    double turned = 0.1;
 };
 inline constexpr SearchParts search_parts;
 //! [search_parts]

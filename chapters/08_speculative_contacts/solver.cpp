@@ -27,7 +27,7 @@ void append_pairs_brought_inside(ContactSearch& search, const World& world, doub
     if (!search.has_moved(world))
         return;
     const KnownPairs known(contacts);
-    for (const Contact& contact : search.find(world, contacts, dt))
+    for (const Contact& contact : search.find(world, {}, dt))
         if (!known.contain(contact) && contact_geometry(world, contact, 1).depth <
                                            -scale_parts.wanted_depth * natural_length(world, contact))
             contacts.push_back(contact);

@@ -31,7 +31,7 @@ bool are_one_wall(const SurfaceMoment& surface, int face, int other)
 }  // namespace
 
 //! [choose_walls]
-std::vector<FaceMeeting> choose_walls(const SurfaceStep& step, std::vector<FaceMeeting> meetings)
+std::vector<FaceMeeting> choose_walls(const SurfaceStep& step, std::vector<FaceMeeting> meetings, double held)
 {
     std::sort(meetings.begin(), meetings.end(), [](const FaceMeeting& one, const FaceMeeting& other) {
         return std::tuple(one.meeting.is_crossing(), one.meeting.cost, one.face) <
@@ -41,9 +41,9 @@ std::vector<FaceMeeting> choose_walls(const SurfaceStep& step, std::vector<FaceM
     for (const FaceMeeting& next : meetings) {
         const SurfaceMoment surface{step, next.meeting.tau};
         const bool counts = std::all_of(chosen.begin(), chosen.end(), [&](const FaceMeeting& one) {
-            const bool leaves_one = one.meeting.depth_t1 > 0 && next.meeting.is_crossing();
+            const bool is_outside = one.meeting.depth_t1 > -held && next.meeting.is_crossing();
             return !are_one_wall(surface, one.face, next.face) &&
-                   (leaves_one || (stands_before(surface, one.face, next.face) &&
+                   (is_outside || (stands_before(surface, one.face, next.face) &&
                                    stands_before(surface, next.face, one.face)));
         });
         if (counts)

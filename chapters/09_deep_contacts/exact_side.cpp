@@ -45,11 +45,8 @@ int side_of_plane(const Difference& x, const Difference& v, const Difference& w,
     const double magnitude = size.x() * (sb.y() * sc.z() + sb.z() * sc.y()) +
                              size.y() * (sb.z() * sc.x() + sb.x() * sc.z()) +
                              size.z() * (sb.x() * sc.y() + sb.y() * sc.x());
-    // No term meets more than eight roundings; twice as many are granted. Below the least, products
-    // underflow.
-    constexpr double roundings = 16, least = 1e-150;
-    if (magnitude > least &&
-        std::abs(product) > roundings * std::numeric_limits<double>::epsilon() / 2 * magnitude)
+    constexpr double roundings = 16;  // no term meets more than eight; twice as many are granted
+    if (std::abs(product) > roundings * std::numeric_limits<double>::epsilon() / 2 * magnitude)
         return product > 0 ? 1 : -1;
     return side_by_exact_numbers(x, v, w, shift);
 }

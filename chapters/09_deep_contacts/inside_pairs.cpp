@@ -13,14 +13,13 @@ namespace {
 //! [append]
 /// A pair for each of the vertices that has none with the other body.
 void append_pairs_of(int body_a, const StillSurface& inner, const std::vector<int>& vertices, int body_b,
-                     const StillSurface& other, const std::vector<Vec3>& directions,
-                     const VertexContacts& in_contact, Contacts& contacts)
+                     const StillSurface& other, const Vec3& direction, const VertexContacts& in_contact,
+                     Contacts& contacts)
 {
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-        const int vertex = vertices[i];
+    for (const int vertex : vertices) {
         if (in_contact.find(body_a, vertex, body_b) >= 0)
             continue;
-        const Exit exit = find_exit(other, inner.positions[vertex], directions[i]);
+        const Exit exit = find_exit(other, inner.positions[vertex], direction);
         if (exit.face < 0)
             continue;
         Contact pair{ContactKind::vertex_face, body_a, body_b, vertex, exit.face};
@@ -40,12 +39,6 @@ StillSurface still(const Body& body, const FaceTree& tree)
 
 }  // namespace
 
-std::vector<Vec3> overlap_direction(const StillSurface&, const std::vector<int>& vertices,
-                                    const StillSurface&, const Vec3& separation_direction)
-{
-    return std::vector<Vec3>(vertices.size(), separation_direction);
-}
-
 void InsidePairs::fit_trees(const World& world)
 {
     const bool same = std::equal(bodies_.begin(), bodies_.end(), world.bodies.begin(), world.bodies.end(),
@@ -62,11 +55,11 @@ void InsidePairs::fit_trees(const World& world)
         trees_[i].refit({bodies_[i]->surface(), bodies_[i]->positions_t0(), bodies_[i]->positions_t0()});
 }
 
-void InsidePairs::note_directions(int body_a, const std::vector<int>& vertices, int body_b,
-                                  const std::vector<Vec3>& directions)
+void InsidePairs::note_direction(int body_a, const std::vector<int>& vertices, int body_b,
+                                 const Vec3& direction)
 {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        direction_of_vertex_[{body_a, vertices[i], body_b}] = directions[i];
+    for (const int vertex : vertices)
+        direction_of_vertex_[{body_a, vertex, body_b}] = direction;
 }
 
 void InsidePairs::trace(const World& world)
@@ -93,13 +86,12 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
         for (const Overlap& overlap : overlaps) {
             const auto &of_a = overlap.vertices_of_a, &of_b = overlap.vertices_of_b;
             const StillSurface a = still(*bodies_[i], trees_[i]), b = still(*bodies_[j], trees_[j]);
-            const std::vector<Vec3> directions_a = method_(a, of_a, b, overlap.separation_direction),
-                                    directions_b = method_(b, of_b, a, -overlap.separation_direction);
-            append_pairs_of(i, a, of_a, j, b, directions_a, in_contact, contacts);
-            append_pairs_of(j, b, of_b, i, a, directions_b, in_contact, contacts);
+            const Vec3 out_of_b = overlap.separation_direction, out_of_a = -out_of_b;
+            append_pairs_of(i, a, of_a, j, b, out_of_b, in_contact, contacts);
+            append_pairs_of(j, b, of_b, i, a, out_of_a, in_contact, contacts);
             append_crossing_edges(world, i, j, overlap, contacts);
-            note_directions(i, of_a, j, directions_a);
-            note_directions(j, of_b, i, directions_b);
+            note_direction(i, of_a, j, out_of_b);
+            note_direction(j, of_b, i, out_of_a);
         }
 }
 

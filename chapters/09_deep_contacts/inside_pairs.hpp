@@ -6,19 +6,9 @@
 #include <functional>
 #include <map>
 #include <tuple>
-#include <utility>
+#include <vector>
 
 namespace enduring {
-
-/// The separation direction of each of some vertices that lie in another body, unit length; zero for none.
-/// @param separation_direction  of the overlap that they belong to
-using SeparationMethod =
-    std::function<std::vector<Vec3>(const StillSurface& inner, const std::vector<int>& vertices,
-                                    const StillSurface& outer, const Vec3& separation_direction)>;
-
-/// All vertices share the direction of their overlap.
-std::vector<Vec3> overlap_direction(const StillSurface& inner, const std::vector<int>& vertices,
-                                    const StillSurface& outer, const Vec3& separation_direction);
 
 /// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
 /// which the separation direction of their overlap leads; and the edges that cross on its border without one. It needs no
@@ -27,8 +17,6 @@ std::vector<Vec3> overlap_direction(const StillSurface& inner, const std::vector
 /// The trees are shaped once, so it belongs to one world.
 class InsidePairs {
 public:
-    explicit InsidePairs(SeparationMethod method = overlap_direction) : method_(std::move(method)) {}
-
     /// Finds where bodies overlap at the start of the step.
     void trace(const World& world);
     /// A pair for each vertex in a traced overlap that has none in the list, and for edges that cross on its border.
@@ -53,11 +41,9 @@ private:
 
     void fit_trees(const World& world);
 
-    void note_directions(int body_a, const std::vector<int>& vertices, int body_b,
-                         const std::vector<Vec3>& directions);
+    void note_direction(int body_a, const std::vector<int>& vertices, int body_b, const Vec3& direction);
 
-    using Key = std::tuple<int, int, int>;  ///< body_a, vertex, body_b
-    SeparationMethod method_;
+    using Key = std::tuple<int, int, int>;     ///< body_a, vertex, body_b
     std::map<Key, Vec3> direction_of_vertex_;  ///< of this step
     std::vector<BodyOverlaps> overlaps_;       ///< of this step
     std::vector<const Body*> bodies_;          ///< whose trees these are
@@ -65,7 +51,7 @@ private:
 };
 
 /// Lets the rest offset of each spring fade: a tenth in each step, as chapter 7 has it, but no faster than its body
-/// may be let out. So a spring that is born deep inside brings no energy, and throws nothing.
+/// may be let out. So a spring with an initial overlap brings no energy, and throws nothing.
 /// @param keep  part of its rest offset that a spring keeps in a step at least
 /// @param most  by how much a pair's rest offset may fade in the step [m], not negative
 void fade_rest_offset(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most);

@@ -67,8 +67,7 @@ Vec3 point_of(const Piercing& piercing, const StillSurface& a, const StillSurfac
 int winding_by_ray(const Vec3& point, const StillSurface& b, int shift)
 {
     const SweptBox box = b.tree.box();
-    const double above = std::max(point.y(), box.high.y()) + (box.high - box.low).norm();
-    const Vec3 outside(point.x(), above, point.z());
+    const Vec3 outside(point.x(), box.high.y() + (box.high - box.low).norm(), point.z());
     int winding = 0;
     b.tree.faces_near({point, outside}, [&](int face) {
         const auto [f0, f1, f2] = b.topology.faces()[face];

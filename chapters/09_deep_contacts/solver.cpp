@@ -9,11 +9,11 @@ namespace enduring {
 
 //! [solver]
 Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,
-                        SeparationMethod method, const std::shared_ptr<ContactSearch>& search)
+                        const std::shared_ptr<ContactSearch>& search)
 {
     const double keep = std::exchange(settings.stiffness.keep, 1);  // rest offsets fade here, not there
     settings.stiffness.rubbing_offset = 100;                        // what separates from inside does not rub
-    const auto inside = std::make_shared<InsidePairs>(std::move(method));
+    const auto inside = std::make_shared<InsidePairs>();
     Solver solver = chapter08_solver(parameters, settings, search);
     solver.name = "chapter 9";
     solver.insert_before("find pairs", "trace overlaps",

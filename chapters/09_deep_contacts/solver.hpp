@@ -13,9 +13,8 @@ namespace enduring {
 /// from where the surfaces cross; no spring that begins at a depth brings energy. It keeps the trees of one world, so
 /// make one for each run.
 Solver chapter09_solver(const ContactParameters& parameters);
-/// The same with settings of one's own, another choice of the separation directions, and another search.
+/// The same with settings of one's own, and another search.
 Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,
-                        SeparationMethod method = overlap_direction,
                         const std::shared_ptr<ContactSearch>& search = std::make_shared<ContactSearch>());
 
 }  // namespace enduring

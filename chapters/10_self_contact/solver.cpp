@@ -11,8 +11,7 @@ namespace enduring {
 //! [solver]
 Solver chapter10_solver(const ContactParameters& parameters, ImplicitSettings settings)
 {
-    Solver solver = chapter09_solver(parameters, std::move(settings), overlap_direction,
-                                     std::make_shared<SelfSearch>());
+    Solver solver = chapter09_solver(parameters, std::move(settings), std::make_shared<SelfSearch>());
     solver.name = "chapter 10";
     return solver;
 }

@@ -44,12 +44,6 @@ void DrivenBody::commit(double dt)
     positions_t0_ = positions_t1_;
 }
 
-void DrivenBody::visit_state(StateArchive& archive)
-{
-    Body::visit_state(archive);
-    archive(time_);
-}
-
 Vec3 DrivenBody::velocity(int vertex) const
 {
     const GivenPlace now = motion_.at(time_);

@@ -26,8 +26,6 @@ public:
     double turning_speed() const override { return motion_.at(time_).angular_velocity.norm(); }
     Mat3 inverse_mass(int) const override { return Mat3::Zero(); }
 
-    void visit_state(StateArchive& archive) override;
-
     bool is_driven() const override { return true; }
     bool is_static() const override { return true; }
     double mass() const override { return 0; }

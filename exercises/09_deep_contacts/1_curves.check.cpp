@@ -1,5 +1,5 @@
+#include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/intersection_curve.hpp"
-#include "chapters/09_deep_contacts/overlap_shape.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "exercises/checking.hpp"

@@ -4,7 +4,7 @@
 
 namespace enduring {
 
-/// How the rest offset of a spring fades that is born at a depth.
+/// How the rest offset of a spring fades that begins at a depth.
 struct Fade {
     double keep = 0.9;    ///< what a step leaves of it, at least, in (0, 1)
     double speed = 0.25;  ///< how fast it fades at most [m/s], positive

@@ -8,6 +8,15 @@
 #include <limits>
 
 namespace enduring::chapter07 {
+namespace {
+
+bool is_behind_a_plane(const World& world, const Body& body)
+{
+    return std::any_of(world.planes.begin(), world.planes.end(),
+                       [&](const Plane& plane) { return plane.normal.dot(body.centre() - plane.point) < 0; });
+}
+
+}  // namespace
 
 void DepthOutcome::add(const DepthOutcome& other)
 {
@@ -15,6 +24,7 @@ void DepthOutcome::add(const DepthOutcome& other)
     at_end_m = std::max(at_end_m, other.at_end_m);
     size_m = size_m == 0 ? other.size_m : std::min(size_m, other.size_m);
     gain = std::max(gain, other.gain);
+    lost += other.lost;
     unsolved += other.unsolved;
     solves += other.solves;
     max_newton_steps = std::max(max_newton_steps, other.max_newton_steps);
@@ -38,12 +48,14 @@ DepthOutcome measure_depths(Scene& scene, double duration, MakeSolver make)
     const long steps = std::lround(duration / scene.dt);
     for (long i = 0; i < steps; ++i) {
         advance(world, contacts, solver, scene.dt);
-        const double energy = total_energy(world).total();
+        const double energy = total_energy(world).total() + spring_energy(contacts);
         outcome.gain = std::max(outcome.gain, (energy - last) / std::abs(first));
         last = energy;
         outcome.at_end_m = true_depth(world);
         outcome.deepest_m = std::max(outcome.deepest_m, outcome.at_end_m);
     }
+    for (const auto& body : world.bodies)
+        outcome.lost += !body->is_static() && is_behind_a_plane(world, *body);
     outcome.unsolved = solved.unconverged;
     outcome.solves = solved.solves;
     outcome.max_newton_steps = solved.max_newton_steps;

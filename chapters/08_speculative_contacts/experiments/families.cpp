@@ -13,22 +13,22 @@
 namespace enduring::chapter08 {
 namespace {
 
-/// The heaps of one family.
-std::vector<HeapPlan> heaps_of(int family, bool quick)
+/// So many heaps of each family, and so many of them with the solver of the chapter before, too.
+struct FamilySeeds {
+    unsigned count, with_both;
+};
+constexpr FamilySeeds full_seeds{200, 10}, quick_seeds_of_families{1, 1};
+
+/// The heap of a seed: the step, the friction and the spin take turns with periods that have no common factor, so a
+/// hundred and ten seeds have each with each.
+HeapPlan plan_of(int family, unsigned seed, bool quick)
 {
     if (quick)
-        return {{family, 8, 0.01, 0.3, 1}};
-    std::vector<HeapPlan> plans;
-    struct Way {
-        double dt, mu;
-    };
-    for (const auto& [dt, mu] : {Way{0.001, 0.3}, {0.005, 1}, {0.01, 0}, {0.01, 0.3}, {0.02, 0}, {0.02, 1}})
-        for (unsigned seed = 1; seed <= 4; ++seed)
-            plans.push_back({family, 8, dt, mu, seed});
-    for (unsigned seed = 1; seed <= 2; ++seed)
-        plans.push_back({family, 30, 0.01, 0.5, seed});
-    plans.push_back({family, 100, 0.01, 0.5, 1});
-    return plans;
+        return {family, 8, 0.01, 0.3, seed};
+    constexpr std::array steps{0.001, 0.002, 0.005, 0.01, 0.02};
+    const double dt = steps.at(seed % 5), mu = 0.1 * (seed * 7 % 11), spin = seed % 2 == 0 ? 30 : 0;
+    const int bodies = seed % 100 == 13 ? 100 : seed % 20 == 8 ? 30 : 8;
+    return {family, bodies, dt, mu, seed, spin};
 }
 
 void draw_heaps(bool quick, Report& report)
@@ -50,47 +50,93 @@ double percent_of(double depth, const chapter07::DepthOutcome& outcome)
     return 100 * depth / outcome.size_m;
 }
 
-void report_families(const std::vector<chapter07::DepthOutcome>& found, std::size_t runs, bool quick,
+using chapter07::DepthOutcome;
+
+/// What all heaps of a family came to, which of them has the deepest body, and how many have one that is deeper than half
+/// a percent of the smallest body's size.
+struct FamilyOutcome {
+    DepthOutcome worst;
+    long runs = 0, deep = 0;
+    unsigned deepest_seed = 0;
+
+    void add(const DepthOutcome& run, unsigned seed)
+    {
+        if (run.deepest_m > worst.deepest_m)
+            deepest_seed = seed;
+        worst.add(run);
+        deep += run.deepest_m > 5e-3 * run.size_m;
+        ++runs;
+    }
+};
+
+/// @param found  of the first seed all families, then of the next seed all families
+std::array<FamilyOutcome, family_count> by_family(const std::vector<DepthOutcome>& found, unsigned seeds)
+{
+    std::array<FamilyOutcome, family_count> families;
+    for (std::size_t i = 0; i < seeds * families.size(); ++i)
+        families.at(i % families.size()).add(found.at(i), 1 + static_cast<unsigned>(i / families.size()));
+    return families;
+}
+
+void report_families(const std::vector<DepthOutcome>& found, const FamilySeeds& seeds, bool quick,
                      Report& report)
 {
-    Table now({"family", "bodies", "runs", "deepest_percent", "at_the_end_percent", "gain_percent",
-               "unsolved", "solves", "max_newton_steps"});
-    Table before({"family", "runs", "deepest_with_7_mm", "deepest_with_8_mm", "at_the_end_with_7_um",
-                  "at_the_end_with_8_um", "unsolved_with_7", "unsolved_with_8"});
-    std::array<chapter07::DepthOutcome, 2> all;  // chapter 7's, chapter 8's
+    Table table({"family", "bodies", "runs", "deepest_percent", "of_seed", "deep_heaps", "at_the_end_percent",
+                 "gain_percent", "lost", "unsolved", "solves", "max_newton_steps"});
+    const auto families = by_family(found, seeds.count);
+    DepthOutcome all;
     double deepest = 0, at_end = 0;
+    long all_deep = 0;
     for (int family = 0; family < family_count; ++family) {
-        std::array<chapter07::DepthOutcome, 2> worst;
-        for (std::size_t i = 0; i < runs; ++i)
-            for (const std::size_t way : {0U, 1U})
-                worst[way].add(found[2 * (static_cast<std::size_t>(family) * runs + i) + way]);
-        const auto& [seven, eight] = worst;
-        now.add({family_name(family), std::string(quick ? "8" : "8 to 100"), static_cast<long>(runs),
-                 percent_of(eight.deepest_m, eight), percent_of(eight.at_end_m, eight), 100 * eight.gain,
-                 eight.unsolved, eight.solves, static_cast<long>(eight.max_newton_steps)});
-        before.add({family_name(family), static_cast<long>(runs), 1e3 * seven.deepest_m,
-                    1e3 * eight.deepest_m, 1e6 * seven.at_end_m, 1e6 * eight.at_end_m, seven.unsolved,
-                    eight.unsolved});
-        deepest = std::max(deepest, percent_of(eight.deepest_m, eight));
-        at_end = std::max(at_end, percent_of(eight.at_end_m, eight));
-        all[0].add(seven);
-        all[1].add(eight);
+        const auto& [worst, runs, deep, seed] = families.at(static_cast<std::size_t>(family));
+        table.add({family_name(family), std::string(quick ? "8" : "8 to 100"), runs,
+                   percent_of(worst.deepest_m, worst), static_cast<long>(seed), deep,
+                   percent_of(worst.at_end_m, worst), 100 * worst.gain, static_cast<long>(worst.lost),
+                   worst.unsolved, worst.solves, static_cast<long>(worst.max_newton_steps)});
+        deepest = std::max(deepest, percent_of(worst.deepest_m, worst));
+        at_end = std::max(at_end, percent_of(worst.at_end_m, worst));
+        all.add(worst);
+        all_deep += deep;
     }
-    report.table("families", now);
-    report.page_table("families", now, 2);
-    report.table("families_before", before);
-    report.page_table("families_before", before, 2);
-    report.fact("families", "runs", static_cast<double>(runs * family_count), 4);
-    report.fact("families", "deepest_percent", deepest, 2);
-    report.fact("families", "at_the_end_percent", at_end, 2);
-    report.fact("families", "deepest_mm", 1e3 * all[1].deepest_m, 2);
-    report.fact("families", "at_the_end_um", 1e6 * all[1].at_end_m, 2);
-    report.fact("families", "deepest_before_mm", 1e3 * all[0].deepest_m, 2);
-    report.fact("families", "at_the_end_before_um", 1e6 * all[0].at_end_m, 2);
-    report.fact("families", "gain_percent", 100 * all[1].gain, 2);
-    report.fact("families", "unsolved", static_cast<double>(all[1].unsolved), 6);
-    report.fact("families", "solves", static_cast<double>(all[1].solves), 6);
-    report.fact("families", "max_newton_steps", all[1].max_newton_steps);
+    report.table("families", table);
+    report.page_table("families", table, 2);
+    const auto tell = [&](const std::string& name, double value, int digits) {
+        report.fact("families", name, value, digits);
+    };
+    tell("runs", static_cast<double>(found.size()), 4);
+    tell("deepest_percent", deepest, 2);
+    tell("at_the_end_percent", at_end, 2);
+    tell("deep", static_cast<double>(all_deep), 6);
+    tell("deepest_mm", 1e3 * all.deepest_m, 2);
+    tell("at_the_end_um", 1e6 * all.at_end_m, 2);
+    tell("gain_percent", 100 * all.gain, 2);
+    tell("lost", all.lost, 6);
+    tell("unsolved", static_cast<double>(all.unsolved), 6);
+    tell("solves", static_cast<double>(all.solves), 6);
+    tell("max_newton_steps", all.max_newton_steps, 6);
+}
+
+/// The first heaps with chapter 7's solver, and with this one.
+void report_before(const std::vector<DepthOutcome>& with_7, const std::vector<DepthOutcome>& with_8,
+                   const FamilySeeds& seeds, Report& report)
+{
+    Table table({"family", "runs", "deepest_with_7_mm", "deepest_with_8_mm", "at_the_end_with_7_um",
+                 "at_the_end_with_8_um", "lost_with_7", "lost_with_8", "unsolved_with_7", "unsolved_with_8"});
+    const auto families_7 = by_family(with_7, seeds.with_both),
+               families_8 = by_family(with_8, seeds.with_both);
+    DepthOutcome all;
+    for (int family = 0; family < family_count; ++family) {
+        const auto i = static_cast<std::size_t>(family);
+        const DepthOutcome &seven = families_7.at(i).worst, &eight = families_8.at(i).worst;
+        table.add({family_name(family), families_7.at(i).runs, 1e3 * seven.deepest_m, 1e3 * eight.deepest_m,
+                   1e6 * seven.at_end_m, 1e6 * eight.at_end_m, static_cast<long>(seven.lost),
+                   static_cast<long>(eight.lost), seven.unsolved, eight.unsolved});
+        all.add(seven);
+    }
+    report.table("families_before", table);
+    report.page_table("families_before", table, 2);
+    report.fact("families", "deepest_before_mm", 1e3 * all.deepest_m, 2);
+    report.fact("families", "at_the_end_before_um", 1e6 * all.at_end_m, 2);
 }
 
 }  // namespace
@@ -98,20 +144,23 @@ void report_families(const std::vector<chapter07::DepthOutcome>& found, std::siz
 /// Heaps at random of eight families of shapes: how deep bodies come into each other.
 void families(const RunOptions& options, Report& report)
 {
-    std::vector<HeapPlan> plans;
-    for (int family = 0; family < family_count; ++family)
-        for (const HeapPlan& plan : heaps_of(family, options.quick))
-            plans.push_back(plan);
-    const double duration = options.quick ? 1.2 : 3;
-    constexpr std::array<chapter07::MakeSolver, 2> solvers{chapter07_solver, chapter08_solver};
-    const auto found = sweep<chapter07::DepthOutcome>(
-        options, "families", 2 * plans.size(), [&](std::size_t i) {
-            Scene scene = random_heap(plans[i / 2]);
-            return chapter07::measure_depths(scene, duration, solvers[i % 2]);
-        });
-    if (!found)
+    const FamilySeeds seeds = options.quick ? quick_seeds_of_families : full_seeds;
+    const double duration = options.quick ? 1.2 : 2;
+    const auto run_with = [&](chapter07::MakeSolver make) {
+        return [make, duration, quick = options.quick](std::size_t i) {
+            Scene scene = random_heap(plan_of(static_cast<int>(i % family_count),
+                                              1 + static_cast<unsigned>(i / family_count), quick));
+            return chapter07::measure_depths(scene, duration, make);
+        };
+    };
+    const auto found = sweep<DepthOutcome>(options, "families", family_count * seeds.count,
+                                           run_with(chapter08_solver));
+    const auto before = sweep<DepthOutcome>(options, "families_before", family_count * seeds.with_both,
+                                            run_with(chapter07_solver));
+    if (!found || !before)
         return;
-    report_families(*found, plans.size() / family_count, options.quick, report);
+    report_families(*found, seeds, options.quick, report);
+    report_before(*before, *found, seeds, report);
     draw_heaps(options.quick, report);
 }
 

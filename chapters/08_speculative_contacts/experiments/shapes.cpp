@@ -101,9 +101,13 @@ Scene random_heap(const HeapPlan& plan)
             middle += vertex / static_cast<double>(mesh.vertices.size());
         for (Vec3& vertex : mesh.vertices)
             vertex = turn * (vertex - middle) + Vec3(x, 0.6 + apart * layer, z);
-        scene.world.bodies.push_back(
-            std::make_unique<RigidBody>("body " + std::to_string(i + 1), mesh,
-                                        with_mass(mass_properties(mesh, 1000), numbers.within(1, 10))));
+        const double mass = numbers.within(1, 10);
+        const Vec3 spin = plan.spin > 0
+                              ? Vec3(numbers.within(0, plan.spin) * (numbers.turn() * Vec3::UnitX()))
+                              : Vec3::Zero();
+        scene.world.bodies.push_back(std::make_unique<RigidBody>("body " + std::to_string(i + 1), mesh,
+                                                                 with_mass(mass_properties(mesh, 1000), mass),
+                                                                 Vec3::Zero(), spin));
     }
     return scene;
 }

@@ -36,8 +36,9 @@ struct HeapPlan {
     double dt = 0.01;  ///< [s]
     double mu = 0.5;
     unsigned seed = 1;
+    double spin = 0;  ///< of each body at first, at most [rad/s]
 };
-/// Bodies of 1 to 10 kg, each turned at random, in layers above the ground, and at rest.
+/// Bodies of 1 to 10 kg, each turned at random, in layers above the ground. They do not fall yet, but may spin.
 Scene random_heap(const HeapPlan& plan);
 
 }  // namespace enduring::chapter08

@@ -21,5 +21,18 @@ TEST_CASE(
             CHECK(outcome.at_end_m < 1e-4 * outcome.size_m);
             CHECK(outcome.gain < 1e-3);
             CHECK(outcome.unsolved == 0);
+            CHECK(outcome.lost == 0);
         }
+}
+
+TEST_CASE(
+    "families: with long steps and spin, too, what ends near another body has a pair, and one that spins pushes as its face lies at the end")
+{
+    for (const HeapPlan& plan : {HeapPlan{0, 8, 0.02, 0, 44, 30}, HeapPlan{7, 8, 0.02, 0.4, 54, 30},
+                                 HeapPlan{8, 8, 0.02, 0.1, 19, 0}, HeapPlan{8, 8, 0.01, 0.1, 63, 0}}) {
+        CAPTURE(family_name(plan.family));
+        Scene scene = random_heap(plan);
+        const chapter07::DepthOutcome outcome = chapter07::measure_depths(scene, 1, chapter08_solver);
+        CHECK(outcome.deepest_m < 5e-3 * outcome.size_m);
+    }
 }

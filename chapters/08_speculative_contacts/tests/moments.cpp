@@ -72,26 +72,6 @@ TEST_CASE("edge meeting: a known pair stays however deep its edges are, and anot
     CHECK_FALSE(known->is_crossing());
 }
 
-TEST_CASE("edge meeting: past the end at a saddle an edge goes on, also where it is the first body's")
-{
-    const MovingSurface l(prism_over_l());
-    const int edge = l.edge_between(8, 9);  // from (2, 1, 1) to the saddle at (1, 1, 1)
-    const Vec3 outwards = Vec3(0, 1, 1).normalized(), along = Vec3(0, 1, -1).normalized();
-    Mat3 axes;
-    axes.col(1) = -outwards;
-    axes.col(2) = along;
-    axes.col(0) = axes.col(1).cross(axes.col(2));
-    const auto meets = [&](double x) {
-        const MovingSurface above(placed(roof(), 1, Quaternion(axes), Vec3(x, 1, 1) - 0.01 * outwards));
-        return find_edge_meeting(l.step(), edge, above.step(), above.edge_between(0, 1), {0.001, 0.1}, false)
-            .has_value();
-    };
-    CHECK(meets(1.5));
-    CHECK(meets(0.99));
-    CHECK_FALSE(meets(0.95));
-    CHECK_FALSE(meets(2.01));
-}
-
 TEST_CASE("vertex meeting: what counts first is near the face, and lies over it")
 {
     // In an L, below the walls that meet at x = 1 and y = 1: behind the one, and beyond its rim.
@@ -168,24 +148,4 @@ TEST_CASE("vertex meeting: in a corner of a room a face is as far off as the far
                         }
             }
     CHECK(met >= 4);
-}
-
-TEST_CASE(
-    "edge meeting: how far an edge goes on at a saddle follows from the fastest of the ends that pass it")
-{
-    const MovingSurface l(prism_over_l());
-    const int edge = l.edge_between(8, 9);
-    const Vec3 outwards = Vec3(0, 1, 1).normalized(), along = Vec3(0, 1, -1).normalized();
-    Mat3 axes;
-    axes.col(1) = -outwards;
-    axes.col(2) = along;
-    axes.col(0) = axes.col(1).cross(axes.col(2));
-    for (const bool first_end : {true, false}) {
-        MovingSurface above(placed(roof(), 1, Quaternion(axes), Vec3(0.96, 1, 1) + 0.04 * outwards));
-        above.t1[first_end ? 0 : 1] -= 0.12 * outwards;  // its middle goes half as far
-        for (const std::size_t v : {2U, 3U})
-            above.t1[v] -= 0.06 * outwards;
-        CAPTURE(first_end);
-        CHECK(find_edge_meeting(above.step(), above.edge_between(0, 1), l.step(), edge, {0.001, 0.1}, false));
-    }
 }

@@ -156,7 +156,8 @@ TEST_CASE("vertex meeting: what passes the face within the step has a pair, as c
     CHECK(from_below > 200);
 }
 
-TEST_CASE("vertex meeting: what ends before the face has no pair yet, and what comes from below has none")
+TEST_CASE(
+    "vertex meeting: what ends near the face has a pair, farther before it none, and what comes from below none")
 {
     for (const double size : {1e-3, 1.0, 100.0}) {
         const Reach reach{0.01 * size, 0.1 * size};
@@ -164,7 +165,9 @@ TEST_CASE("vertex meeting: what ends before the face has no pair yet, and what c
             return over_triangle(Vec3(0.1, from, 0) * size, Vec3(0, to, 0.1) * size, reach, size);
         };
         CAPTURE(size);
-        CHECK_FALSE(moves(0.7, 0.004));
+        REQUIRE(moves(0.7, 0.004));
+        CHECK(moves(0.7, 0.004)->tau == 1);
+        CHECK_FALSE(moves(0.7, 0.011));
         CHECK_FALSE(moves(-0.7, 0.004));
         CHECK_FALSE(moves(0.02, 0.7));
         CHECK_FALSE(moves(-0.7, -0.005));

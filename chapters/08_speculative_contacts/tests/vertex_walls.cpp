@@ -103,6 +103,19 @@ TEST_CASE("vertex walls: a vertex that leaves one side and passes another in the
     CHECK(chosen(plate, {meets(top, 0.1, 0, -0.01), meets(side, 0.5, 0.5)}) == Faces{top});
 }
 
+TEST_CASE("vertex walls: a vertex that one side holds, pressed a little, meets another one that it passes")
+{
+    const MovingSurface plate(box({1, 0.01, 1}));
+    const int top = facing(plate, Vec3::UnitY()), side = facing(plate, Vec3::UnitX());
+    for (const double held : {0.02, 0.005}) {
+        Faces faces;
+        for (const FaceMeeting& one :
+             choose_walls(plate.step(), {meets(top, 0.1, 0, -0.01), meets(side, 0.5, 0.5)}, held))
+            faces.push_back(one.face);
+        CHECK(faces == (held > 0.01 ? Faces{top, side} : Faces{top}));
+    }
+}
+
 TEST_CASE("vertex walls: where a surface bends in the step, its walls are those of the moment that tells")
 {
     MovingSurface bending(hinge(-0.5));  // a ridge that becomes a valley

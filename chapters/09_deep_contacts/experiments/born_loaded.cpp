@@ -52,10 +52,11 @@ double energy(const World& world)
 
 /// What a run makes of its energy and its bodies.
 struct Gain {
-    double most = 0;     ///< energy over that at first, after any step [J]
-    double brought = 0;  ///< by births and jumps, less what deaths took along; at most after any step [J]
-    double sunk = 0;     ///< how far a body's middle came down, at most [m]
-    double aside = 0;    ///< and how far across, at the end [m]
+    double most = 0;  ///< energy over that at first, after any step [J]
+    double brought =
+        0;  ///< by initial overlaps and jumps, less what pairs that end took along; at most after any step [J]
+    double sunk = 0;   ///< how far a body's middle came down, at most [m]
+    double aside = 0;  ///< and how far across, at the end [m]
 
     void take_worse(const Gain& other)
     {
@@ -154,7 +155,7 @@ Towers try_towers(int cubes, bool quick, Solver (*make)(const ContactParameters&
     return towers;
 }
 
-/// Towers of equal cubes: the energy that pairs bring which are born and die at a depth, and whether they stand.
+/// Towers of equal cubes: the energy that pairs bring which begin and end at a depth, and whether they stand.
 void towers(bool quick, Report& report, Table& table)
 {
     Table page({"cubes", "runs", "fallen_chapter_6", "fallen_chapter_8", "fallen_chapter_9",
@@ -195,7 +196,7 @@ void towers(bool quick, Report& report, Table& table)
 
 }  // namespace
 
-/// Scenes in which pairs are born at a depth: the energy that they bring, under three solvers.
+/// Scenes in which pairs begin at a depth: the energy that they bring, under three solvers.
 void born_loaded(const RunOptions& options, Report& report)
 {
     Table table({"scene", "runs", "chapter_6_j", "chapter_8_j", "chapter_9_j"});

@@ -34,9 +34,15 @@ double weight_of(const Vec3& from, const Vec3& to) { return 1 / std::max(1e-24, 
 
 }  // namespace
 
+std::vector<Vec3> overlap_direction(const StillSurface&, const std::vector<int>& vertices,
+                                    const StillSurface&, const Vec3& separation_direction)
+{
+    return std::vector<Vec3>(vertices.size(), separation_direction);
+}
+
 //! [from_the_border]
-std::vector<Vec3> ways_from_the_border(const StillSurface& inner, const std::vector<int>& vertices,
-                                       const StillSurface& outer, const Vec3&)
+std::vector<Vec3> directions_from_the_border(const StillSurface& inner, const std::vector<int>& vertices,
+                                             const StillSurface& outer, const Vec3&)
 {
     std::vector<Vec3> way(inner.positions.size(), Vec3::Zero());
     for (const BorderPoint& border : border_of(inner, outer))
@@ -67,8 +73,8 @@ std::vector<Vec3> ways_from_the_border(const StillSurface& inner, const std::vec
 //! [from_the_border]
 
 //! [to_the_boundary]
-std::vector<Vec3> ways_to_the_boundary(const StillSurface& inner, const std::vector<int>& vertices,
-                                       const StillSurface& outer, const Vec3&)
+std::vector<Vec3> directions_to_the_boundary(const StillSurface& inner, const std::vector<int>& vertices,
+                                             const StillSurface& outer, const Vec3&)
 {
     std::vector<Vec3> ways;
     for (const int vertex : vertices)

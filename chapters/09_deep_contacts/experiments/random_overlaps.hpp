@@ -1,7 +1,7 @@
 #pragma once
 
+#include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/intersection_curve.hpp"
-#include "chapters/09_deep_contacts/overlap_shape.hpp"
 #include "common/geometry/meshes.hpp"
 
 #include <random>
@@ -29,7 +29,6 @@ struct OverlapCheck {
     long piercings = 0, curves = 0, open_curves = 0;
     bool textbook_closes = true;            ///< with chapter 2's textbook test all curves are closed as well
     long inside = 0, wrong = 0, asked = 0;  ///< vertices of both; `wrong` of those that were asked
-    bool consistent = true;
 };
 
 /// @param max_asked  vertices of each surface that are compared with the solid angle, which takes its time

@@ -1,6 +1,6 @@
 #include "chapters/09_deep_contacts/experiments/draw_crossing.hpp"
 #include "chapters/09_deep_contacts/experiments/experiments.hpp"
-#include "chapters/09_deep_contacts/overlap_shape.hpp"
+#include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/overlaps.hpp"
 #include "common/experiments/render/renderer.hpp"
 #include "common/geometry/box_shapes.hpp"

@@ -1,30 +1,24 @@
 #include "chapters/09_deep_contacts/experiments/experiments.hpp"
 #include "chapters/09_deep_contacts/experiments/inside_scenes.hpp"
 #include "chapters/09_deep_contacts/experiments/other_methods.hpp"
-#include "chapters/09_deep_contacts/solver.hpp"
 #include "common/experiments/render/moments.hpp"
-#include "common/experiments/report/growing_table.hpp"
-#include "common/experiments/run/run.hpp"
-#include "common/experiments/run/spring_ledger.hpp"
-#include "common/simulation/energy.hpp"
+#include "common/experiments/render/scene_view.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <stdexcept>
 
 namespace enduring::chapter09 {
 namespace {
 
-struct ComparedWay {
+struct Method {
     std::string name;
-    SeparationMethod ways;
+    SeparationMethod* find;
 };
-const std::vector<ComparedWay>& all_ways()
+const std::vector<Method>& all_methods()
 {
-    static const std::vector<ComparedWay> all{{"vector area", overlap_direction},
-                                              {"from the border", ways_from_the_border},
-                                              {"to the boundary", ways_to_the_boundary}};
+    static const std::vector<Method> all{{"vector area", overlap_direction},
+                                         {"from the border", directions_from_the_border},
+                                         {"to the boundary", directions_to_the_boundary}};
     return all;
 }
 
@@ -56,70 +50,47 @@ std::vector<Place> places()
 /// The directions that vertices of both bodies get at the start.
 struct Directions {
     struct Arrow {
-        Vec3 from, way;
+        Vec3 from, direction;
         bool wrong;  ///< more than 45 degrees off
     };
     std::vector<Arrow> of_vertices;
     long wrong = 0, none = 0;  ///< none: without a direction
 };
 
-/// The cube's vertices should go up, and those of what it is in down.
-Directions directions_at_start(const Scene& scene, const SeparationMethod& ways)
+void add_directions(const OverlapShape& inner, const std::vector<int>& vertices, const OverlapShape& outer,
+                    const Vec3& out, SeparationMethod* find, double up, Directions& directions)
 {
+    const std::vector<Vec3> found = find(inner.still(), vertices, outer.still(), out);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const bool none = found[i].isZero(0), wrong = up * found[i].y() < std::sqrt(0.5);
+        directions.of_vertices.push_back(
+            {inner.positions()[static_cast<std::size_t>(vertices[i])], found[i], wrong});
+        directions.none += none;
+        directions.wrong += !none && wrong;
+    }
+}
+
+OverlapShape shape_of(const Body& body)
+{
+    const auto positions = body.positions_t0();
+    const auto faces = body.surface().faces();
+    return OverlapShape(SurfaceMesh{{positions.begin(), positions.end()}, {faces.begin(), faces.end()}});
+}
+
+/// The cube's vertices should go up, and those of what it is in down.
+Directions directions_at_start(const Scene& scene, SeparationMethod* find)
+{
+    const OverlapShape cube = shape_of(*scene.world.bodies[1]), other = shape_of(*scene.world.bodies[0]);
     Directions directions;
-    const Vec3* const cube = scene.world.bodies[1]->positions_t0().data();
-    const SeparationMethod noting = [&](const StillSurface& inner, const std::vector<int>& vertices,
-                                        const StillSurface& outer, const Vec3& separation_direction) {
-        const std::vector<Vec3> chosen = ways(inner, vertices, outer, separation_direction);
-        const double up = inner.positions.data() == cube ? 1 : -1;
-        for (std::size_t i = 0; i < vertices.size(); ++i) {
-            const Vec3& way = chosen[i];
-            directions.of_vertices.push_back(
-                {inner.positions[vertices[i]], way, up * way.y() < std::sqrt(0.5)});
-            directions.none += way.isZero(0);
-            directions.wrong += !way.isZero(0) && directions.of_vertices.back().wrong;
-        }
-        return chosen;
-    };
-    Contacts contacts;
-    InsidePairs(noting).append_missing(scene.world, contacts);
+    for (const Overlap& overlap : find_overlaps(cube.still(), other.still())) {
+        const Vec3& out = overlap.separation_direction;
+        add_directions(cube, overlap.vertices_of_a, other, out, find, 1, directions);
+        add_directions(other, overlap.vertices_of_b, cube, -out, find, -1, directions);
+    }
     return directions;
 }
 
-/// What letting the body out takes and brings.
-struct Costs {
-    double fastest = 0, lifted = 0, brought = 0, gained = 0, off = 0;
-    bool out = false, broke = false;
-};
-
-Costs costs_of(Scene scene, const SeparationMethod& ways, double duration)
-{
-    const Solver solver = chapter09_solver(scene.contact, {}, ways);
-    SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity);
-    const double before = total_energy(scene.world).total();
-    const Vec3 start = scene.world.bodies[1]->centre();
-    Costs costs;
-    WatchProbe watch([&](const World& world, const Contacts& contacts, double dt) {
-        costs.fastest = std::max(costs.fastest, world.bodies[1]->mean_velocity().norm());
-        if (world.step > 0)
-            ledger.add_step(world, contacts, dt);
-    });
-    try {
-        run(scene, solver, {&watch}, failure_on_purpose({.steps = static_cast<int>(duration / scene.dt)}));
-    } catch (const std::runtime_error&) {
-        // wrong directions wind springs up against each other, until they throw the body
-        costs.broke = true;
-    }
-    const Vec3 way = scene.world.bodies[1]->centre() - start;
-    costs.lifted = ledger.accounts().lifted;
-    costs.brought = ledger.accounts().brought();
-    costs.gained = total_energy(scene.world).total() - before;
-    costs.off = std::hypot(way.x(), way.z());
-    costs.out = deepest_inside(scene.world) < 1e-3;
-    return costs;
-}
-
-/// The start over the ledge's corner with each of the ways: both bodies pale, and an arrow for each vertex inside.
+/// The start over the ledge's corner by each method: both bodies pale, and an arrow for each vertex inside.
 void show_starts(Report& report)
 {
     // The same corner and the same cells, with less of the ledge behind them: all of it is in the picture.
@@ -131,17 +102,17 @@ void show_starts(Report& report)
         {}};
     constexpr int width = 480, height = 400;
     std::vector<Moment> starts;
-    for (const ComparedWay& compared : all_ways()) {
+    for (const Method& method : all_methods()) {
         const Scene scene = scene_inside(ledge, "fine block", 0.1, 0.01);
         Stage stage = stage_of(scene.world, scene);
         for (Drawable& body : stage.bodies)
             body.opacity = 0.35;
-        for (const auto& [from, way, wrong] : directions_at_start(scene, compared.ways).of_vertices) {
+        for (const auto& [from, direction, wrong] : directions_at_start(scene, method.find).of_vertices) {
             const Vec3& color = wrong ? palette::colliding_vertex : palette::colliding_face;
-            stage.segments.push_back({from, from + 0.08 * way, color, 3, true});
+            stage.segments.push_back({from, from + 0.08 * direction, color, 3, true});
             stage.dots.push_back({from, color, 3});
         }
-        starts.push_back({std::move(stage), compared.name});
+        starts.push_back({std::move(stage), method.name});
     }
     frame_together(starts, {-1.1, 0.5, 1.3}, static_cast<double>(width) / height);
     write_png(draw_moments(starts, 3, width, height), report.file("separation_methods.png"));
@@ -149,39 +120,27 @@ void show_starts(Report& report)
 
 }  // namespace
 
-/// Three choices of the way out in the same scenes: wrong directions at the start, and what each costs.
-void separation_methods(const RunOptions& options, Report& report)
+/// Three choices of the separation direction in the same scenes: how many vertices get a wrong one at the start.
+void separation_methods(const RunOptions& /*options*/, Report& report)
 {
-    GrowingTable table(report, "separation_methods",
-                       {"scene", "ways", "vertices", "wrong", "without", "fastest_m_per_s", "lifted_j",
-                        "gained_j", "brought_j", "aside_mm", "out"});
-    std::map<std::string, Costs> worst;
+    Table table({"scene", "method", "vertices", "wrong", "without"});
     std::map<std::string, long> wrong, asked;
     for (const Place& place : places())
-        for (const ComparedWay& compared : all_ways()) {
-            Scene scene = scene_inside(place.surroundings, place.body, place.depth, 0.01);
-            const Directions directions = directions_at_start(scene, compared.ways);
-            const Costs costs = costs_of(std::move(scene), compared.ways, options.quick ? 0.5 : 2.5);
-            table.add({place.name, compared.name, static_cast<long>(directions.of_vertices.size()),
-                       directions.wrong, directions.none, costs.fastest, costs.lifted, costs.gained,
-                       costs.brought, 1000 * costs.off,
-                       std::string(costs.broke ? "breaks"
-                                   : costs.out ? "yes"
-                                               : "no")});
-            wrong[compared.name] += directions.wrong;
-            asked[compared.name] += static_cast<long>(directions.of_vertices.size());
-            worst[compared.name].fastest = std::max(worst[compared.name].fastest, costs.fastest);
+        for (const Method& method : all_methods()) {
+            const Scene scene = scene_inside(place.surroundings, place.body, place.depth, 0.01);
+            const Directions directions = directions_at_start(scene, method.find);
+            const auto vertices = static_cast<long>(directions.of_vertices.size());
+            table.add({place.name, method.name, vertices, directions.wrong, directions.none});
+            wrong[method.name] += directions.wrong;
+            asked[method.name] += vertices;
         }
     show_starts(report);
     report.table("separation_methods", table);
     report.page_table("separation_methods", table);
-    for (const ComparedWay& compared : all_ways()) {
-        const std::string word = compared.name.substr(compared.name.rfind(' ') + 1);
+    for (const Method& method : all_methods())
         report.fact(
-            "separation_methods", word + "_wrong",
-            100.0 * static_cast<double>(wrong[compared.name]) / static_cast<double>(asked[compared.name]));
-        report.fact("separation_methods", word + "_fastest", worst[compared.name].fastest);
-    }
+            "separation_methods", method.name.substr(method.name.rfind(' ') + 1) + "_wrong",
+            100.0 * static_cast<double>(wrong[method.name]) / static_cast<double>(asked[method.name]));
 }
 
 }  // namespace enduring::chapter09

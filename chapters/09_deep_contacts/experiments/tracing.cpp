@@ -7,7 +7,7 @@ namespace {
 
 /// What is summed over many overlaps.
 struct CheckSums {
-    long overlaps = 0, piercings = 0, curves = 0, open_curves = 0, inconsistent = 0;
+    long overlaps = 0, piercings = 0, curves = 0, open_curves = 0;
     long textbook_breaks = 0;  ///< overlaps in which the textbook's test leaves a curve open
     long asked = 0, wrong = 0;
 
@@ -17,7 +17,6 @@ struct CheckSums {
         piercings += check.piercings;
         curves += check.curves;
         open_curves += check.open_curves;
-        inconsistent += !check.consistent;
         textbook_breaks += !check.textbook_closes;
         asked += check.asked;
         wrong += check.wrong;
@@ -64,8 +63,8 @@ void tracing(const RunOptions& options, Report& report)
     });
     if (!checks)
         return;
-    Table table({"coordinates", "trials", "overlaps", "piercings", "curves", "open_curves", "broken_regions",
-                 "vertices_asked", "wrong_vertices", "textbook_breaks"});
+    Table table({"coordinates", "trials", "overlaps", "piercings", "curves", "open_curves", "vertices_asked",
+                 "wrong_vertices", "textbook_breaks"});
     CheckSums all;
     for (const bool on_lattice : {false, true}) {
         CheckSums sums;
@@ -75,8 +74,8 @@ void tracing(const RunOptions& options, Report& report)
             all.add(check);
         }
         table.add({std::string(on_lattice ? "on a lattice" : "any"), static_cast<long>(trials / 2),
-                   sums.overlaps, sums.piercings, sums.curves, sums.open_curves, sums.inconsistent,
-                   sums.asked, sums.wrong, sums.textbook_breaks});
+                   sums.overlaps, sums.piercings, sums.curves, sums.open_curves, sums.asked, sums.wrong,
+                   sums.textbook_breaks});
     }
     report.table("tracing", table);
     report.page_table("tracing", table);

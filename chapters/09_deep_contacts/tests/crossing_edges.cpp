@@ -1,7 +1,7 @@
 #include "chapters/09_deep_contacts/crossing_edges.hpp"
 #include "chapters/09_deep_contacts/experiments/crossed_beams.hpp"
+#include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
-#include "chapters/09_deep_contacts/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "chapters/09_deep_contacts/tests/moved.hpp"
 #include "common/geometry/box_shapes.hpp"

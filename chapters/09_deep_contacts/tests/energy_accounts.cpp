@@ -104,7 +104,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "energy accounts: in a tower exactly edge on edge births and deaths bring less than 0.1 % of the impact")
+    "energy accounts: in a tower exactly edge on edge pairs that begin and end bring less than 0.1 % of the impact")
 {
     Scene scene = load_scene(scene_file("tower"));
     SpringLedger ledger(scene.world, scene.contact.stiffness, scene.contact.max_depenetration_velocity);

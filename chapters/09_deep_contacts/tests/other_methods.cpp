@@ -34,7 +34,8 @@ TEST_CASE(
                       Vec3::UnitY()) == 0);
     CHECK(count_wrong(overlap_direction(ledge.still(), of_ledge, cube.still(), -separation_direction),
                       -Vec3::UnitY()) == 0);
-    const auto nearest = ways_to_the_boundary(cube.still(), of_cube, ledge.still(), separation_direction);
+    const auto nearest = directions_to_the_boundary(cube.still(), of_cube, ledge.still(),
+                                                    separation_direction);
     CHECK(count_wrong(nearest, Vec3::UnitY()) > 0);
     for (std::size_t i = 0; i < nearest.size(); ++i) {  // along it, out after the least depth of the box
         const Vec3 x = cube.positions()[of_cube[i]];
@@ -50,15 +51,16 @@ TEST_CASE("other methods: the border hands the floor's normal on inwards, and wi
         sunk(moved(box({0.4, 0.4, 0.4}, {5, 5, 5}), {0.013, -0.25, 0.021}));
     const auto overlaps = find_overlaps(cube.still(), floor.still());
     REQUIRE(overlaps.size() == 1);
-    const auto ways = ways_from_the_border(cube.still(), overlaps[0].vertices_of_a, floor.still(), {});
+    const auto ways = directions_from_the_border(cube.still(), overlaps[0].vertices_of_a, floor.still(), {});
     CHECK(ways.size() > 30);
     for (const Vec3& way : ways)
         CHECK((way - Vec3::UnitY()).norm() < 1e-12);
     // The floor's vertices see the cube's sides at their border: sideways.
-    const auto of_floor = ways_from_the_border(floor.still(), overlaps[0].vertices_of_b, cube.still(), {});
+    const auto of_floor = directions_from_the_border(floor.still(), overlaps[0].vertices_of_b, cube.still(),
+                                                     {});
     CHECK(count_wrong(of_floor, -Vec3::UnitY()) == static_cast<long>(of_floor.size()));
     const auto none = find_overlaps(sunk.still(), floor.still());
     REQUIRE(none.size() == 1);
-    for (const Vec3& way : ways_from_the_border(sunk.still(), none[0].vertices_of_a, floor.still(), {}))
+    for (const Vec3& way : directions_from_the_border(sunk.still(), none[0].vertices_of_a, floor.still(), {}))
         CHECK(way.isZero(0));
 }

@@ -1,6 +1,6 @@
 #include "chapters/09_deep_contacts/exact_side.hpp"
+#include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/intersection_curve.hpp"
-#include "chapters/09_deep_contacts/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/overlaps.hpp"
 #include "chapters/09_deep_contacts/surface_regions.hpp"
 #include "chapters/09_deep_contacts/tests/moved.hpp"
@@ -103,21 +103,6 @@ TEST_CASE("tracing: an edge in the plane of a face pierces it in its middle, any
     CHECK((point({-0.3, 0.5, 0.1}, {0.7, 0.5, 0.1}) - Vec3(0.2, 0.5, 0.1)).norm() < 1e-12);
     CHECK((point({-0.3, 0.75, 0.1}, {0.7, -0.25, 0.1}) - Vec3(-0.05, 0.5, 0.1)).norm() < 1e-12);
     CHECK((point({-0.3, 0.25, 0.1}, {0.7, 1.25, 0.1}) - Vec3(-0.05, 0.5, 0.1)).norm() < 1e-12);
-}
-
-TEST_CASE("tracing: where a piercing is missing, the flood says that it contradicts itself")
-{
-    const OverlapShape a(moved(box({1, 1, 1}), {0.3, 0.6, 0.2})), b(box({1, 1, 1}));
-    const std::vector<Piercing> all = find_piercings(a.still(), b.still());
-    REQUIRE(all.size() > 10);
-    for (const bool of_a : {true, false})
-        CHECK(flood_regions(all, a.still(), b.still(), of_a).consistent);
-    for (std::size_t missing = 0; missing < all.size(); ++missing) {
-        std::vector<Piercing> some = all;
-        some.erase(some.begin() + static_cast<std::ptrdiff_t>(missing));
-        CAPTURE(missing);
-        CHECK_FALSE(flood_regions(some, a.still(), b.still(), all[missing].edge_of_a).consistent);
-    }
 }
 
 TEST_CASE("exact side: whichever coordinate decides, and however small all are, the sign is right")

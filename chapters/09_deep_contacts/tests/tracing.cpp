@@ -23,7 +23,6 @@ TEST_CASE("tracing: 200 random overlaps, half on a lattice, close all curves and
                                                  on_lattice, 40);
         CHECK(check.open_curves == 0);
         CHECK(check.wrong == 0);
-        CHECK(check.consistent);
         all.curves += check.curves;
         all.inside += check.inside;
     }
@@ -44,8 +43,6 @@ TEST_CASE("tracing: a cube that stands in a cube of its size crosses it in close
         CAPTURE(moved.transpose());
         for (const IntersectionCurve& curve : intersection.curves)
             CHECK(curve.closed);
-        for (const bool of_a : {true, false})
-            CHECK(flood_regions(intersection.piercings, still.still(), other.still(), of_a).consistent);
     }
 }
 

@@ -21,7 +21,7 @@ struct SpringAccounts {
     double rubbed = 0;  ///< that of friction
     double damped = 0;  ///< lost between the springs and their impulses: with an implicit step never negative
 
-    /// What came without work: births and jumps, less deaths.
+    /// What came without work: initial overlaps and jumps, less what pairs that end take along.
     double brought() const { return born + jumped - died; }
 };
 

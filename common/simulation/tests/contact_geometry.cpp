@@ -87,3 +87,66 @@ TEST_CASE("static body: impulses leave it where it is")
     CHECK(body.inverse_mass(1).isZero());
     CHECK_THROWS_AS(StaticBody("floor", SurfaceTopology(3, {{0, 1, 2}}), {{0, 0, 0}}), std::invalid_argument);
 }
+
+TEST_CASE("contact geometry: a face of a tenth of a micrometre has a normal of unit length")
+{
+    World world;
+    const double size = 1e-7;
+    world.bodies.push_back(triangle("a", -size));
+    world.bodies.push_back(std::make_unique<StaticBody>(
+        "b", SurfaceTopology(3, {{0, 1, 2}}), std::vector<Vec3>{{0, 0, 0}, {0, 0, size}, {size, 0, 0}}));
+    const ContactGeometry geometry = contact_geometry(
+        world, {ContactKind::vertex_face, 0, 1, 0, 0, {0, 0, 1, 2}, {1, -1, 0, 0}}, 0);
+    CHECK((geometry.normal - Vec3(0, 1, 0)).norm() < 1e-12);
+    CHECK(geometry.depth == doctest::Approx(-size));
+}
+
+namespace {
+
+/// Two triangles of materials 0 and 1, a third of none, and a plane of none that is stiffer than other pairs.
+World of_materials()
+{
+    World world;
+    for (const int material : {0, 1, MaterialFriction::none}) {
+        world.bodies.push_back(triangle("body"));
+        world.bodies.back()->set_material(material);
+    }
+    world.planes.push_back({.name = "ground", .stiffness = 70});
+    world.friction.materials = 2;
+    for (int i = 0; i < 9; ++i)
+        world.friction.between.push_back({.mu_s = 0.1 * i, .mu_d = 0.05 * i});
+    return world;
+}
+
+Contact pair_of(int a, int b, bool with_plane = false)
+{
+    return {with_plane ? ContactKind::vertex_plane : ContactKind::vertex_face, a, b, 0, 0};
+}
+
+}  // namespace
+
+TEST_CASE(
+    "contact geometry: a pair has the coefficients of its materials, also if one side names none; a plane its own stiffness")
+{
+    const World world = of_materials();
+    const FrictionCoefficients all{.mu_s = 9, .mu_d = 8};
+    const auto mu = [&](const Contact& pair) { return pair_friction(world, pair, all).mu_s; };
+    CHECK(mu(pair_of(0, 1)) == doctest::Approx(0.5));
+    CHECK(mu(pair_of(1, 0)) == doctest::Approx(0.7));
+    CHECK(mu(pair_of(2, 1)) == doctest::Approx(0.2));
+    CHECK(mu(pair_of(1, 0, true)) == doctest::Approx(0.6));
+    CHECK(mu(pair_of(2, 0, true)) == 9);
+    CHECK(pair_stiffness(world, pair_of(0, 0, true), 5) == 70);
+    CHECK(pair_stiffness(world, pair_of(0, 1), 5) == 5);
+}
+
+TEST_CASE(
+    "contact geometry: how surfaces run against each other is the difference of both, on a plane that of the body")
+{
+    World world = of_materials();
+    world.bodies[0]->set_surface_velocity({1, 0, 0});
+    world.bodies[1]->set_surface_velocity({0, 0, 2});
+    CHECK(running_of_surfaces(world, pair_of(0, 1)) == Vec3(1, 0, -2));
+    CHECK(running_of_surfaces(world, pair_of(1, 0)) == Vec3(-1, 0, 2));
+    CHECK(running_of_surfaces(world, pair_of(1, 0, true)) == Vec3(0, 0, 2));
+}

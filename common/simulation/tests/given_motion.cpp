@@ -115,3 +115,14 @@ TEST_CASE("driven body: two of them are where their motions say, by the world's 
                       .norm() < 1e-12);
         }
 }
+
+TEST_CASE(
+    "driven body: the velocity of a body that has turned by next to nothing follows the turn's change of axis")
+{
+    const Vec3 little(5e-5, 0, 0);  // at time 0, where it turns about another axis
+    const GivenMotion motion = GivenMotion::through(
+        {{-1, Vec3::Zero(), Vec3(0, -1, 0)}, {0, Vec3::Zero(), little}, {1, Vec3::Zero(), Vec3(0, 1, 0)}});
+    constexpr double h = 1e-7;
+    const Vec3 slope = (vertex_at(motion, h) - vertex_at(motion, -h)) / (2 * h);
+    CHECK((DrivenBody("box", placed_box(), Vec3(0.3, 0, 0), motion).velocity(0) - slope).norm() < 1e-6);
+}

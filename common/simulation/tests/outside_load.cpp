@@ -166,3 +166,13 @@ TEST_CASE("gravity switched off: a body stays, and its height is no energy")
         CHECK(body->energy(world.gravity).gravitational == 0);
     }
 }
+
+TEST_CASE(
+    "outside load: a vector that is turned is so at all times, also where it is the same at all of them")
+{
+    const Quaternion quarter(Eigen::AngleAxisd(std::acos(0.0), Vec3::UnitZ()));
+    const TimedVector pulse({{1, Vec3(0, 2, 0)}, {2, Vec3(4, 2, 0)}});
+    CHECK((pulse.turned(quarter).integral(1, 2) - Vec3(-2, 2, 0)).norm() < 1e-14);
+    CHECK((TimedVector(Vec3(1, 2, 3)).turned(quarter).integral(0, 1) - Vec3(-2, 1, 3)).norm() < 1e-14);
+    CHECK_THROWS_AS(TimedVector({{1, Vec3::Zero()}, {1, Vec3::Ones()}}), std::invalid_argument);
+}
