@@ -13,7 +13,7 @@
 namespace enduring {
 namespace {
 
-/// The body's surface in the world; a border is for static bodies only, as all others need an inside.
+/// The body's surface in the world; a border is for static bodies and sheets only, as all others need an inside.
 SurfaceMesh placed_surface(const JsonValue& value, const SceneSurroundings& surroundings, Border border)
 {
     SurfaceMesh mesh = read_shape(value.at("shape"), surroundings).surface;
@@ -45,9 +45,15 @@ std::unique_ptr<Body> read_static(const JsonValue& value, const SceneSurrounding
     return body;
 }
 
+/// Of a sheet only the mass can be said: without a thickness a density gives none.
 MassProperties read_mass_properties(const JsonValue& value, const SurfaceMesh& mesh,
-                                    const SceneMaterials& materials)
+                                    const SceneMaterials& materials, bool is_sheet)
 {
+    if (is_sheet) {
+        if (const std::optional<JsonValue> density = value.find("density"))
+            density->complain("a sheet has no volume; give its \"mass\"");
+        return with_mass(sheet_properties(mesh, 1.0), value.at("mass").number(mass_range));
+    }
     const MassProperties of_unit_density = mass_properties(mesh, 1.0);
     return with_mass(of_unit_density, read_mass(value, of_unit_density.mass, materials));
 }
@@ -56,19 +62,23 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
                                  const SceneMaterials& materials)
 {
     value.require_keys({"name", "type", "shape", "density", "mass", "position", "rotation", "velocity",
-                        "angular_velocity", "look", "material", "gravity", "forces", "locked"});
-    const SurfaceMesh mesh = placed_surface(value, surroundings, Border::refused);
+                        "angular_velocity", "look", "material", "gravity", "forces", "locked", "sheet"});
+    const bool is_sheet = value.flag_or("sheet", false);
+    const SurfaceMesh mesh = placed_surface(value, surroundings,
+                                            is_sheet ? Border::allowed : Border::refused);
     const InitialMotion motion = read_motion(value);
     const std::vector<OutsideLoad> loads = read_loads(value, read_placement(value));
-    const FreeDirections free = read_free_directions(value);
+    const ReadLocks locks = read_locks(value, read_placement(value));
     try {
-        const MassProperties properties = read_mass_properties(value, mesh, materials);
+        const MassProperties properties = read_mass_properties(value, mesh, materials, is_sheet);
         auto body = std::make_unique<RigidBody>(value.at("name").text(), mesh, properties, motion.velocity,
                                                 motion.angular_velocity);
+        if (locks.pin)
+            body->pin(*locks.pin, locks.free.rotation);
+        else if (!locks.free.hold_none())
+            body->hold(locks.free);
         for (const OutsideLoad& load : loads)
             body->add_load(load);
-        if (!free.hold_none())
-            body->hold(free);
         return body;
     } catch (const InputError& error) {
         value.pass_on(error);

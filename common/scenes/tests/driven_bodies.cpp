@@ -121,6 +121,28 @@ TEST_CASE("scene: locked directions are world axes, by their letters")
           "driven.json: /bodies/1: rigid body: it moves along or about an axis that is held");
 }
 
+TEST_CASE("scene: a point about which a body is locked is the shape's, and holds all translations")
+{
+    // the shape's x is the world's y
+    Scene scene = driven(R"({"/bodies/brick": {"angular_velocity": [0, 0, 3],
+        "locked": {"about": [0.25, 0, 0], "rotation": ["x", "y"]}}})");
+    const Vec3 pin(1, 2.25, 3);
+    CHECK((brick_of(scene).pose().position - pin).norm() < 1e-14);
+    CHECK((brick_of(scene).centre() - Vec3(1, 2, 3)).norm() < 1e-14);
+    CHECK((brick_of(scene).velocity() - Vec3(0.75, 0, 0)).norm() < 1e-14);
+    step(scene, 5);
+    CHECK((brick_of(scene).centre() - pin).norm() == doctest::Approx(0.25).epsilon(1e-12));
+    CHECK(brick_of(scene).centre().z() == doctest::Approx(3));
+    CHECK(
+        complaint(R"({"/bodies/brick/locked": {"about": [0, 0, 0], "translation": ["x"]}})") ==
+        "driven.json: /bodies/1/locked/translation: stands beside \"about\", which holds all translations of a point");
+    CHECK(
+        complaint(R"({"/bodies/brick": {"velocity": [0, 0, 0], "locked": {"about": [0, 0, 0]}}})") ==
+        "driven.json: /bodies/1/velocity: follows from the \"angular_velocity\" of a body that is locked \"about\" a point");
+    CHECK(complaint(R"({"/bodies/brick/locked": {"about": [0, 0]}})")
+              .find("driven.json: /bodies/1/locked/about") == 0);
+}
+
 TEST_CASE("scene: materials give density and friction, a pair by its own entry or by the geometric mean")
 {
     const Scene scene =
