@@ -48,9 +48,11 @@ HitDoor hit_door(double dt)
     text["bodies"] = {door, ball};
     Scene scene = scene_from(text);
     double speed = 0;
+    int pushed = 0;  // steps; in the first of them the ball comes as far as the door, in the next it is stopped
     run_watched(scene, [&](const World& world) {
-        if (speed == 0)
-            speed = motion_of(world, 0).angular_velocity().y();
+        const double now = motion_of(world, 0).angular_velocity().y();
+        if (now != 0 && ++pushed <= 2)
+            speed = now;
         return false;
     });
     double momentum = 0;

@@ -12,7 +12,7 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
+#include <array>
 #include <bit>
 #include <iomanip>
 #include <numbers>
@@ -145,19 +145,20 @@ TEST_CASE(
     "Gmsh reader: a binary file of the other order of bytes is read, and one that is cut is refused with its byte")
 {
     const auto number = [](auto value) {
-        std::string bytes(reinterpret_cast<const char*>(&value), sizeof(value));
-        std::reverse(bytes.begin(), bytes.end());
-        return bytes;
+        const auto bytes = std::bit_cast<std::array<char, sizeof(value)>>(value);
+        return std::string(bytes.rbegin(), bytes.rend());
     };
     static_assert(std::endian::native == std::endian::little);
-    std::string file = "$MeshFormat\n2.2 1 8\n" + number(1) + "\n$EndMeshFormat\n$Nodes\n4\n";
+    std::ostringstream text;
+    text << "$MeshFormat\n2.2 1 8\n" << number(1) << "\n$EndMeshFormat\n$Nodes\n4\n";
     const std::vector<Vec3> nodes{{0, 0, 0}, {0.1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    for (std::size_t n = 0; n < nodes.size(); ++n)
-        file += number(static_cast<int>(n) + 1) + number(nodes[n].x()) + number(nodes[n].y()) +
-                number(nodes[n].z());
-    file += "\n$EndNodes\n$Elements\n1\n";
+    int next = 1;
+    for (const Vec3& node : nodes)
+        text << number(next++) << number(node.x()) << number(node.y()) << number(node.z());
+    text << "\n$EndNodes\n$Elements\n1\n";
     for (const int part : {4, 1, 2, 1, 7, 7, 1, 2, 3, 4})
-        file += number(part);
+        text << number(part);
+    const std::string file = text.str();
     std::istringstream whole(file + "\n$EndElements\n"), cut(file.substr(0, file.size() - 3)),
         wrong(file.substr(0, file.size() - 4) + number(9) + "\n$EndElements\n");
     CHECK(read_gmsh(whole, "m").nodes == nodes);
@@ -165,7 +166,7 @@ TEST_CASE(
         read_gmsh(cut, "m"),
         ("m, byte " + std::to_string(file.size() - 4) + ": the file ends where a number is missing").c_str(),
         InputError);
-    CHECK_THROWS_WITH_AS(read_gmsh(wrong, "m"), "m, as text:12: element 1 names node 9, which does not exist",
+    CHECK_THROWS_WITH_AS(read_gmsh(wrong, "m"), "m, as text:13: element 1 names node 9, which does not exist",
                          InputError);
 }
 

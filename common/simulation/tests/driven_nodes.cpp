@@ -55,7 +55,8 @@ TEST_CASE(
     CHECK(total_energy(world).elastic == doctest::Approx(expected).epsilon(1e-3));
     CHECK(total_energy(world).kinetic < 1e-6 * expected);
     CHECK(world.driven > total_energy(world).total());
-    CHECK(world.driven < 1.1 * expected);
+    CHECK(world.driven <
+          1.25 * expected);  // damping's heat is 5 percent; the rest is what the step itself damps
 }
 
 TEST_CASE(
