@@ -117,6 +117,7 @@ void pressed(const RunOptions& options, Report& report)
         for (const ElasticLaw law : {ElasticLaw::corotated, ElasticLaw::neo_hookean}) {
             add({.law = law, .mu = 0.5, .height = 0.3});
             add({.law = law, .basis = "quadratic", .mu = 0.5, .height = 0.5});
+            add({.law = law, .basis = "quadratic", .mu = 0.5, .height = 0.3});
             add({.shape = "bunny", .law = law, .mu = 0.5, .height = 0.7});
         }
     }
