@@ -26,11 +26,29 @@ SurfaceMesh placed_surface(const JsonValue& value, const SceneSurroundings& surr
     return mesh;
 }
 
+/// A surface pushes out of its front alone. So a sheet that holds on both sides has each face twice, the second time turned over,
+/// on vertices of its own: both layers are manifold, and neither knows of the other.
+SurfaceMesh on_both_sides(SurfaceMesh mesh)
+{
+    const std::vector<Vec3> front = mesh.vertices;
+    const auto vertices = static_cast<int>(front.size());
+    const std::size_t faces = mesh.faces.size();
+    mesh.vertices.insert(mesh.vertices.end(), front.begin(), front.end());
+    mesh.faces.reserve(2 * faces);
+    for (std::size_t face = 0; face < faces; ++face) {
+        const auto [a, b, c] = mesh.faces[face];
+        mesh.faces.push_back({vertices + a, vertices + c, vertices + b});
+    }
+    return mesh;
+}
+
 std::unique_ptr<Body> read_static(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys(
-        {"name", "type", "shape", "position", "rotation", "look", "material", "motion", "surface_velocity"});
+    value.require_keys({"name", "type", "shape", "position", "rotation", "look", "material", "motion",
+                        "surface_velocity", "sheet"});
     SurfaceMesh mesh = placed_surface(value, surroundings, Border::allowed);
+    if (value.flag_or("sheet", false))
+        mesh = on_both_sides(std::move(mesh));
     const Vec3 running = value.vector_or("surface_velocity", {-1e4, 1e4, true, true, "m/s"}, Vec3::Zero());
     if (const std::optional<JsonValue> motion = value.find("motion")) {
         if (const std::optional<JsonValue> beside = value.find("surface_velocity"))
@@ -71,8 +89,9 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
     const ReadLocks locks = read_locks(value, read_placement(value));
     try {
         const MassProperties properties = read_mass_properties(value, mesh, materials, is_sheet);
-        auto body = std::make_unique<RigidBody>(value.at("name").text(), mesh, properties, motion.velocity,
-                                                motion.angular_velocity);
+        auto body = std::make_unique<RigidBody>(value.at("name").text(),
+                                                is_sheet ? on_both_sides(mesh) : mesh, properties,
+                                                motion.velocity, motion.angular_velocity);
         if (locks.pin)
             body->pin(*locks.pin, locks.free.rotation);
         else if (!locks.free.hold_none())

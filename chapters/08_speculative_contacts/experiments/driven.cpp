@@ -40,7 +40,7 @@ std::vector<Case> all_cases()
         {"door on a hinge, hit", "door_speed", "speed [rad/s]", [](double dt) { return hit_door(dt).speed; }},
         {"door on a hinge, hit", "door_momentum", "momentum about the hinge [N m s]",
          [](double dt) { return hit_door(dt).momentum; }},
-        {"crank and slider", "slider", "where the slider is [m]", slider_crank},
+        {"crank and slider", "crank", "where the slider is [m]", slider_crank},
         {"rigid sheet between box and ball", "sheet", "height of the ball [m]", sheet_on_box},
         {"two materials", "materials_slide", "acceleration [m/s^2]",
          [](double dt) { return slide_of_materials(30, dt); }},

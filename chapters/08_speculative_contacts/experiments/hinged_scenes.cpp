@@ -48,7 +48,8 @@ HitDoor hit_door(double dt)
     text["bodies"] = {door, ball};
     Scene scene = scene_from(text);
     double speed = 0;
-    int pushed = 0;  // steps; in the first of them the ball comes as far as the door, in the next it is stopped
+    int pushed =
+        0;  // steps; in the first of them the ball comes as far as the door, in the next it is stopped
     run_watched(scene, [&](const World& world) {
         const double now = motion_of(world, 0).angular_velocity().y();
         if (now != 0 && ++pushed <= 2)
@@ -121,7 +122,7 @@ AgainstFormula sheet_on_box(double dt)
                {"type", "rigid"},
                {"sheet", true},
                {"mass", 3},
-               {"shape", {{"plane_grid", {{"size", {1, 1}}}}}},
+               {"shape", {{"plane_grid", {{"size", {0.5, 0.5}}}}}},
                {"position", {0.1, 0.42, 0}}};
     json ball{{"name", "ball"},
               {"type", "rigid"},
