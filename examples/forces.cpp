@@ -1,5 +1,4 @@
-// A scene of one's own without a file: a table stands on the ground, a box slides on it and stops.
-// Prints what each pair of box and table carries at the end, and the force of contact on each body and on the box's vertices.
+// A scene without a file: a box slides on a table and stops. Prints the forces of pairs, bodies and the box's vertices.
 #include "chapters/10_self_contact/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_forces.hpp"
@@ -7,7 +6,6 @@
 #include "common/simulation/rigid_body.hpp"
 
 #include <cstdio>
-#include <memory>
 
 using namespace enduring;
 
@@ -25,7 +23,6 @@ int main()
     world.planes.push_back({"ground"});
     world.bodies.push_back(rigid_box("table", {1, 0.5, 1}, {0, 0.25, 0}, Vec3::Zero()));
     world.bodies.push_back(rigid_box("box", {0.2, 0.2, 0.2}, {-0.2, 0.6, 0}, {1, 0, 0}));
-
     ContactParameters parameters;
     parameters.friction = MassSplitting{0.4, 0.3};
     const Solver solver = chapter10_solver(parameters);
@@ -44,7 +41,7 @@ int main()
     for (std::size_t b = 0; b < forces.size(); ++b)
         std::printf("%s of %.3f kg: %.3f N up\n", world.bodies[b]->name().c_str(), world.bodies[b]->mass(),
                     forces[b].y());
-    const std::vector<std::vector<Vec3>> of_vertices = vertex_forces(world, contacts, dt);
-    for (const Vec3& force : of_vertices[1])
+    for (const std::vector<std::vector<Vec3>> of_bodies = vertex_forces(world, contacts, dt);
+         const Vec3& force : of_bodies[1])
         std::printf("box vertex: %.3f %.3f %.3f N\n", force.x(), force.y(), force.z());
 }

@@ -2,6 +2,7 @@
 
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/natural_units.hpp"
+#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,11 +73,14 @@ VectorXd gravity_on(const World& world, const StepProblem& step)
         const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
         const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[place])];
         const Vec3 gravity = body.gravity_on(world.gravity);
-        if (body.contact_motion(step.vertices[place], 0, 0).rate.cols() == 6)  // of a rigid body
+        if (body.contact_motion(step.vertices[place], 0, 0).rate.cols() == 6) {  // of a rigid body
             all.segment<3>(block.first) = gravity;
-        else
+            if (const auto* const rigid = dynamic_cast<const RigidBody*>(&body))
+                all.segment<3>(block.first + 3) = rigid->motion().angular_acceleration(gravity);
+        } else {
             for (int i = 0; i < block.size(); i += 3)
                 all.segment<3>(block.first + i) = gravity;
+        }
     }
     return all;
 }

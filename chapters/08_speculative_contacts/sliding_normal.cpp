@@ -39,8 +39,7 @@ Vec3 motion_without_gravity(const World& world, const Contact& contact, double d
         const Body& body = *world.bodies[body_index(contact, i)];
         const auto n = static_cast<std::size_t>(i);
         const auto vertex = static_cast<std::size_t>(contact.vertices[n]);
-        const Vec3 fall = body.is_static() ? Vec3(Vec3::Zero())
-                                           : Vec3(dt * dt * body.gravity_on(world.gravity));
+        const Vec3 fall = dt * dt * body.acceleration(contact.vertices[n], world.gravity);
         motion += contact.weights[n] * (body.positions_t1()[vertex] - body.positions_t0()[vertex] - fall);
     }
     return motion;

@@ -1,14 +1,17 @@
 #include "common/geometry/read_gmsh.hpp"
 
 #include "common/geometry/element_quality.hpp"
+#include "common/geometry/gmsh_binary.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/text_lines.hpp"
 
 #include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <sstream>
 
 namespace enduring {
 namespace {
@@ -42,10 +45,10 @@ void read_format(TextLines& lines, GmshContent& content)
     const std::string version(lines.next_word());
     if (version != "2.2" && version != "4.1")
         lines.fail("Gmsh format " + TextLines::quoted(version) +
-                   " is not supported; save the mesh as version 4.1 or 2.2 ASCII");
+                   " is not supported; save the mesh as version 4.1 or 2.2");
     content.in_blocks = version == "4.1";
     if (lines.next_integer("file type") != 0)
-        lines.fail("a binary Gmsh file; save the mesh as version 4.1 or 2.2 ASCII");
+        lines.fail("the file type is neither 0, text, nor 1, binary");
     if (goes_on(lines, "$EndMeshFormat"))
         lines.fail("$EndMeshFormat expected");
 }
@@ -279,6 +282,16 @@ QuadraticTetrahedralMesh compact(const GmshContent& content)
     return mesh;
 }
 
+/// Of a binary file the text is read that Gmsh would have saved.
+GmshContent read_content(std::istream& stream, const std::string& name)
+{
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    const bool is_binary = is_binary_gmsh(bytes);
+    std::istringstream text(is_binary ? gmsh_as_text(bytes, name) : bytes);
+    TextLines lines(text, is_binary ? name + ", as text" : name);
+    return read_gmsh_content(lines);
+}
+
 std::ifstream open(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
@@ -291,14 +304,12 @@ std::ifstream open(const std::filesystem::path& file)
 
 TetrahedralMesh read_gmsh(std::istream& stream, const std::string& name)
 {
-    TextLines lines(stream, name);
-    return corners_of(compact(read_gmsh_content(lines)));
+    return corners_of(compact(read_content(stream, name)));
 }
 
 QuadraticTetrahedralMesh read_gmsh_quadratic(std::istream& stream, const std::string& name)
 {
-    TextLines lines(stream, name);
-    const GmshContent content = read_gmsh_content(lines);
+    const GmshContent content = read_content(stream, name);
     return content.type == ten_node_tetrahedron ? compact(content)
                                                 : with_edge_midpoints(corners_of(compact(content)));
 }

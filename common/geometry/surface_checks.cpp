@@ -79,7 +79,7 @@ void check_topology(const SurfaceTopology& surface, Border border, const Complai
     for (std::size_t e = 0; e < surface.edges().size(); ++e)
         if (surface.faces_at_edge(static_cast<int>(e))[1] < 0)
             complain("the surface is not closed: " + name_of(surface.edges()[e]) +
-                     " has one face only (static bodies alone may have a border)");
+                     " has one face only (static bodies and sheets alone may have a border)");
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ double enclosed_volume(const SurfaceMesh& mesh);
 /// The same surface without the vertices that no face names; the others keep their order.
 SurfaceMesh without_unused_vertices(const SurfaceMesh& mesh);
 
-/// Whether a surface may have a border. Only a static body may: a moving one needs an inside.
+/// Whether a surface may have a border. What asks for an inside refuses it.
 enum class Border { refused, allowed };
 
 /// Checks that contact can live on this surface: vertices finite and all in use, faces

@@ -86,6 +86,30 @@ MassProperties mass_properties(const SurfaceMesh& mesh, double density)
 }
 //! [mass_properties]
 
+//! [sheet_properties]
+MassProperties sheet_properties(const SurfaceMesh& mesh, double area_density)
+{
+    check_positive("area density", area_density);
+    const Vec3 origin = mesh.vertices[mesh.faces.front()[0]];
+    double area = 0;
+    Vec3 first = Vec3::Zero();
+    Mat3 second = Mat3::Zero();
+    for (const Face& face : mesh.faces) {
+        const Vec3 a = mesh.vertices[face[0]] - origin, b = mesh.vertices[face[1]] - origin,
+                   c = mesh.vertices[face[2]] - origin, s = a + b + c;
+        const double of_face = (b - a).cross(c - a).norm() / 2;
+        area += of_face;
+        first += of_face / 3 * s;
+        second += of_face / 12 *
+                  (a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose());
+    }
+    const Vec3 centre = first / area;
+    second -= area * centre * centre.transpose();
+    const Mat3 inertia = second.trace() * Mat3::Identity() - second;
+    return {area_density * area, origin + centre, area_density * inertia};
+}
+//! [sheet_properties]
+
 MassProperties with_mass(MassProperties properties, double mass)
 {
     check_positive("mass", mass);

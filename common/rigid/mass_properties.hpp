@@ -22,6 +22,12 @@ struct MassProperties {
 ///     inconsistently oriented; volume not positive
 MassProperties mass_properties(const SurfaceMesh& mesh, double density);
 
+/// The same of a sheet: all of its mass lies on the faces, as on thin metal. Exact as well; it need not be closed.
+/// @param mesh          faces with an area
+/// @param area_density  [kg/m^2], positive
+/// @throws InputError   density not positive and finite
+MassProperties sheet_properties(const SurfaceMesh& mesh, double area_density);
+
 /// The same shape with another mass [kg], positive; the inertia scales along.
 /// @throws InputError  mass not positive and finite
 MassProperties with_mass(MassProperties properties, double mass);

@@ -93,6 +93,24 @@ void RigidMotion::hold(const FreeDirections& free)
     spin_momentum_ = spin_momentum_.cwiseProduct(free_.rotation);
 }
 
+//! [pin]
+/// About the pin the inertia is larger, by Steiner's theorem. All that follows is that of a body whose translations are held.
+void RigidMotion::pin(const Vec3& point, const Vec3& free_turns)
+{
+    if (!velocity_.isZero(0))
+        throw InputError("rigid body: the velocity of a body that is pinned follows from its turning");
+    const Vec3 lever = pose_.position - point;
+    const Mat3 steiner = mass_ * (lever.squaredNorm() * Mat3::Identity() - lever * lever.transpose()),
+               inertia = inertia_of(pose_.orientation.toRotationMatrix()) + steiner;
+    const PrincipalAxes principal = principal_axes(inertia);
+    principal_inertia_ = principal.moments;
+    pose_ = {point, Quaternion(principal.axes).normalized()};
+    centre_in_body_ = pose_.orientation.conjugate() * lever;
+    spin_momentum_ = inertia * angular_velocity_;
+    hold({Vec3::Zero(), free_turns});
+}
+//! [pin]
+
 void RigidMotion::take(const State& state)
 {
     place(state.pose);
@@ -109,7 +127,11 @@ Vec3 RigidMotion::spin_in_body_axes() const
 //! [predict]
 void RigidMotion::predict(const Vec3& gravity, double dt)
 {
+    momentum_t0_ = linear_momentum();
+    pushed_ = dt * mass_ * gravity;
     velocity_ += dt * gravity.cwiseProduct(free_.translation);
+    if (is_off_centre())
+        spin_momentum_ += (dt * mass_ * lever().cross(gravity)).cwiseProduct(free_.rotation);
     if (free_.hold_a_turn()) {
         angular_velocity_ = mean_angular_velocity(dt);
         return;
@@ -154,11 +176,12 @@ Pose RigidMotion::predicted_pose(double dt) const
 //! [apply_impulse]
 void RigidMotion::apply_impulse(const Vec3& impulse, const Vec3& point)
 {
-    apply_momentum(impulse, (point - centre()).cross(impulse));
+    apply_momentum(impulse, (point - pose_.position).cross(impulse));
 }
 
 void RigidMotion::apply_momentum(const Vec3& momentum, const Vec3& turning)
 {
+    pushed_ += momentum;
     velocity_ += momentum.cwiseProduct(free_.translation) / mass_;
     angular_velocity_ += inverse_inertia_ * turning;
     spin_momentum_ += turning.cwiseProduct(free_.rotation);
@@ -177,12 +200,23 @@ void RigidMotion::commit(double dt)
 
 Vec3 RigidMotion::velocity_at(const Vec3& point) const
 {
-    return velocity_ + angular_velocity_.cross(point - centre());
+    return velocity_ + angular_velocity_.cross(point - pose_.position);
+}
+
+Vec3 RigidMotion::angular_acceleration(const Vec3& gravity) const
+{
+    return inverse_inertia_ * (mass_ * lever().cross(gravity));
+}
+
+Vec3 RigidMotion::acceleration_at(const Vec3& point, const Vec3& gravity) const
+{
+    return gravity.cwiseProduct(free_.translation) +
+           angular_acceleration(gravity).cross(point - pose_.position);
 }
 
 Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
 {
-    const Vec3 r = point - centre();
+    const Vec3 r = point - pose_.position;
     Mat3 lever;
     lever << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
     return Mat3(free_.translation.asDiagonal()) / mass_ + lever * inverse_inertia_ * lever.transpose();
@@ -190,7 +224,7 @@ Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
 
 Vec3 RigidMotion::angular_momentum(const Vec3& about) const
 {
-    const Vec3 orbital = (centre() - about).cross(linear_momentum());
+    const Vec3 orbital = (pose_.position - about).cross(linear_momentum());
     if (free_.hold_a_turn())
         return orbital +
                inertia_of(pose_.orientation.toRotationMatrix()) * (inverse_inertia_ * spin_momentum_);

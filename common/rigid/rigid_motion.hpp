@@ -5,10 +5,10 @@
 
 namespace enduring {
 
-/// Where a rigid body is: body coordinates (origin at the centre of
-/// mass, principal axes) to world coordinates.
+/// Where a rigid body is: body coordinates to world coordinates. Their origin is the centre of mass, or of a body that is
+/// pinned its pin; their axes are the principal ones of the inertia about it.
 struct Pose {
-    Vec3 position = Vec3::Zero();                     ///< of the centre of mass [m]
+    Vec3 position = Vec3::Zero();                     ///< of the origin [m]
     Quaternion orientation = Quaternion::Identity();  ///< unit length
 
     Vec3 to_world(const Vec3& body_point) const { return position + orientation * body_point; }
@@ -43,6 +43,11 @@ public:
     /// Takes the coordinates out that are held: their velocities are zero for good, whatever pushes.
     /// @throws InputError  a velocity along or about what is held
     void hold(const FreeDirections& free);
+    /// Holds a point [m] of the body, as a hinge or a ball joint does: it stays where it is in the world, and the body turns
+    /// about it, about the free axes alone. Three coordinates remain at most. Body coordinates begin at the pin from now on.
+    /// @param free_turns  1 for each of the world's axes about which it may turn, 0 for the others
+    /// @throws InputError  a velocity of the centre of mass (it follows from the turning), or a turn about what is held
+    void pin(const Vec3& point, const Vec3& free_turns);
     const FreeDirections& free_directions() const { return free_; }
 
     /// Velocities of the step from gravity [m/s^2] and the free rotation over dt [s] (thesis 3.3, 3.6).
@@ -52,7 +57,7 @@ public:
     /// Adds an impulse [N s] at a point [m] of the world, with its lever
     /// from the committed pose (thesis 3.9 to 3.12).
     void apply_impulse(const Vec3& impulse, const Vec3& point);
-    /// The same by its effect: a momentum [N s] and an angular momentum about the centre [N m s].
+    /// The same by its effect: a momentum [N s] and an angular momentum about the pose's position [N m s].
     void apply_momentum(const Vec3& momentum, const Vec3& turning);
     /// The predicted pose becomes the pose.
     void commit(double dt);
@@ -65,9 +70,13 @@ public:
     State state() const { return {pose_, velocity_, angular_velocity_, spin_momentum_}; }
     void take(const State& state);
 
-    const Pose& pose() const { return pose_; }                          ///< committed
-    const Vec3& centre() const { return pose_.position; }               ///< [m]
-    const Vec3& velocity() const { return velocity_; }                  ///< of the centre of mass [m/s]
+    const Pose& pose() const { return pose_; }  ///< committed
+    Vec3 centre() const
+    {
+        return is_off_centre() ? pose_.to_world(centre_in_body_) : pose_.position;
+    }  ///< of mass [m]
+    /// of the centre of mass [m/s]
+    Vec3 velocity() const { return is_off_centre() ? velocity_at(centre()) : velocity_; }
     const Vec3& angular_velocity() const { return angular_velocity_; }  ///< in world axes [rad/s]
     /// Velocity [m/s] of the material point that is at `point` in the committed pose.
     Vec3 velocity_at(const Vec3& point) const;
@@ -75,7 +84,16 @@ public:
     /// [r]x^T with r from the centre to the point.
     Mat3 inverse_mass_at(const Vec3& point) const;
 
-    /// about the centre, world axes, of the committed pose [1/(kg m^2)]; of the free turns alone, and zero for those held
+    /// What gravity [m/s^2] alone makes of the motion of the point at `point` in the committed pose: less than itself where the
+    /// body is held [m/s^2].
+    Vec3 acceleration_at(const Vec3& point, const Vec3& gravity) const;
+    /// The turning part of it [rad/s^2].
+    Vec3 angular_acceleration(const Vec3& gravity) const;
+
+    /// What the lock has given since predict(): the momentum [N s] that changed though nothing pushed. It does no work.
+    Vec3 lock_impulse() const { return linear_momentum() - momentum_t0_ - pushed_; }
+
+    /// about the pose's position, world axes, of the committed pose [1/(kg m^2)]; of the free turns alone, and zero for those held
     const Mat3& inverse_inertia() const { return inverse_inertia_; }
 
     double mass() const { return mass_; }
@@ -88,14 +106,22 @@ private:
     Mat3 inertia_of(const Mat3& axes) const;      ///< in world axes, if the body's lie like this [kg m^2]
     Vec3 mean_angular_velocity(double dt) const;  ///< of a free step while turns are held [rad/s]
     Vec3 spin_in_body_axes() const;  ///< the angular velocity that belongs to the momentum [rad/s]
+    bool is_off_centre() const { return !centre_in_body_.isZero(0); }  ///< the origin, which is a pin
+    Vec3 lever() const
+    {
+        return pose_.orientation * centre_in_body_;
+    }  ///< from the origin to the centre of mass [m]
 
     double mass_ = 0;
-    Vec3 principal_inertia_ = Vec3::Zero();  ///< along the body axes [kg m^2]
+    Vec3 principal_inertia_ = Vec3::Zero();  ///< about the body's origin, along its axes [kg m^2]
+    Vec3 centre_in_body_ = Vec3::Zero();     ///< of mass [m]; not zero where a pin is off it
     Pose pose_;
-    Mat3 inverse_inertia_ = Mat3::Zero();  ///< belongs to the pose
-    Vec3 velocity_ = Vec3::Zero(), angular_velocity_ = Vec3::Zero();
+    Mat3 inverse_inertia_ = Mat3::Zero();                             ///< belongs to the pose
+    Vec3 velocity_ = Vec3::Zero(), angular_velocity_ = Vec3::Zero();  ///< of the body's origin [m/s]; [rad/s]
     FreeDirections free_;
-    /// angular momentum about the centre, world axes: what a free body keeps; without its parts about axes that are held
+    /// at predict(), and by gravity and impulses since [N s]
+    Vec3 momentum_t0_ = Vec3::Zero(), pushed_ = Vec3::Zero();
+    /// angular momentum about the origin, world axes: what a free body keeps; without its parts about axes that are held
     Vec3 spin_momentum_ = Vec3::Zero();
 };
 

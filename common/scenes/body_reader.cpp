@@ -13,7 +13,7 @@
 namespace enduring {
 namespace {
 
-/// The body's surface in the world; a border is for static bodies only, as all others need an inside.
+/// The body's surface in the world; a border is for static bodies and sheets only, as all others need an inside.
 SurfaceMesh placed_surface(const JsonValue& value, const SceneSurroundings& surroundings, Border border)
 {
     SurfaceMesh mesh = read_shape(value.at("shape"), surroundings).surface;
@@ -26,11 +26,29 @@ SurfaceMesh placed_surface(const JsonValue& value, const SceneSurroundings& surr
     return mesh;
 }
 
+/// A surface pushes out of its front alone. So a sheet that holds on both sides has each face twice, the second time turned over,
+/// on vertices of its own: both layers are manifold, and neither knows of the other.
+SurfaceMesh on_both_sides(SurfaceMesh mesh)
+{
+    const std::vector<Vec3> front = mesh.vertices;
+    const auto vertices = static_cast<int>(front.size());
+    const std::size_t faces = mesh.faces.size();
+    mesh.vertices.insert(mesh.vertices.end(), front.begin(), front.end());
+    mesh.faces.reserve(2 * faces);
+    for (std::size_t face = 0; face < faces; ++face) {
+        const auto [a, b, c] = mesh.faces[face];
+        mesh.faces.push_back({vertices + a, vertices + c, vertices + b});
+    }
+    return mesh;
+}
+
 std::unique_ptr<Body> read_static(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys(
-        {"name", "type", "shape", "position", "rotation", "look", "material", "motion", "surface_velocity"});
+    value.require_keys({"name", "type", "shape", "position", "rotation", "look", "material", "motion",
+                        "surface_velocity", "sheet"});
     SurfaceMesh mesh = placed_surface(value, surroundings, Border::allowed);
+    if (value.flag_or("sheet", false))
+        mesh = on_both_sides(std::move(mesh));
     const Vec3 running = value.vector_or("surface_velocity", {-1e4, 1e4, true, true, "m/s"}, Vec3::Zero());
     if (const std::optional<JsonValue> motion = value.find("motion")) {
         if (const std::optional<JsonValue> beside = value.find("surface_velocity"))
@@ -45,9 +63,15 @@ std::unique_ptr<Body> read_static(const JsonValue& value, const SceneSurrounding
     return body;
 }
 
+/// Of a sheet only the mass can be said: without a thickness a density gives none.
 MassProperties read_mass_properties(const JsonValue& value, const SurfaceMesh& mesh,
-                                    const SceneMaterials& materials)
+                                    const SceneMaterials& materials, bool is_sheet)
 {
+    if (is_sheet) {
+        if (const std::optional<JsonValue> density = value.find("density"))
+            density->complain("a sheet has no volume; give its \"mass\"");
+        return with_mass(sheet_properties(mesh, 1.0), value.at("mass").number(mass_range));
+    }
     const MassProperties of_unit_density = mass_properties(mesh, 1.0);
     return with_mass(of_unit_density, read_mass(value, of_unit_density.mass, materials));
 }
@@ -56,19 +80,24 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
                                  const SceneMaterials& materials)
 {
     value.require_keys({"name", "type", "shape", "density", "mass", "position", "rotation", "velocity",
-                        "angular_velocity", "look", "material", "gravity", "forces", "locked"});
-    const SurfaceMesh mesh = placed_surface(value, surroundings, Border::refused);
+                        "angular_velocity", "look", "material", "gravity", "forces", "locked", "sheet"});
+    const bool is_sheet = value.flag_or("sheet", false);
+    const SurfaceMesh mesh = placed_surface(value, surroundings,
+                                            is_sheet ? Border::allowed : Border::refused);
     const InitialMotion motion = read_motion(value);
     const std::vector<OutsideLoad> loads = read_loads(value, read_placement(value));
-    const FreeDirections free = read_free_directions(value);
+    const ReadLocks locks = read_locks(value, read_placement(value));
     try {
-        const MassProperties properties = read_mass_properties(value, mesh, materials);
-        auto body = std::make_unique<RigidBody>(value.at("name").text(), mesh, properties, motion.velocity,
-                                                motion.angular_velocity);
+        const MassProperties properties = read_mass_properties(value, mesh, materials, is_sheet);
+        auto body = std::make_unique<RigidBody>(value.at("name").text(),
+                                                is_sheet ? on_both_sides(mesh) : mesh, properties,
+                                                motion.velocity, motion.angular_velocity);
+        if (locks.pin)
+            body->pin(*locks.pin, locks.free.rotation);
+        else if (!locks.free.hold_none())
+            body->hold(locks.free);
         for (const OutsideLoad& load : loads)
             body->add_load(load);
-        if (!free.hold_none())
-            body->hold(free);
         return body;
     } catch (const InputError& error) {
         value.pass_on(error);

@@ -8,42 +8,73 @@
 
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace enduring {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t max_driven = 100;
 
-/// A box in the shape's coordinates: every node in it stays where it is.
-struct FixedRegion {
-    Vec3 low, high;
+/// A box and a ball in the shape's coordinates: the nodes in both.
+struct Region {
+    Vec3 low, high, centre = Vec3::Zero();
+    double radius = infinity;
     bool contains(const Vec3& point) const
     {
-        return (point.array() >= low.array()).all() && (point.array() <= high.array()).all();
+        return (point.array() >= low.array()).all() && (point.array() <= high.array()).all() &&
+               !((point - centre).norm() > radius);
     }
 };
 
-FixedRegion read_region(const JsonValue& value)
+Region read_region(const JsonValue& value)
 {
-    value.require_keys({"min", "max"});
     const NumberRange coordinate{-1e6, 1e6, true, true, "m"};
-    return {value.vector_or("min", coordinate, Vec3::Constant(-infinity)),
-            value.vector_or("max", coordinate, Vec3::Constant(infinity))};
+    Region region{value.vector_or("min", coordinate, Vec3::Constant(-infinity)),
+                  value.vector_or("max", coordinate, Vec3::Constant(infinity))};
+    if (const std::optional<JsonValue> ball = value.find("ball")) {
+        ball->require_keys({"centre", "radius"});
+        region.centre = ball->at("centre").vector(coordinate);
+        region.radius = ball->at("radius").number({0, 1e6, true, true, "m"});
+    }
+    return region;
 }
 
-std::vector<int> read_fixed_nodes(const JsonValue& body, const std::vector<Vec3>& nodes)
+std::vector<int> nodes_in(const JsonValue& value, const std::vector<Vec3>& nodes)
 {
-    std::vector<int> fixed;
-    const std::optional<JsonValue> value = body.find("fixed");
-    if (!value)
-        return fixed;
-    const FixedRegion region = read_region(*value);
+    const Region region = read_region(value);
+    std::vector<int> inside;
     for (std::size_t node = 0; node < nodes.size(); ++node)
         if (region.contains(nodes[node]))
-            fixed.push_back(static_cast<int>(node));
-    if (fixed.empty())
-        value->complain("no node of the shape lies in this region");
-    return fixed;
+            inside.push_back(static_cast<int>(node));
+    if (inside.empty())
+        value.complain("no node of the shape lies in this region");
+    return inside;
+}
+
+/// The keys "fixed" and "driven": nodes that stay, and nodes that move as given. No node is in two of them.
+void read_grips(const JsonValue& body, const std::vector<Vec3>& nodes, const Placement& placement,
+                DeformableSettings& settings)
+{
+    std::vector<char> taken(nodes.size(), 0);
+    if (const std::optional<JsonValue> fixed = body.find("fixed")) {
+        fixed->require_keys({"min", "max", "ball"});
+        settings.fixed_nodes = nodes_in(*fixed, nodes);
+        for (const int node : settings.fixed_nodes)
+            taken[static_cast<std::size_t>(node)] = 1;
+    }
+    const std::optional<JsonValue> driven = body.find("driven");
+    if (!driven)
+        return;
+    for (const JsonValue& entry : driven->items(0, max_driven)) {
+        entry.require_keys({"min", "max", "ball", "motion"});
+        const ReadMotion given = read_given_motion(entry.at("motion"), placement);
+        const std::vector<int> gripped = nodes_in(entry, nodes);
+        for (const int node : gripped)
+            if (std::exchange(taken[static_cast<std::size_t>(node)], 1) != 0)
+                entry.complain("a node in this region is fixed or driven already");
+        settings.driven_nodes.push_back({gripped, given.motion, given.centre});
+    }
 }
 
 ElasticMaterial read_material(const JsonValue& body, const TetrahedralMesh& mesh,
@@ -110,10 +141,10 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
     const std::optional<JsonValue> basis = value.find("basis");
     if (!basis || basis->choice({"linear", "quadratic"}) == 1) {
         const QuadraticTetrahedralMesh quadratic = with_edge_midpoints(mesh);
-        settings.fixed_nodes = read_fixed_nodes(value, quadratic.nodes);
+        read_grips(value, quadratic.nodes, placement, settings);
         return driven(std::make_unique<DeformableBody>(value.at("name").text(), quadratic, settings));
     }
-    settings.fixed_nodes = read_fixed_nodes(value, mesh.nodes);
+    read_grips(value, mesh.nodes, placement, settings);
     return driven(std::make_unique<DeformableBody>(value.at("name").text(), mesh, settings));
 }
 
@@ -133,6 +164,7 @@ std::unique_ptr<Body> read_deformable(const JsonValue& value, const SceneSurroun
                         "rayleigh",
                         "basis",
                         "fixed",
+                        "driven",
                         "impulse_response",
                         "self_contact",
                         "solver_tolerance",

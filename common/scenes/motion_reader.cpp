@@ -137,15 +137,24 @@ std::vector<TimedVector> read_spread_forces(const JsonValue& body)
     return forces;
 }
 
-FreeDirections read_free_directions(const JsonValue& body)
+ReadLocks read_locks(const JsonValue& body, const Placement& placement)
 {
-    FreeDirections free;
-    if (const std::optional<JsonValue> locked = body.find("locked")) {
-        locked->require_keys({"translation", "rotation"});
-        free.translation = read_free_axes(*locked, "translation");
-        free.rotation = read_free_axes(*locked, "rotation");
+    ReadLocks locks;
+    const std::optional<JsonValue> locked = body.find("locked");
+    if (!locked)
+        return locks;
+    locked->require_keys({"translation", "rotation", "about"});
+    locks.free.translation = read_free_axes(*locked, "translation");
+    locks.free.rotation = read_free_axes(*locked, "rotation");
+    if (const std::optional<JsonValue> about = locked->find("about")) {
+        locks.pin = placement.place(about->vector(place_range));
+        if (const std::optional<JsonValue> translation = locked->find("translation"))
+            translation->complain("stands beside \"about\", which holds all translations of a point");
+        if (const std::optional<JsonValue> velocity = body.find("velocity"))
+            velocity->complain(
+                "follows from the \"angular_velocity\" of a body that is locked \"about\" a point");
     }
-    return free;
+    return locks;
 }
 
 }  // namespace enduring

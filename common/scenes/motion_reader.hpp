@@ -6,6 +6,7 @@
 #include "common/simulation/given_motion.hpp"
 #include "common/simulation/outside_load.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace enduring {
@@ -24,6 +25,10 @@ std::vector<OutsideLoad> read_loads(const JsonValue& body, const Placement& plac
 std::vector<TimedVector> read_spread_forces(const JsonValue& body);
 
 /// The object "locked" of a rigid body.
-FreeDirections read_free_directions(const JsonValue& body);
+struct ReadLocks {
+    FreeDirections free;
+    std::optional<Vec3> pin{};  ///< a point that is held, placed [m]; it holds all translations
+};
+ReadLocks read_locks(const JsonValue& body, const Placement& placement);
 
 }  // namespace enduring

@@ -64,7 +64,7 @@ double read_mass(const JsonValue& body, double volume, const SceneMaterials& mat
     if (density && mass)
         mass->complain("stands beside \"density\"; one of the two is enough");
     if (mass)
-        return mass->number({1e-9, 1e9, true, true, "kg"});
+        return mass->number(mass_range);
     const int material = material_of(body, materials);
     if (!density && material != MaterialFriction::none)
         if (const auto of_material = materials[static_cast<std::size_t>(material)].density)

@@ -29,6 +29,9 @@ Placement read_placement(const JsonValue& body);
 /// The keys "velocity" and "angular_velocity" of a body, both optional.
 InitialMotion read_motion(const JsonValue& body);
 
+/// Of the key "mass".
+inline const NumberRange mass_range{1e-9, 1e9, true, true, "kg"};
+
 /// The body's mass [kg] from one of the keys "density" and "mass", else from the density of its material.
 /// @param volume  of its shape [m^3], positive
 double read_mass(const JsonValue& body, double volume, const SceneMaterials& materials);

@@ -123,6 +123,15 @@ public:
 
     /// The work of forces from outside but gravity in the step as it is predicted [J].
     virtual double driven_work(double /*dt*/) const { return 0; }
+    /// The work of gravity in the step as it is predicted, less that at the velocities: of a body that turns about a pin off its
+    /// centre, the lever of gravity turns within the step, and this is what the turn gives [J].
+    virtual double turned_lever_work(const Vec3& /*gravity*/, double /*dt*/) const { return 0; }
+    /// What gravity alone makes of the motion of a surface vertex: nothing where a body stands or moves as given, and another
+    /// acceleration than its own where it is held [m/s^2].
+    virtual Vec3 acceleration(int /*vertex*/, const Vec3& gravity) const
+    {
+        return is_static() ? Vec3(Vec3::Zero()) : gravity_on(gravity);
+    }
     /// Writes or reads all that the next step depends on. It is asked between steps: what was predicted is not kept.
     virtual void visit_state(StateArchive& archive) { archive(positions_t0_); }
 

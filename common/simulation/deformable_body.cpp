@@ -3,6 +3,7 @@
 #include "common/geometry/surface_extraction.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <utility>
@@ -139,6 +140,14 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
     set_motion(elastic_, settings.velocity, settings.angular_velocity);
     for (const int node : settings.fixed_nodes)
         elastic_.fix(node);
+    for (const DrivenNodes& driven : settings.driven_nodes) {
+        grips_.push_back(
+            {driven.nodes, elastic_.positions()(Eigen::all, driven.nodes), driven.motion, driven.centre});
+        for (const int node : driven.nodes)
+            elastic_.fix(node);
+    }
+    put_grips(0);
+    grip_velocity_ = NodalVectors::Zero(3, elastic_.node_count());
     positions_t0_.resize(static_cast<std::size_t>(embedding_.vertex_count()));
     embedding_.evaluate(elastic_.positions(), positions_t0_);
     positions_t1_ = positions_t0_;
@@ -148,13 +157,49 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
             std::make_unique<RestNeighbours>(neighbours_in(this->surface(), elastic_.mesh(), embedding_));
 }
 
+NodalVectors DeformableBody::Grip::places(double time) const
+{
+    const GivenPlace now = motion.at(time);
+    const Mat3 turn = Eigen::AngleAxisd(now.turn.norm(), now.turn.stableNormalized()).toRotationMatrix();
+    return (turn * (placed.colwise() - centre)).colwise() + (centre + now.displacement);
+}
+
+void DeformableBody::put_grips(double time)
+{
+    for (const Grip& grip : grips_)
+        elastic_.positions()(Eigen::all, grip.nodes) = grip.places(time);
+}
+
+//! [move_grips]
+/// Nodes that are gripped stand at the end of the step when the elements are asked for their forces, and count as at rest there. The
+/// pairs see them move. What both changes give to the body is the work of what grips.
+void DeformableBody::move_grips(const Vec3& weight, double dt)
+{
+    const double before = energy_of(elastic_, weight).total();
+    grip_velocity_ = NodalVectors::Zero(3, elastic_.node_count());
+    for (const Grip& grip : grips_) {
+        grip_velocity_(Eigen::all, grip.nodes) = (grip.places(time_ + dt) - grip.places(time_)) / dt;
+        elastic_.velocities()(Eigen::all, grip.nodes).setZero();
+    }
+    put_grips(time_ + dt);
+    grip_work_ = energy_of(elastic_, weight).total() - before;
+}
+//! [move_grips]
+
 void DeformableBody::predict(const Vec3& gravity, double dt)
 {
     force_impulse_.setZero();
     for (const TimedVector& force : forces_)
         force_impulse_ += force.integral(time_, time_ + dt);
     const Vec3 weight = gravity_on(gravity);
+    if (!grips_.empty())
+        move_grips(weight, dt);
     elastic_.predict(forces_.empty() ? weight : Vec3(weight + force_impulse_ / (mass() * dt)), dt);
+    if (!grips_.empty()) {
+        grip_work_ -= elastic_.kinetic_energy();
+        elastic_.velocities() += grip_velocity_;
+        grip_work_ += elastic_.kinetic_energy();
+    }
     mends_ = false;
     vertex_response_.begin_step(dt);
     update_prediction(dt);
@@ -178,12 +223,15 @@ void DeformableBody::commit(double dt)
     if (!waiting_impulses_.isZero(0))
         update_prediction(dt);
     elastic_.commit(dt);
+    put_grips(time_ + dt);
     embedding_.evaluate(elastic_.positions(), positions_t1_);
     positions_t0_ = positions_t1_;
 }
 
 void DeformableBody::apply_impulse(int vertex, const Vec3& impulse)
 {
+    if (!grips_.empty())  // what holds a node takes its share
+        grip_work_ -= impulse.dot(embedding_.at(vertex, grip_velocity_));
     if (impulse_response_ == ImpulseResponse::implicit)
         embedding_.apply_impulse(vertex, impulse, Eigen::VectorXd::Ones(elastic_.node_count()),
                                  waiting_impulses_);

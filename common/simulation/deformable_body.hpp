@@ -4,6 +4,7 @@
 #include "common/fem/surface_embedding.hpp"
 #include "common/geometry/meshes.hpp"
 #include "common/simulation/body.hpp"
+#include "common/simulation/given_motion.hpp"
 #include "common/simulation/outside_load.hpp"
 #include "common/simulation/rest_neighbours.hpp"
 #include "common/simulation/vertex_response.hpp"
@@ -21,14 +22,22 @@ enum class ImpulseResponse {
     implicit
 };
 
+/// Nodes of a deformable body that move as given, whatever pulls.
+struct DrivenNodes {
+    std::vector<int> nodes;
+    GivenMotion motion;
+    Vec3 centre = Vec3::Zero();  ///< what the motion displaces and turns about, where the body is placed [m]
+};
+
 /// What a deformable body is made of, and where it starts.
 struct DeformableSettings {
     ElasticMaterial material;
-    Mat3 rotation = Mat3::Identity();      ///< turns the mesh about its origin, then ...
-    Vec3 position = Vec3::Zero();          ///< ... moves it [m]; the shape stays unstrained
-    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass [m/s]
-    Vec3 angular_velocity = Vec3::Zero();  ///< about it, in world axes [rad/s]
-    std::vector<int> fixed_nodes;          ///< nodes of the mesh that never move
+    Mat3 rotation = Mat3::Identity();       ///< turns the mesh about its origin, then ...
+    Vec3 position = Vec3::Zero();           ///< ... moves it [m]; the shape stays unstrained
+    Vec3 velocity = Vec3::Zero();           ///< of the centre of mass [m/s]
+    Vec3 angular_velocity = Vec3::Zero();   ///< about it, in world axes [rad/s]
+    std::vector<int> fixed_nodes;           ///< nodes of the mesh that never move
+    std::vector<DrivenNodes> driven_nodes;  ///< no node twice, nor one that is fixed
     ImpulseResponse impulse_response = ImpulseResponse::lumped;
     bool self_contact = false;  ///< whether its surface is looked at for contact with itself, too
     ElasticOptions options;
@@ -70,11 +79,11 @@ public:
     std::unique_ptr<Trial> begin_trial() const override;
     const MassParts& mass_parts() const override { return *parts_; }
 
-    bool is_driven() const override { return Body::is_driven() || !forces_.empty(); }
+    bool is_driven() const override { return Body::is_driven() || !forces_.empty() || !grips_.empty(); }
     double driven_work(double dt) const override
     {
         return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum() +
-               force_impulse_.dot(mean_velocity());
+               force_impulse_.dot(mean_velocity()) + grip_work_;
     }
     void visit_state(StateArchive& archive) override;
 
@@ -92,10 +101,25 @@ private:
     DeformableBody(std::string name, SurfaceTopology surface, ElasticMesh mesh, SurfaceEmbedding embedding,
                    const DeformableSettings& settings);
 
+    /// Nodes that move as given.
+    struct Grip {
+        std::vector<int> nodes;
+        NodalVectors placed;  ///< without the motion [m]
+        GivenMotion motion;
+        Vec3 centre;
+
+        NodalVectors places(double time) const;
+    };
+    void put_grips(double time);
+    void move_grips(const Vec3& weight, double dt);
+
     double shared_response(int u, int v) const;
 
     std::vector<TimedVector> forces_;
     Vec3 force_impulse_ = Vec3::Zero();  ///< of all of them in the step that is predicted [N s]
+    std::vector<Grip> grips_;
+    double grip_work_ = 0;        ///< of what moves them, in the step that is predicted [J]
+    NodalVectors grip_velocity_;  ///< in that step, of all nodes, zero where nothing grips [m/s]
     ElasticBody elastic_;
     SurfaceEmbedding embedding_;
     ImpulseResponse impulse_response_;

@@ -1,5 +1,6 @@
 #include "common/simulation/rigid_body.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 namespace enduring {
@@ -39,13 +40,26 @@ RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProper
     : Body(std::move(name), SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces)),
       motion_(properties, velocity, angular_velocity)
 {
-    const Pose pose = motion_.pose();
-    body_points_.reserve(mesh.vertices.size());
-    for (const Vec3& vertex : mesh.vertices)
-        body_points_.push_back(pose.to_body(vertex));
     positions_t0_ = mesh.vertices;
     positions_t1_ = mesh.vertices;
+    take_body_points();
     measure();
+}
+
+void RigidBody::take_body_points()
+{
+    body_points_.clear();
+    body_points_.reserve(positions_t0_.size());
+    for (const Vec3& vertex : positions_t0_)
+        body_points_.push_back(motion_.pose().to_body(vertex));
+}
+
+void RigidBody::pin(const Vec3& point, const Vec3& free_turns)
+{
+    if (!loads_.empty())
+        throw std::logic_error("rigid body '" + name() + "': it is pinned before it gets loads");
+    motion_.pin(point, free_turns);
+    take_body_points();
 }
 
 void RigidBody::add_load(const OutsideLoad& load)
@@ -53,8 +67,8 @@ void RigidBody::add_load(const OutsideLoad& load)
     const Pose& pose = motion_.pose();
     const Quaternion to_body = pose.orientation.conjugate();
     OutsideLoad own = load;
-    if (load.point)
-        own.point = pose.to_body(*load.point);
+    if (load.point || motion_.centre() != pose.position)  // a force on the centre turns a body about its pin
+        own.point = pose.to_body(load.point.value_or(motion_.centre()));
     if (load.turns_along) {
         own.force = load.force.turned(to_body);
         own.torque = load.torque.turned(to_body);
@@ -164,6 +178,18 @@ std::unique_ptr<Trial> RigidBody::begin_trial() const
     return std::make_unique<RigidTrial>(motion_, positions_t0_);
 }
 
+//! [turned_lever_work]
+double RigidBody::turned_lever_work(const Vec3& gravity, double dt) const
+{
+    const Pose& pose = motion_.pose();
+    const Vec3 centre = motion_.centre();
+    if (centre == pose.position)
+        return 0;
+    const Vec3 moved = motion_.predicted_pose(dt).to_world(pose.to_body(centre)) - centre;
+    return mass() * gravity_on(gravity).dot(dt * motion_.velocity_at(centre) - moved);
+}
+//! [turned_lever_work]
+
 void RigidBody::visit_state(StateArchive& archive)
 {
     Body::visit_state(archive);
@@ -181,7 +207,7 @@ Energy RigidBody::energy(const Vec3& gravity) const
 {
     Energy energy;
     energy.kinetic = motion_.kinetic_energy();
-    energy.gravitational = -mass() * gravity_on(gravity).dot(motion_.pose().position);
+    energy.gravitational = -mass() * gravity_on(gravity).dot(motion_.centre());
     return energy;
 }
 

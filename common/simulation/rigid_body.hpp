@@ -20,11 +20,13 @@ public:
     RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties,
               const Vec3& velocity = Vec3::Zero(), const Vec3& angular_velocity = Vec3::Zero());
 
-    /// It acts from now on; any number of them.
+    /// It acts from now on; any number of them. A body that is pinned is pinned before.
     void add_load(const OutsideLoad& load);
     /// Takes coordinates out, for good.
     /// @throws InputError  the body moves along or about what is held
     void hold(const FreeDirections& free) { motion_.hold(free); }
+    /// The same of a point of the body, for good: a hinge or a ball joint (RigidMotion::pin).
+    void pin(const Vec3& point, const Vec3& free_turns);
 
     void predict(const Vec3& gravity, double dt) override;
     void update_prediction(double dt) override;
@@ -47,7 +49,13 @@ public:
     }
     double driven_work(double /*dt*/) const override
     {
-        return load_momentum_.dot(motion_.velocity()) + load_turning_.dot(motion_.angular_velocity());
+        return load_momentum_.dot(motion_.velocity_at(motion_.pose().position)) +
+               load_turning_.dot(motion_.angular_velocity());
+    }
+    double turned_lever_work(const Vec3& gravity, double dt) const override;
+    Vec3 acceleration(int vertex, const Vec3& gravity) const override
+    {
+        return motion_.acceleration_at(start_of(vertex), gravity_on(gravity));
     }
     void visit_state(StateArchive& archive) override;
 
@@ -60,12 +68,13 @@ public:
 
 private:
     const Vec3& start_of(int vertex) const { return positions_t0_[vertex]; }
+    void take_body_points();
 
     void apply_loads(double dt);
 
     RigidMotion motion_;
     std::vector<OutsideLoad> loads_;  ///< points, and what turns along, in body coordinates
-    /// What the loads do in the step that is predicted: momentum [N s], and angular momentum about the centre [N m s].
+    /// What the loads do in the step that is predicted: momentum [N s], and angular momentum about the body's origin [N m s].
     Vec3 load_momentum_ = Vec3::Zero(), load_turning_ = Vec3::Zero();
     Quaternion free_orientation_t1_ = Quaternion::Identity();  ///< at the end of the step, before any contact
     std::vector<Vec3> body_points_;                            ///< surface vertices in body coordinates [m]

@@ -62,6 +62,14 @@ double driven_work(const World& world, const Contacts& contacts, double dt)
     return work;
 }
 
+double turned_lever_work(const World& world, double dt)
+{
+    double work = 0;
+    for (const auto& body : world.bodies)
+        work += body->turned_lever_work(world.gravity, dt);
+    return work;
+}
+
 bool has_gained(const World& world, const HeldEnergy& before, const HeldEnergy& after, double dt)
 {
     double mass = 0;

@@ -1,5 +1,6 @@
 #include "chapters/08_speculative_contacts/experiments/driven_scenes.hpp"
 #include "chapters/08_speculative_contacts/experiments/experiments.hpp"
+#include "chapters/08_speculative_contacts/experiments/hinged_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +36,12 @@ std::vector<Case> all_cases()
         {"puck, a force", "puck", "distance [m]", pushed_puck},
         {"wheel, locked, a torque", "wheel", "speed [rad/s]", torque_on_wheel},
         {"slider, locked, hit", "slider", "momentum [N s]", hit_slider},
+        {"bar on a hinge, swings", "swing", "period [s]", swinging_bar},
+        {"door on a hinge, hit", "door_speed", "speed [rad/s]", [](double dt) { return hit_door(dt).speed; }},
+        {"door on a hinge, hit", "door_momentum", "momentum about the hinge [N m s]",
+         [](double dt) { return hit_door(dt).momentum; }},
+        {"crank and slider", "crank", "where the slider is [m]", slider_crank},
+        {"rigid sheet between box and ball", "sheet", "height of the ball [m]", sheet_on_box},
         {"two materials", "materials_slide", "acceleration [m/s^2]",
          [](double dt) { return slide_of_materials(30, dt); }},
         {"two materials", "materials_hold", "angle where it holds [degrees]",

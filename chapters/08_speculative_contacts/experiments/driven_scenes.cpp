@@ -1,59 +1,13 @@
 #include "chapters/08_speculative_contacts/experiments/driven_scenes.hpp"
 
-#include "chapters/08_speculative_contacts/solver.hpp"
-#include "common/experiments/run/run.hpp"
-#include "common/scenes/scene_reader.hpp"
-#include "common/simulation/rigid_body.hpp"
-
-#include <nlohmann/json.hpp>
+#include "chapters/08_speculative_contacts/experiments/driven_parts.hpp"
 
 #include <cmath>
 #include <numbers>
 
 namespace enduring::chapter08 {
-namespace {
 
-using json = nlohmann::json;
-constexpr double earth = 9.81;  // [m/s^2]
-
-Scene scene_from(const json& scene) { return read_scene(scene.dump(), "", "driven.json", {}); }
-
-json scene_text(const std::string& name, double dt, double duration, double mu_s, double mu_d)
-{
-    return {{"name", name},
-            {"dt", dt},
-            {"duration", duration},
-            {"contact", {{"friction", {{"model", "mass_splitting"}, {"mu_s", mu_s}, {"mu_d", mu_d}}}}}};
-}
-
-json box_body(const std::string& name, const std::string& type, const json& size, const json& position)
-{
-    json body{{"name", name}, {"type", type}, {"shape", {{"box", {{"size", size}}}}}, {"position", position}};
-    if (type == "rigid")
-        body["mass"] = 2;
-    return body;
-}
-
-/// Runs a scene to its end, and shows its world after each step.
-template <class Watch>
-void run_watched(Scene& scene, const Watch& watch)
-{
-    run(scene, chapter08_solver(scene.contact), {},
-        {.stop = [&](const World& world, const Contacts&) { return watch(world); }});
-}
-
-void run_whole(Scene& scene)
-{
-    run_watched(scene, [](const World&) { return false; });
-}
-
-const RigidMotion& motion_of(const World& world, std::size_t body)
-{
-    return dynamic_cast<const RigidBody&>(*world.bodies[body]).motion();
-}
-
-}  // namespace
-
+using namespace driven_parts;
 AgainstFormula piston(double dt)
 {
     constexpr double stroke = 0.2, period = 1.5;  // [m], [s]; falls with 0.36 g at most

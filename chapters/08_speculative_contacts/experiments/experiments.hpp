@@ -24,6 +24,7 @@ void turntable(const RunOptions& options, Report& report);
 void spinning(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);
 void driven(const RunOptions& options, Report& report);
+void pressed(const RunOptions& options, Report& report);
 void bouncing(const RunOptions& options, Report& report);
 void spheres(const RunOptions& options, Report& report);
 void disk(const RunOptions& options, Report& report);

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdlib>
 
 using namespace enduring;
 using namespace enduring::chapter08;
@@ -132,4 +133,59 @@ TEST_CASE("bouncing: momentum is kept where nothing acts from outside, and a run
     CHECK(std::abs(momentum.x() - 1) < 1e-12);
     const auto solver_for = [](const ContactParameters& parameters) { return chapter08_solver(parameters); };
     CHECK(apart_when_resumed(make, solver_for, 21, 40) == 0);
+}
+
+namespace {
+
+/// Balls that fall on the ground side by side, and a stack between them: an island each.
+std::vector<double> state_of_islands(const char* threads)
+{
+    setenv("ENDURING_THREADS", threads, 1);
+    std::string bodies;
+    for (int ball = 0; ball < 4; ++ball)
+        bodies += R"({"name": "ball )" + std::to_string(ball) +
+                  R"(", "type": "rigid", "shape": {"sphere": {"radius": 0.1}}, "mass": 1, "position": [)" +
+                  std::to_string(ball) + ", 0." + std::to_string(2 + ball) +
+                  R"(, 0], "angular_velocity": [1, 2, 3]},)";
+    Scene scene = read_scene(
+        R"({"name": "i", "dt": 0.01, "duration": 1, "planes": [{"name": "ground"}],
+        "contact": {"restitution": 0.7, "friction": {"model": "mass_splitting"}}, "bodies": [)" +
+            bodies +
+            R"({"name": "low", "type": "rigid", "shape": {"box": {"size": [0.3, 0.3, 0.3]}}, "mass": 1, "position": [0.5, 0.15, 2]},
+            {"name": "high", "type": "rigid", "shape": {"box": {"size": [0.3, 0.3, 0.3]}}, "mass": 1, "position": [0.5, 0.6, 2]}]})",
+        "", "i.json", {});
+    run_steps(scene, 60);
+    unsetenv("ENDURING_THREADS");
+    std::vector<double> numbers;
+    for (const auto& body : scene.world.bodies) {
+        const std::vector<double> own = state_of(*body);
+        numbers.insert(numbers.end(), own.begin(), own.end());
+    }
+    return numbers;
+}
+
+/// A ball that begins two millimetres inside the ground, after half a second.
+std::vector<double> begun_inside(double e)
+{
+    Scene scene = read_scene(
+        R"({"name": "d", "dt": 0.01, "duration": 1, "planes": [{"name": "ground"}], "contact": {"restitution": )" +
+            std::to_string(e) + R"(}, "bodies": [
+        {"name": "ball", "type": "rigid", "shape": {"sphere": {"radius": 0.1}}, "mass": 3, "position": [0, 0.098, 0]}]})",
+        "", "d.json", {});
+    run_steps(scene, 50);
+    return state_of(*scene.world.bodies[0]);
+}
+
+}  // namespace
+
+TEST_CASE("bouncing: two threads give the bytes of one")
+{
+    CHECK(state_of_islands("2") == state_of_islands("1"));
+}
+
+TEST_CASE("bouncing: what begins inside the ground does not bounce, whatever its coefficient")
+{
+    const std::vector<double> without = begun_inside(0);
+    CHECK(begun_inside(1) == without);
+    CHECK(begun_inside(0.5) == without);
 }

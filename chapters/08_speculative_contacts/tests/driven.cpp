@@ -1,4 +1,5 @@
-#include "chapters/08_speculative_contacts/experiments/driven_scenes.hpp"
+#include "chapters/08_speculative_contacts/experiments/hinged_scenes.hpp"
+#include "chapters/08_speculative_contacts/experiments/pressed_soft.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/08_speculative_contacts/tests/resumed.hpp"
 #include "common/experiments/run/run.hpp"
@@ -44,6 +45,53 @@ TEST_CASE(
     for (const double dt : {0.01, 0.004}) {
         CHECK(std::abs(torque_on_wheel(dt).error()) < 1e-9);
         CHECK(std::abs(hit_slider(dt).error()) < 1e-5);
+    }
+}
+
+TEST_CASE("hinges: a bar swings with its period")
+{
+    for (const double dt : {0.01, 0.005})
+        CHECK(std::abs(swinging_bar(dt).error()) < 2e-3);
+}
+
+TEST_CASE("hinges: a ball gives a door its angular momentum about the hinge")
+{
+    for (const double dt : {0.01, 0.004}) {
+        CHECK(std::abs(hit_door(dt).speed.error()) < 1e-3);
+        CHECK(std::abs(hit_door(dt).momentum.error()) < 1e-3);
+    }
+}
+
+TEST_CASE("hinges: a crank moves a slider to where its corners are")
+{
+    for (const double dt : {0.01, 0.004}) {
+        const AgainstFormula slider = slider_crank(dt);
+        CHECK(std::abs(slider.measured - slider.formula) < 0.2 * dt);
+    }
+}
+
+TEST_CASE("moving sheets: a box over the border rides if its middle is over the sheet, and falls if not")
+{
+    for (const double dt : {0.01, 0.004})
+        for (const double beyond : {-0.1, -0.03, 0.03})
+            CHECK(rides_on_sheet(beyond, dt) == (beyond < 0));
+}
+
+TEST_CASE("moving sheets: a rigid sheet lies on a box and carries a ball")
+{
+    for (const double dt : {0.01, 0.004})
+        CHECK(std::abs(sheet_on_box(dt).error()) < 1e-3);
+}
+
+TEST_CASE(
+    "pressed soft bodies: without friction the plate feels the material's stress, and no element inverts")
+{
+    for (const ElasticLaw law : {ElasticLaw::corotated, ElasticLaw::neo_hookean}) {
+        const PressedOutcome found = press_soft({.law = law, .height = 0.6, .dt = 0.02});
+        CHECK(found.force == doctest::Approx(found.formula).epsilon(0.01));
+        CHECK(found.inverted == 0);
+        CHECK(found.unsolved == 0);
+        CHECK(found.deepest_mm < 1);
     }
 }
 

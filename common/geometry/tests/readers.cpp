@@ -12,6 +12,8 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <bit>
 #include <iomanip>
 #include <numbers>
 #include <sstream>
@@ -124,6 +126,48 @@ TEST_CASE(
         }
         CHECK(volume == doctest::Approx(2));  // 1 x 2 x 1
     }
+}
+
+TEST_CASE("Gmsh reader: what Gmsh saves as a binary file arrives as from its text")
+{
+    const std::filesystem::path seeds = source_directory() / "common/geometry/fuzz/seeds/gmsh_reader";
+    for (const std::string name : {"box_order1_v22", "box_order2_v22", "box_order1_v41", "box_order2_v41"}) {
+        CAPTURE(name);
+        const QuadraticTetrahedralMesh text = read_gmsh_quadratic(seeds / (name + ".msh")),
+                                       binary = read_gmsh_quadratic(seeds / (name + "_binary.msh"));
+        CHECK(binary.nodes == text.nodes);
+        CHECK(binary.elements == text.elements);
+        CHECK(binary.corner_count == text.corner_count);
+    }
+}
+
+TEST_CASE(
+    "Gmsh reader: a binary file of the other order of bytes is read, and one that is cut is refused with its byte")
+{
+    const auto number = [](auto value) {
+        const auto bytes = std::bit_cast<std::array<char, sizeof(value)>>(value);
+        return std::string(bytes.rbegin(), bytes.rend());
+    };
+    static_assert(std::endian::native == std::endian::little);
+    std::ostringstream text;
+    text << "$MeshFormat\n2.2 1 8\n" << number(1) << "\n$EndMeshFormat\n$Nodes\n4\n";
+    const std::vector<Vec3> nodes{{0, 0, 0}, {0.1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    int next = 1;
+    for (const Vec3& node : nodes)
+        text << number(next++) << number(node.x()) << number(node.y()) << number(node.z());
+    text << "\n$EndNodes\n$Elements\n1\n";
+    for (const int part : {4, 1, 2, 1, 7, 7, 1, 2, 3, 4})
+        text << number(part);
+    const std::string file = text.str();
+    std::istringstream whole(file + "\n$EndElements\n"), cut(file.substr(0, file.size() - 3)),
+        wrong(file.substr(0, file.size() - 4) + number(9) + "\n$EndElements\n");
+    CHECK(read_gmsh(whole, "m").nodes == nodes);
+    CHECK_THROWS_WITH_AS(
+        read_gmsh(cut, "m"),
+        ("m, byte " + std::to_string(file.size() - 4) + ": the file ends where a number is missing").c_str(),
+        InputError);
+    CHECK_THROWS_WITH_AS(read_gmsh(wrong, "m"), "m, as text:13: element 1 names node 9, which does not exist",
+                         InputError);
 }
 
 TEST_CASE("meshes: every bunny is sound, and what its README says")

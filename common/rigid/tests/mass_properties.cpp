@@ -102,3 +102,19 @@ TEST_CASE("mass properties: what encloses no volume is refused with a reason")
     CHECK_THROWS_WITH_AS(mass_properties(box_from({0, 0, 0}, {1, 1, 0}), 1), doctest::Contains("volume"),
                          InputError);
 }
+
+TEST_CASE("mass properties: the mass of a sheet lies on its faces, and an open box of plates adds them up")
+{
+    // the plate x in [0, 2], y in [0, 1] at z = 3: m (b^2, a^2, a^2 + b^2) / 12
+    const SurfaceMesh plate{{{0, 0, 3}, {2, 0, 3}, {2, 1, 3}, {0, 1, 3}}, {{0, 1, 2}, {0, 2, 3}}};
+    const MassProperties p = sheet_properties(plate, 5);
+    CHECK(p.mass == doctest::Approx(10));
+    CHECK((p.centre - Vec3(1, 0.5, 3)).norm() < 1e-14);
+    CHECK((p.inertia - Mat3(Vec3(10, 40, 50).asDiagonal()) / 12).norm() < 1e-13);
+
+    // a cube's six sides of mass 1: four of them half a side from each axis through the middle
+    const MassProperties cube = sheet_properties(box_from({0, 0, 0}, {1, 1, 1}), 1);
+    CHECK(cube.mass == doctest::Approx(6));
+    CHECK((cube.inertia - (4 * (1.0 / 12 + 0.25) + 2.0 / 6) * Mat3::Identity()).norm() < 1e-13);
+    CHECK_THROWS_AS(sheet_properties(plate, 0), InputError);
+}

@@ -102,6 +102,36 @@ TEST_CASE("scene: a force on a soft body is spread over it")
     CHECK(soft.energy(Vec3::Zero()).elastic < 1e-12);
 }
 
+TEST_CASE("scene: nodes of a soft body in a box or a ball move as given, about a centre in the world")
+{
+    Scene scene = driven(R"({"gravity": [0, 0, 0], "/bodies/jelly/driven": [
+        {"min": [0.4, -9, -9], "motion": {"velocity": [2, 0, 0]}},
+        {"ball": {"centre": [-0.5, 0.5, 0.5], "radius": 0.1}, "motion": {"angular_velocity": [0, 0, 1], "centre": [-0.5, -20, 0]}}]})");
+    const auto& soft = dynamic_cast<const DeformableBody&>(*scene.world.bodies[2]).elastic();
+    const NodalVectors start = soft.positions();
+    step(scene, 10);
+    int pulled = 0, turned = 0;
+    for (int node = 0; node < soft.node_count(); ++node) {
+        const Vec3 from = start.col(node), now = soft.positions().col(node);
+        if (from.x() > 0.4 && ++pulled)
+            CHECK((now - from - Vec3(0.2, 0, 0)).norm() < 1e-12);
+        if ((from - Vec3(-0.5, -19.5, 0.5)).norm() < 0.1 && ++turned)
+            CHECK((now - Vec3(-0.5, -20, 0) - Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * Vec3(0, 0.5, 0.5))
+                      .norm() < 1e-12);
+    }
+    CHECK(pulled == 9);
+    CHECK(turned == 1);
+    CHECK(complaint(R"({"/bodies/jelly": {"fixed": {"max": [-0.4, 9, 9]}, "driven": [
+        {"ball": {"centre": [-0.5, 0, 0], "radius": 0.1}, "motion": {}}]}})") ==
+          "driven.json: /bodies/2/driven/0: a node in this region is fixed or driven already");
+    CHECK(complaint(R"({"/bodies/jelly/driven": [{"min": [7, 0, 0], "motion": {}}]})") ==
+          "driven.json: /bodies/2/driven/0: no node of the shape lies in this region");
+    CHECK(complaint(R"({"/bodies/jelly/driven": [{}]})") ==
+          "driven.json: /bodies/2/driven/0: the key \"motion\" is missing");
+    CHECK(complaint(R"({"/bodies/jelly/fixed": {"ball": {"centre": [0, 0, 0], "radius": -1}}})")
+              .find("driven.json: /bodies/2/fixed/ball/radius: expected a number from 0") == 0);
+}
+
 TEST_CASE("scene: gravity is switched off for one body alone")
 {
     Scene scene = driven(R"({"/bodies/brick/gravity": false})");
@@ -119,6 +149,28 @@ TEST_CASE("scene: locked directions are world axes, by their letters")
     CHECK((brick_of(scene).angular_velocity() - Vec3(0, 3, 0)).norm() < 1e-12);
     CHECK(complaint(R"({"/bodies/brick": {"velocity": [1, 0, 0], "locked": {"translation": ["x"]}}})") ==
           "driven.json: /bodies/1: rigid body: it moves along or about an axis that is held");
+}
+
+TEST_CASE("scene: a point about which a body is locked is the shape's, and holds all translations")
+{
+    // the shape's x is the world's y
+    Scene scene = driven(R"({"/bodies/brick": {"angular_velocity": [0, 0, 3],
+        "locked": {"about": [0.25, 0, 0], "rotation": ["x", "y"]}}})");
+    const Vec3 pin(1, 2.25, 3);
+    CHECK((brick_of(scene).pose().position - pin).norm() < 1e-14);
+    CHECK((brick_of(scene).centre() - Vec3(1, 2, 3)).norm() < 1e-14);
+    CHECK((brick_of(scene).velocity() - Vec3(0.75, 0, 0)).norm() < 1e-14);
+    step(scene, 5);
+    CHECK((brick_of(scene).centre() - pin).norm() == doctest::Approx(0.25).epsilon(1e-12));
+    CHECK(brick_of(scene).centre().z() == doctest::Approx(3));
+    CHECK(
+        complaint(R"({"/bodies/brick/locked": {"about": [0, 0, 0], "translation": ["x"]}})") ==
+        "driven.json: /bodies/1/locked/translation: stands beside \"about\", which holds all translations of a point");
+    CHECK(
+        complaint(R"({"/bodies/brick": {"velocity": [0, 0, 0], "locked": {"about": [0, 0, 0]}}})") ==
+        "driven.json: /bodies/1/velocity: follows from the \"angular_velocity\" of a body that is locked \"about\" a point");
+    CHECK(complaint(R"({"/bodies/brick/locked": {"about": [0, 0]}})")
+              .find("driven.json: /bodies/1/locked/about") == 0);
 }
 
 TEST_CASE("scene: materials give density and friction, a pair by its own entry or by the geometric mean")

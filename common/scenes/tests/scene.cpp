@@ -417,7 +417,7 @@ TEST_CASE("scene: elastic constants out of range are named with path, range and 
           "jelly.json: /bodies/0/shape/bar: asks for 6000000 elements; at most 300000 are allowed");
 }
 
-TEST_CASE("scene: an open surface may be a static body, but no rigid one")
+TEST_CASE("scene: an open surface may be a static body, and a rigid one only as a sheet with a mass")
 {
     CHECK(ball(R"({"/bodies/floor/shape/plane_grid/diagonals": "crossed"})")
               .world.bodies[1]
@@ -426,6 +426,13 @@ TEST_CASE("scene: an open surface may be a static body, but no rigid one")
               .size() == 24);
     CHECK(complaint(R"({"/bodies/floor": {"type": "rigid", "mass": 1}})")
               .find("ball.json: /bodies/1/shape: the surface: ") == 0);
+    const Scene sheet = ball(R"({"/bodies/floor": {"type": "rigid", "mass": 3, "sheet": true}})");
+    CHECK(sheet.world.bodies[1]->mass() == 3);
+    CHECK_FALSE(sheet.world.bodies[1]->is_static());
+    CHECK(complaint(R"({"/bodies/floor": {"type": "rigid", "density": 3, "sheet": true}})") ==
+          "ball.json: /bodies/1/density: a sheet has no volume; give its \"mass\"");
+    CHECK(complaint(R"({"/bodies/floor": {"type": "rigid", "sheet": true}})") ==
+          "ball.json: /bodies/1: the key \"mass\" is missing");
 }
 
 TEST_CASE("scene: every scene of the course loads under its own name and stands a step without contact")
