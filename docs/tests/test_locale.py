@@ -20,7 +20,7 @@ def calls_without_encoding(text):
         name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
         owner = getattr(getattr(node.func, "value", None), "id", "")
         constants = {word.value for word in node.args if isinstance(word, ast.Constant)}
-        if name in ("read_text", "write_text") or name == "open" and owner not in ("os", "webbrowser", "zipfile", "held", "archive") and not constants & BINARY:
+        if name in ("read_text", "write_text") or name == "open" and owner not in ("os", "webbrowser", "zipfile", "tarfile", "held", "archive") and not constants & BINARY:
             yield node.lineno, name
 
 
