@@ -128,17 +128,13 @@ def prove_page(book, exercises, part=None):
     return faults, len(tasks)
 
 
-def arguments(words=None):
+def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--page", action="store_true", help=argparse.SUPPRESS)  # as it is typed: ./course prove --page
     parser.add_argument("number", nargs="?", metavar="N[.M]", help="a chapter's exercises, or one")
     parser.add_argument("--part", metavar="K/N", help="of the answers the K-th of N parts")
     parser.add_argument("--book", type=Path, default=ROOT / "build/book")
-    return parser.parse_args(words)
-
-
-def main():
-    options = arguments()
+    options = parser.parse_args()
     if not (options.book / "live/editor").is_dir():
         sys.exit(f"{options.book} has no exercises in its pages: ./course docs --live brings them, where npm gives what they need")
     exercises = [exercise for exercise in editor.offered() if options.number in (None, exercise.number, exercise.number.split(".")[0])]

@@ -13,6 +13,7 @@ PROGRAMS = Path(os.environ.get("ENDURING_BUILD", ROOT / "build/release")) / "bin
 sys.path[:0] = [str(ROOT / "docs"), str(ROOT / "exercises")]
 import checks  # noqa: E402
 import course_exercises  # noqa: E402
+import editor  # noqa: E402
 import weave  # noqa: E402
 
 EXERCISES = course_exercises.all_exercises()
@@ -47,6 +48,8 @@ def refusal(words):
     command, rest = (words[0] if words else "help"), list(words[1:])
     if command == "compare":
         return "" if len(rest) in (1, 2) else "compare takes one or two folders"
+    if command == "prove" and "--page" in rest:  # the exercises that the pages offer
+        return "" if {word for word in rest if word != "--page"} <= set(editor.OFFERED) else "not in a page"
     if command in ("check", "exercise", "hint", "solution", "update", "prove", "grade", "handout"):
         return refusal_of_exercises(words)
     done = subprocess.run(["./course", *words], cwd=ROOT, env=os.environ | {"ENDURING_ONLY_READ": "yes"}, capture_output=True, text=True)
@@ -62,9 +65,6 @@ def refusal(words):
 def refusal_of_exercises(words):
     with mock.patch.object(sys, "argv", ["course", *words]), mock.patch("sys.stderr"):
         try:
-            if "--page" in words:
-                editor_test.arguments(words[1:])
-                return ""
             options = course_exercises.arguments()
             number = getattr(options, "number", None)
             if not getattr(options, "layers", False):
