@@ -4,6 +4,7 @@
 #include "common/input/input_error.hpp"
 
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>  // Numbers, as arguments and as results, in each file alike
 
 #include <array>
 #include <string>

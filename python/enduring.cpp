@@ -12,7 +12,6 @@
 #include "python/pairs.hpp"
 #include "python/run.hpp"
 
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 namespace enduring::python {
