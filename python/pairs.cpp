@@ -4,7 +4,6 @@
 #include "common/simulation/contact_geometry.hpp"
 #include "python/arrays.hpp"
 
-
 #include <utility>
 
 namespace enduring::python {
