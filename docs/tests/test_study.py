@@ -61,10 +61,10 @@ class Studies(unittest.TestCase):
         self.assertEqual(self.write(GOOD).returncode, 0)
         first = self.snakemake()
         rows = lambda: sorted((self.folder / "out/runs").glob("*/row.json"))
-        for _ in range(600):
+        for _ in range(6000):
             if rows() or first.poll() is not None:
                 break
-            time.sleep(0.1)
+            time.sleep(0.01)
         os.killpg(first.pid, signal.SIGKILL)
         first.communicate()
         made = {path: path.stat().st_mtime_ns for path in rows()}
