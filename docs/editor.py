@@ -22,6 +22,7 @@ from pathlib import Path
 import exercise_pages
 import lab
 import live
+import npm
 from judge import properties_of  # beside the catalogue, where exercise_pages found it
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -44,22 +45,6 @@ GROWS = ("const newData = new Uint8Array(Math.max(this.file.data.length, offset 
     }
     const newData = this.file.room.subarray(0, size);
 """)
-
-
-def npm_gives():
-    """Whether npm is there, and what is needed is installed or comes."""
-    if not shutil.which("npm"):
-        return False
-    lock = ROOT / "docs/editor/package-lock.json"
-    if CLANG.is_dir() and (NPM / lock.name).is_file() and (NPM / lock.name).read_bytes() == lock.read_bytes():
-        return True
-    NPM.mkdir(parents=True, exist_ok=True)
-    for name in ("package.json", lock.name):
-        shutil.copyfile(ROOT / "docs/editor" / name, NPM / name)
-    done = subprocess.run(["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent", "--prefix", str(NPM)], capture_output=True)
-    if done.returncode:
-        (NPM / lock.name).unlink()
-    return done.returncode == 0
 
 
 def bundle():
@@ -196,7 +181,7 @@ def build():
 
 def bring(book):
     """Its files into the book, and into each page of exercises the script that offers an editor; nothing where npm does not give them."""
-    if not npm_gives():
+    if not npm.installed(ROOT / "docs/editor", NPM):
         print("The exercises in the page: left out, npm does not give what they need")
         return
     size = build()

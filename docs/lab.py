@@ -12,13 +12,13 @@ import http.server
 import json
 import re
 import shutil
-import subprocess
 import sys
 import webbrowser
 from functools import partial
 from pathlib import Path
 
 import live
+import npm
 
 ROOT = Path(__file__).resolve().parent.parent
 WORK = ROOT / "build/lab"
@@ -116,14 +116,10 @@ def data(own=None):
 def bundle():
     """lab_page.js: our scripts and what they need of three.js, in one file."""
     work = ROOT / "build/lab_npm"
-    work.mkdir(parents=True, exist_ok=True)
     if not shutil.which("npm"):
         sys.exit("The laboratory needs npm. On Debian: apt-get install npm   (or: ./course lab, which does)")
-    lock = ROOT / "docs/lab/package-lock.json"
-    if not (work / "node_modules/three").is_dir() or (work / lock.name).read_bytes() != lock.read_bytes():
-        for name in ("package.json", lock.name):
-            shutil.copyfile(ROOT / "docs/lab" / name, work / name)
-        live.run(["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent", "--prefix", str(work)])
+    if not npm.installed(ROOT / "docs/lab", work):
+        sys.exit("npm could not fetch what the laboratory draws with")
     live.run([str(work / "node_modules/.bin/esbuild"), str(ROOT / "live/lab/main.js"), "--bundle", "--minify", "--format=iife", "--legal-comments=none",
               "--banner:js=/* With three.js, MIT licence, (c) 2010-2025 three.js authors */", f"--outfile={WORK / 'lab_page.js'}"], {"NODE_PATH": str(work / "node_modules")})
 

@@ -8,11 +8,11 @@ Shown by reveal.js, a library from npm.
 import argparse
 import re
 import shutil
-import subprocess
 import sys
 import tomllib
 from pathlib import Path
 
+import npm
 from pdf import KEPT_OF_THE_HEAD, content
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -112,13 +112,10 @@ def planned(plan, pages):
 def bring_library(place):
     """reveal.js, of the version and with the digest that docs/slides/package-lock.json says."""
     work = ROOT / "build/slides"
-    work.mkdir(parents=True, exist_ok=True)
     if not shutil.which("npm"):
         sys.exit("The slides need npm. On Debian: apt-get install npm   (or: ./course docs --slides, which does)")
-    for name in ("package.json", "package-lock.json"):
-        shutil.copyfile(ROOT / "docs/slides" / name, work / name)
-    if not (work / "node_modules/reveal.js/dist/reveal.js").is_file():
-        subprocess.run(["npm", "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--silent"], cwd=work, check=True)
+    if not npm.installed(ROOT / "docs/slides", work):
+        sys.exit("npm could not fetch what shows the slides")
     for name in LIBRARY:
         shutil.copyfile(work / "node_modules/reveal.js/dist" / name, place / name)
     shutil.copyfile(ROOT / "docs/theme/slides.css", place / "slides.css")
