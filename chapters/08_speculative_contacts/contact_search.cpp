@@ -36,7 +36,7 @@ public:
     {
         const auto a = static_cast<std::size_t>(body_a), b = static_cast<std::size_t>(body_b);
         const double size = std::min(world_.bodies[a]->size(), world_.bodies[b]->size());
-        return {margin_, search_parts.inside * size, faces_tell_[a]};
+        return {margin_, search_parts.inside * size, search_parts.still_held * size, faces_tell_[a]};
     }
 
 private:
@@ -81,8 +81,7 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
         for (; first <= i; ++first)
             if (!meetings.empty())
                 ground.look_at(a, vertex, b, all[first][3]);
-        const double held = search_parts.still_held / search_parts.inside * reach.inside;
-        for (const FaceMeeting& chosen : choose_walls(b, std::move(meetings), held)) {
+        for (const FaceMeeting& chosen : choose_walls(b, std::move(meetings), reach.held)) {
             const auto [f0, f1, f2] = b.face(chosen.face);
             pair.feature_b = chosen.face;
             pair.vertices = {vertex, f0, f1, f2};
@@ -103,22 +102,21 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
 void append_edge_pairs(const World& world, const CandidateSearch& search, const KnownPairs& known,
                        const Reaches& reaches, Contacts& contacts)
 {
-    search.visit_candidates([](int, int, int, int) {},
-                            [&](int body_a, int edge_a, int body_b, int edge_b) {
-                                Contact pair{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b};
-                                const SurfaceStep a = surface_of(world, body_a),
-                                                  b = surface_of(world, body_b);
-                                const auto meeting = find_edge_meeting(
-                                    a, edge_a, b, edge_b, reaches.of(body_a, body_b), known.contain(pair));
-                                if (!meeting)
-                                    return;
-                                const auto [a0, a1] = a.edge(edge_a);
-                                const auto [b0, b1] = b.edge(edge_b);
-                                pair.vertices = {a0, a1, b0, b1};
-                                pair.weights = meeting->weights;
-                                pair.orientation = meeting->orientation;
-                                contacts.push_back(pair);
-                            });
+    const auto look_at = [&](int body_a, int edge_a, int body_b, int edge_b) {
+        Contact pair{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b};
+        const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
+        const auto meeting = find_edge_meeting(a, edge_a, b, edge_b, reaches.of(body_a, body_b),
+                                               known.contain(pair));
+        if (!meeting)
+            return;
+        const auto [a0, a1] = a.edge(edge_a);
+        const auto [b0, b1] = b.edge(edge_b);
+        pair.vertices = {a0, a1, b0, b1};
+        pair.weights = meeting->weights;
+        pair.orientation = meeting->orientation;
+        contacts.push_back(pair);
+    };
+    search.visit_candidates([](int, int, int, int) {}, look_at);
 }
 
 }  // namespace

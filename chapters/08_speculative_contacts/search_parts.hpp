@@ -46,6 +46,7 @@ inline constexpr SearchParts search_parts;
 struct Reach {
     double margin = 0;       ///< apart
     double inside = 0;       ///< inside each other at the start of the step
+    double held = 0;         ///< behind a face that still holds
     bool faces_tell = true;  ///< the outer side of A; not where elements are inside out
 
     /// How far a feature goes on beyond a border at which no other one takes over [m].

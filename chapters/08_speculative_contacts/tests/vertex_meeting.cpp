@@ -86,7 +86,8 @@ TEST_CASE(
             CAPTURE(faces_tell);
             const auto meets = [&](const SurfaceMesh& mesh) {
                 const MovingSurface above(placed(mesh, 1, over, Vec3(0, height, 0)));
-                return meeting_of(above, 4, MovingSurface(triangle(1)), 0, {0.01, 0.1, faces_tell})
+                return meeting_of(above, 4, MovingSurface(triangle(1)), 0,
+                                  {.margin = 0.01, .inside = 0.1, .faces_tell = faces_tell})
                     .has_value();
             };
             CHECK(meets(sheet));
