@@ -154,23 +154,33 @@ double error_of_springs(const FrictionProblem& problem, double h)
     return solve_exactly(problem, settings).error;
 }
 
+std::vector<ExactSolution> solutions_of(const std::vector<NamedProblem>& problems)
+{
+    std::vector<ExactSolution> solutions;
+    solutions.reserve(problems.size());
+    for (const auto& [name, problem] : problems)
+        solutions.push_back(solve_exactly(problem));
+    return solutions;
+}
+
 /// How many problems in three dimensions there are and are solved, the worst by name, and the most steps.
-void tell(Report& report, const std::string& which, const std::vector<NamedProblem>& problems)
+void tell(Report& report, const std::string& which, const std::vector<NamedProblem>& problems,
+          const std::vector<ExactSolution>& solutions)
 {
     long count = 0, solved = 0;
     int most_steps = 0;
     double worst = 0;
     std::string worst_name;
-    for (const auto& [name, problem] : problems) {
-        const ExactSolution solution = solve_exactly(problem);
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        const ExactSolution& solution = solutions[i];
         most_steps = std::max(most_steps, solution.newton_steps);
-        if (problem.dimension != 3)
+        if (problems[i].problem.dimension != 3)
             continue;
         ++count;
         solved += solution.solved();
         if (solution.error > worst) {
             worst = solution.error;
-            worst_name = name;
+            worst_name = problems[i].name;
         }
     }
     report.fact("scoreboard", which + "_3d", static_cast<double>(count));
@@ -192,13 +202,14 @@ void tell_siconos(Report& report, const std::vector<NamedProblem>& problems, con
 }
 
 /// @param sharp  what all solvers make of them when asked for 1e-8
-Table table_of(const std::vector<NamedProblem>& problems, const Outcomes& sharp)
+Table table_of(const std::vector<NamedProblem>& problems, const std::vector<ExactSolution>& solutions,
+               const Outcomes& sharp)
 {
     Table table({"problem", "contacts", "springs_alone", "remembered", "passes", "newton_steps", "NSGS",
                  "Newton", "ADMM", "ours_ms", "NSGS_ms", "Newton_ms", "ADMM_ms"});
     for (std::size_t i = 0; i < problems.size(); ++i) {
         const FrictionProblem& problem = problems[i].problem;
-        const ExactSolution solution = solve_exactly(problem);
+        const ExactSolution& solution = solutions[i];
         std::vector<Cell> row{problems[i].name,
                               static_cast<long>(problem.contacts()),
                               error_of_springs(problem, 1e6),
@@ -245,16 +256,17 @@ void scoreboard(const RunOptions&, Report& report, const std::filesystem::path& 
         add_kept(all, of_thresholds);
     const std::string table_name = is_ours ? "scoreboard" : "yours",
                       profile_name = is_ours ? "profile" : "yours_profile";
-    const Table table = table_of(given, of_thresholds.back());
+    const std::vector<ExactSolution> solutions = solutions_of(given);
+    const Table table = table_of(given, solutions, of_thresholds.back()), parts = profile(of_thresholds);
     report.table(table_name, table);
     report.page_table(table_name, table, 2);
-    report.table(profile_name, profile(of_thresholds));
-    report.page_table(profile_name, profile(of_thresholds), 3);
+    report.table(profile_name, parts);
+    report.page_table(profile_name, parts, 3);
     if (!is_ours)
         return;
     report.plot("chapters/11_exact_contact/plots/profile.gp");
-    tell(report, "public", given);
-    tell(report, "own", own);
+    tell(report, "public", given, solutions);
+    tell(report, "own", own, solutions_of(own));
     tell_siconos(report, all, of_thresholds.back());
 }
 
