@@ -1,6 +1,7 @@
 #include "chapters/03_penalty_impulses/experiments/exact_impulse.hpp"
 #include "chapters/03_penalty_impulses/experiments/experiments.hpp"
 #include "chapters/03_penalty_impulses/penalty_impulse.hpp"
+#include "common/experiments/report/quantile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,12 +44,6 @@ PairStep random_motion(std::mt19937_64& generator, double turn, double growth)
 struct Errors {
     std::vector<double> length, angle_deg;
 };
-
-double quantile(std::vector<double> values, double share)
-{
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
 
 Errors errors_at(double turn, double growth, int count)
 {

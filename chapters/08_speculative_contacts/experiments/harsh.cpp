@@ -5,6 +5,7 @@
 #include "common/experiments/render/renderer.hpp"
 #include "common/experiments/render/scene_view.hpp"
 #include "common/experiments/render/strip.hpp"
+#include "common/experiments/report/quantile.hpp"
 #include "common/experiments/report/sweep.hpp"
 #include "common/input/number_text.hpp"
 
@@ -48,7 +49,7 @@ struct HarshSummary {
     long unsolved = 0, solves = 0, steps = 0, parts = 0;
     double max_gain_j = 0, max_gain = 0, free_gain = 0, deepest_m = 0, deepest = 0, at_end_m = 0;
     double longest_step_s = 0, all_steps_s = 0;
-    std::vector<int> newton;  ///< of all steps, in order once all runs are added
+    std::vector<int> newton;  ///< of all steps
 
     void add(const HarshOutcome& run)
     {
@@ -74,13 +75,7 @@ struct HarshSummary {
         newton.insert(newton.end(), run.newton.begin(), run.newton.begin() + run.tried());
     }
     /// Newton steps that this part of all steps does not exceed.
-    long newton_quantile(double part) const
-    {
-        if (newton.empty())
-            return 0;
-        const auto index = static_cast<std::size_t>(part * static_cast<double>(newton.size() - 1));
-        return newton[index];
-    }
+    long newton_quantile(double part) const { return newton.empty() ? 0 : quantile(newton, part); }
 };
 
 HarshSummary summary_of(const std::vector<HarshOutcome>& found, int of_class = -1)
@@ -89,7 +84,6 @@ HarshSummary summary_of(const std::vector<HarshOutcome>& found, int of_class = -
     for (const HarshOutcome& run : found)
         if (of_class < 0 || class_of(run) == of_class)
             sum.add(run);
-    std::sort(sum.newton.begin(), sum.newton.end());
     return sum;
 }
 

@@ -2,6 +2,7 @@
 #include "chapters/08_speculative_contacts/experiments/experiments.hpp"
 #include "chapters/08_speculative_contacts/experiments/jam_scenes.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
+#include "common/experiments/report/quantile.hpp"
 #include "common/experiments/report/sweep.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/input/number_text.hpp"
@@ -80,14 +81,6 @@ struct JamSummary {
         for (const int steps : run.newton)
             newton += steps;
     }
-    /// Newton steps that this part of all steps does not exceed.
-    long newton_quantile(double part)
-    {
-        const auto place = of_steps.begin() +
-                           static_cast<std::ptrdiff_t>(part * static_cast<double>(of_steps.size() - 1));
-        std::nth_element(of_steps.begin(), place, of_steps.end());
-        return *place;
-    }
 };
 
 std::vector<std::string> headed(std::vector<std::string> names, const std::vector<std::string>& columns)
@@ -96,16 +89,16 @@ std::vector<std::string> headed(std::vector<std::string> names, const std::vecto
     return names;
 }
 
-std::vector<Cell> row_of(std::vector<Cell> names, JamSummary& sum)
+std::vector<Cell> row_of(std::vector<Cell> names, const JamSummary& sum)
 {
     const auto steps = static_cast<long>(sum.of_steps.size());
     const std::vector<Cell> numbers{sum.runs,
                                     steps,
                                     sum.halved,
                                     sum.unsolved,
-                                    sum.newton_quantile(0.5),
-                                    sum.newton_quantile(0.99),
-                                    sum.newton_quantile(1),
+                                    long{quantile(sum.of_steps, 0.5)},
+                                    long{quantile(sum.of_steps, 0.99)},
+                                    long{quantile(sum.of_steps, 1)},
                                     static_cast<double>(sum.newton) / static_cast<double>(steps),
                                     1e3 * sum.deepest_m};
     names.insert(names.end(), numbers.begin(), numbers.end());
