@@ -3,7 +3,6 @@
 #include "common/geometry/surface_extraction.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <utility>
@@ -160,7 +159,7 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
 NodalVectors DeformableBody::Grip::places(double time) const
 {
     const GivenPlace now = motion.at(time);
-    const Mat3 turn = Eigen::AngleAxisd(now.turn.norm(), now.turn.stableNormalized()).toRotationMatrix();
+    const Mat3 turn = now.rotation().toRotationMatrix();
     return (turn * (placed.colwise() - centre)).colwise() + (centre + now.displacement);
 }
 

@@ -3,14 +3,6 @@
 #include <utility>
 
 namespace enduring {
-namespace {
-
-Quaternion turned_by(const Vec3& turn)
-{
-    return Quaternion(Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()));
-}
-
-}  // namespace
 
 DrivenBody::DrivenBody(std::string name, const SurfaceMesh& mesh, const Vec3& centre, GivenMotion motion,
                        double time)
@@ -29,7 +21,7 @@ DrivenBody::DrivenBody(std::string name, const SurfaceMesh& mesh, const Vec3& ce
 void DrivenBody::place(double time, std::vector<Vec3>& positions) const
 {
     const GivenPlace now = motion_.at(time);
-    const Quaternion turned = turned_by(now.turn);
+    const Quaternion turned = now.rotation();
     const Vec3 centre = centre_ + now.displacement;
     for (std::size_t i = 0; i < placed_.size(); ++i)
         positions[i] = centre + turned * (placed_[i] - centre_);
@@ -54,7 +46,7 @@ Vec3 DrivenBody::velocity(int vertex) const
 Vec3 DrivenBody::brought_back(const Vec3& point) const
 {
     const GivenPlace now = motion_.at(time_);
-    return centre_ + turned_by(now.turn).conjugate() * (point - (centre_ + now.displacement));
+    return centre_ + now.rotation().conjugate() * (point - (centre_ + now.displacement));
 }
 
 }  // namespace enduring

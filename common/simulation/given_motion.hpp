@@ -12,6 +12,11 @@ struct GivenPlace {
     Vec3 turn = Vec3::Zero();              ///< about the centre: axis times angle [rad]
     Vec3 velocity = Vec3::Zero();          ///< of the centre [m/s]
     Vec3 angular_velocity = Vec3::Zero();  ///< in world axes [rad/s]
+
+    Quaternion rotation() const
+    {
+        return Quaternion(Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()));
+    }
 };
 
 /// Where a body is at a time at which nothing asks what pushes it.
