@@ -71,10 +71,8 @@ public:
     void take(const State& state);
 
     const Pose& pose() const { return pose_; }  ///< committed
-    Vec3 centre() const
-    {
-        return is_off_centre() ? pose_.to_world(centre_in_body_) : pose_.position;
-    }  ///< of mass [m]
+    /// of mass [m]
+    Vec3 centre() const { return is_off_centre() ? pose_.to_world(centre_in_body_) : pose_.position; }
     /// of the centre of mass [m/s]
     Vec3 velocity() const { return is_off_centre() ? velocity_at(centre()) : velocity_; }
     const Vec3& angular_velocity() const { return angular_velocity_; }  ///< in world axes [rad/s]
@@ -107,10 +105,8 @@ private:
     Vec3 mean_angular_velocity(double dt) const;  ///< of a free step while turns are held [rad/s]
     Vec3 spin_in_body_axes() const;  ///< the angular velocity that belongs to the momentum [rad/s]
     bool is_off_centre() const { return !centre_in_body_.isZero(0); }  ///< the origin, which is a pin
-    Vec3 lever() const
-    {
-        return pose_.orientation * centre_in_body_;
-    }  ///< from the origin to the centre of mass [m]
+    /// from the origin to the centre of mass [m]
+    Vec3 lever() const { return pose_.orientation * centre_in_body_; }
 
     double mass_ = 0;
     Vec3 principal_inertia_ = Vec3::Zero();  ///< about the body's origin, along its axes [kg m^2]

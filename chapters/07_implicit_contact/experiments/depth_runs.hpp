@@ -10,8 +10,8 @@ struct DepthOutcome {
     double deepest_m = 0;  ///< after any step
     double at_end_m = 0;   ///< after the last one
     double size_m = 0;     ///< of the smallest body that moves
-    double gain =
-        0;  ///< the most energy that a step brings to bodies and springs, over what the scene began with
+    /// the most energy that a step brings to bodies and springs, over what the scene began with
+    double gain = 0;
     int lost = 0;  ///< bodies whose middle is behind a plane at the end
     long unsolved = 0, solves = 0;
     int max_newton_steps = 0;

@@ -8,6 +8,7 @@
 namespace enduring::chapter08 {
 
 using namespace driven_parts;
+
 AgainstFormula piston(double dt)
 {
     constexpr double stroke = 0.2, period = 1.5;  // [m], [s]; falls with 0.36 g at most

@@ -49,7 +49,7 @@ HitDoor hit_door(double dt)
     Scene scene = scene_from(text);
     double speed = 0;
     int pushed =
-        0;  // steps; in the first of them the ball comes as far as the door, in the next it is stopped
+        0;  // steps: in the first one the ball comes as far as the door, in the next one it is stopped
     run_watched(scene, [&](const World& world) {
         const double now = motion_of(world, 0).angular_velocity().y();
         if (now != 0 && ++pushed <= 2)
