@@ -8,6 +8,9 @@ import unittest
 from pathlib import Path
 
 WEAVE = Path(__file__).resolve().parent.parent / "weave.py"
+sys.path.insert(0, str(WEAVE.parent))
+
+import weave  # noqa: E402
 
 CODE = """#pragma once
 // [depth]
@@ -159,6 +162,11 @@ class WhatArrives(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("| 9 |", book.page("page_page"))
         self.assertIn("| 0.14 |", book.page("page_page"))
+
+
+class NamesOfTests(unittest.TestCase):
+    def test_none_has_a_semicolon_at_which_ctest_would_cut_it_and_then_run_no_test_at_all(self):
+        self.assertEqual([name for name in weave.test_names(WEAVE.parent.parent) if ";" in name], [])
 
 
 class WhatStopsTheBook(unittest.TestCase):

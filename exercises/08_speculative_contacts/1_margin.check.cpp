@@ -75,7 +75,7 @@ TEST_CASE("step: the velocity first, and then the position with it")
     expect("gap", after.gap, 0.7019, 1e-12, "m");
 }
 
-TEST_CASE("find: near at the start comes first, then a crossing; what ends outside needs no pair yet")
+TEST_CASE("find: near at the start comes first, then a crossing, and what ends outside needs no pair yet")
 {
     const double dt = 0.01, margin = 1.5e-3;
     expect_found({1e-3, 0}, dt, margin, Found::near_start);

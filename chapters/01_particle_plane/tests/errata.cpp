@@ -81,7 +81,7 @@ TEST_CASE("errata: 5.20 needs the factor dt, or the force depends on the step")
     }
 }
 
-TEST_CASE("errata: 7.9 has its factor 1/2 on the wrong term; only 7.11 is stable up to sqrt(2m/k)")
+TEST_CASE("errata: 7.9 has its factor 1/2 on the wrong term, and only 7.11 is stable up to sqrt(2m/k)")
 {
     const double m = 1, k = 100;
     const double limit = critical_step(PenaltyMethod::continuous, m, k);
@@ -94,7 +94,7 @@ TEST_CASE("errata: 7.9 has its factor 1/2 on the wrong term; only 7.11 is stable
 }
 
 TEST_CASE(
-    "errata: the condition |lambda| < 1 of 7.1.1 is local; a bounce multiplies matrices that can grow together")
+    "errata: the condition |lambda| < 1 of 7.1.1 is local, and a bounce multiplies matrices that can grow together")
 {
     const double m = 1, k = 100, dt = 0.1;
     const Eigen::Matrix2d contact = amplification(PenaltyMethod::continuous, m, k, dt);

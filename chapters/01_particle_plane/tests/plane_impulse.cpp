@@ -59,7 +59,7 @@ TEST_CASE("plane impulses: the continuous one is k dt times the integral of the 
     }
 }
 
-TEST_CASE("plane impulses: going in, the discrete one is the larger; coming out, the smaller")
+TEST_CASE("plane impulses: going in, the discrete one is the larger, and coming out the smaller")
 {
     RandomSteps any;
     for (int i = 0; i < 1000; ++i) {

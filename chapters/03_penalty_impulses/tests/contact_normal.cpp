@@ -84,7 +84,7 @@ TEST_CASE("errata: (5.13) as printed, a root of products, is not the length of t
 }
 
 TEST_CASE(
-    "errata: what (5.18) calls n_T is the normal of two edges; that of a triangle of their ends is another")
+    "errata: what (5.18) calls n_T is the normal of two edges, and that of a triangle of their ends is another")
 {
     int edge_pairs = 0, triangles = 0;
     for (const auto& pair : random_pairs(200, 36)) {

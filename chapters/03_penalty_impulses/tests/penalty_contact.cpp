@@ -225,7 +225,7 @@ TEST_CASE("penalty contact: an edge that falls on an edge is pushed up, whicheve
 }
 
 TEST_CASE(
-    "errata: a pair at depth 0 collides still, as 5.2.1 has it; by 6.1.1 it would end, and what friction remembers with it")
+    "errata: a pair at depth 0 collides still, as 5.2.1 has it, and by 6.1.1 it would end, and what friction remembers with it")
 {
     World world;
     world.gravity.setZero();

@@ -5,7 +5,8 @@
 
 using namespace enduring;
 
-TEST_CASE("errata: friction along f_n, as (5.21) prints it, brakes nothing; (5.23) acts against the slip")
+TEST_CASE(
+    "errata: friction along f_n, as (5.21) prints it, brakes nothing, while (5.23) acts against the slip")
 {
     const YamaneNakamura friction{.mu_s = 0.4, .mu_d = 0.1};
     const double normal_impulse = 2, dt = 0.01;

@@ -114,7 +114,7 @@ TEST_CASE("category: rotating, scaling and moving a pair together changes no lab
 }
 
 TEST_CASE(
-    "category: what can touch a cube's corner is regular, all of it; of a tetrahedron's tip all but the middle of its gaps")
+    "category: what can touch a cube's corner is regular, all of it, and of a tetrahedron's tip all but the middle of its gaps")
 {
     const std::vector<Corner> corners = sphere_corners();
     const Corner &tip = corners[0], &cube = corners[1];

@@ -85,7 +85,7 @@ TEST_CASE("labels: after every step of the slide every pair of features has one"
 }
 
 TEST_CASE(
-    "hooked: a cube that slides over triangles stops under chapters 4 and 5; held hooked pairs let it slide, by (6.3) with \"or\" alone")
+    "hooked: a cube that slides over triangles stops under chapters 4 and 5, while held hooked pairs let it slide, by (6.3) with \"or\" alone")
 {
     for (const auto& solver : {chapter04_solver, chapter05_solver}) {
         const Slide stopped = slide(solver);

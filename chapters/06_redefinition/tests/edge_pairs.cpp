@@ -246,7 +246,7 @@ Coverage coverage_of(const Vec3& velocity, bool with_exits)
 }  // namespace
 
 TEST_CASE(
-    "edges: an edge that slides over a floor always has its pairs; a trailing one only if vertices that leave bring them")
+    "edges: an edge that slides over a floor always has its pairs, and a trailing one only if vertices that leave bring them")
 {
     for (const Vec3& velocity :
          {Vec3(0.5, 0, 0), Vec3(0, 0, -0.5), Vec3(-0.47, 0, 0.31), Vec3(0.3, 0, 0.5)}) {

@@ -32,7 +32,7 @@ double middle_x(const World& world, const Contact& contact)
 }  // namespace
 
 TEST_CASE(
-    "resolution: a vertex that enters by the top of a box and leaves by its side is let go; chapter 5 still pushes it")
+    "resolution: a vertex that enters by the top of a box and leaves by its side is let go, and chapter 5 still pushes it")
 {
     // In at (0.4, 0.5), out at x = 0.5 after 0.05 s, 5 mm below the top.
     for (const bool redefined : {true, false}) {

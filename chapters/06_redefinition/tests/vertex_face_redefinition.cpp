@@ -91,7 +91,8 @@ TEST_CASE("redefinition: the pair acts under the vertex, so p - q stands at righ
     }
 }
 
-TEST_CASE("redefinition: below a valley no face has the foot; the tolerance (6.4) passes the vertex on, once")
+TEST_CASE(
+    "redefinition: below a valley no face has the foot, and the tolerance (6.4) passes the vertex on, once")
 {
     // Sides at 45 degrees: the feet on both lie beyond the fold for |x| < -y.
     World world = tip_and(folded(1), {-0.2, -0.5, 0.3});

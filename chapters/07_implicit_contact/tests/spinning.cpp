@@ -9,7 +9,8 @@
 using namespace enduring;
 using namespace enduring::chapter07;
 
-TEST_CASE("spinning: boxes that turn by radians in a step land and gain nothing; in whole steps they do")
+TEST_CASE(
+    "spinning: boxes that turn by radians in a step land and gain nothing, while in whole steps they do")
 {
     const double max_turn = chapter07_solver(ContactParameters{}).max_turn;
     int whole_steps_gain = 0;

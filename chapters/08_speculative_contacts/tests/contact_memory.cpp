@@ -155,7 +155,7 @@ TEST_CASE("contact memory: a vertex hands its spring on to the next face with it
 }
 
 TEST_CASE(
-    "contact memory: where the next face is deeper below, the rest offset takes the difference; never the other way")
+    "contact memory: where the next face is deeper below, the rest offset takes the difference, and never the other way")
 {
     World world;
     SurfaceMesh stairs = hinge(0);

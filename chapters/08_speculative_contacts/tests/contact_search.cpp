@@ -95,7 +95,8 @@ TEST_CASE("contact search: without gravity the margin is a part of the smallest 
     CHECK(search_margin(world, 1e-5) == doctest::Approx(0.2 * search_parts.nearness));
 }
 
-TEST_CASE("contact search: pairs are ascending and none comes twice; they wait, without stiffness or load")
+TEST_CASE(
+    "contact search: pairs are ascending and none comes twice, and they wait, without stiffness or load")
 {
     std::size_t pairs = 0, edges = 0;
     for (unsigned seed = 0; seed < 10; ++seed)

@@ -55,7 +55,7 @@ TEST_CASE("card house: with cards that lean farther than friction holds, it fall
     CHECK(chapter07::watch(scene, 1, chapter08_solver).moved_mm > 50);
 }
 
-TEST_CASE("arch: of five stones it stands for a second; too thin for its radius it falls")
+TEST_CASE("arch: of five stones it stands for a second, and too thin for its radius it falls")
 {
     Scene thick = chapter07::arch(5, 2, 1.0 / 60), thin = chapter07::arch(20, 16, 1.0 / 60);
     CHECK(chapter07::watch(thick, 1, chapter08_solver).moved_mm < 5);

@@ -131,7 +131,8 @@ TEST_CASE(
     CHECK(contacts[2].rest_offset == 0);
 }
 
-TEST_CASE("depenetration: a block that begins in a floor comes up slowly and rests; with chapter 7 it falls")
+TEST_CASE(
+    "depenetration: a block that begins in a floor comes up slowly and rests, while with chapter 7 it falls")
 {
     for (const double depth : {0.001, 0.05, 0.4})
         for (const double leaning : {0.0, 0.3}) {

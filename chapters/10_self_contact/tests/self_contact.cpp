@@ -159,7 +159,8 @@ Clap clap(int fineness, double young, double dt, bool self_contact)
 
 }  // namespace
 
-TEST_CASE("self-contact: the legs of a fork that clap together do not pass each other; without it they do")
+TEST_CASE(
+    "self-contact: the legs of a fork that clap together do not pass each other, while without it they do")
 {
     for (const double young : {3e4, 3e5})
         for (const double dt : {0.005, 0.01}) {

@@ -80,7 +80,7 @@ TEST_CASE("limit search: where limits follow their answer by a factor, few round
 }
 
 TEST_CASE(
-    "limit search: the part of an error that a round takes at most doubles, and is at most 64; no limit is negative")
+    "limit search: the part of an error that a round takes at most doubles, and is at most 64, and no limit is negative")
 {
     OnePair pair;
     double part = 1;

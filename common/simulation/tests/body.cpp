@@ -6,7 +6,7 @@
 using namespace enduring;
 
 TEST_CASE(
-    "body: a vertex goes straight from one end of the step to the other; the centre is that of the start")
+    "body: a vertex goes straight from one end of the step to the other, and the centre is that of the start")
 {
     const auto body = triangle("sheet", 3, {0, 2, 0});
     body->predict(Vec3::Zero(), 0.5);

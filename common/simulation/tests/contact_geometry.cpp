@@ -126,7 +126,7 @@ Contact pair_of(int a, int b, bool with_plane = false)
 }  // namespace
 
 TEST_CASE(
-    "contact geometry: a pair has the coefficients of its materials, also if one side names none; a plane its own stiffness")
+    "contact geometry: a pair has the coefficients of its materials, also if one side names none, and a plane its own stiffness")
 {
     const World world = of_materials();
     const FrictionCoefficients all{.mu_s = 9, .mu_d = 8};

@@ -35,7 +35,7 @@ TEST_CASE("natural units: a pair's length is the smaller body's, in either order
 }
 
 TEST_CASE(
-    "natural units: a speed is sqrt(g L), whatever the step; without gravity the step alone tells the time")
+    "natural units: a speed is sqrt(g L), whatever the step, and without gravity the step alone tells the time")
 {
     for (const double dt : {0.01, 0.001}) {
         const NaturalUnits heavy = natural_units(0.5, 8, dt), weightless = natural_units(0.5, 0, dt);

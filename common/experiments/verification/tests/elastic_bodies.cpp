@@ -89,7 +89,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "inertia: the mass matrix has the integral's for bars and bunnies, to rounding; lumps at the nodes have up to three times that")
+    "inertia: the mass matrix has the integral's for bars and bunnies, to rounding, and lumps at the nodes have up to three times that")
 {
     const Table table = inertia_ratios();
     for (std::size_t row = 0; row < table.rows().size(); ++row) {
