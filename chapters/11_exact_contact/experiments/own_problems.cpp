@@ -106,7 +106,8 @@ std::vector<Source> sources()
         {"ton_on_soft", [] { return ton_on_block({}, dt); }, {3, 20}, false},
         {"bolt_in_nut",
          [] {
-             return chapter08::scene_of(chapter08::BoltInNut{.segments = 24, .bolt_segments = 21, .dt = 0.001});
+             return chapter08::scene_of(
+                 chapter08::BoltInNut{.segments = 24, .bolt_segments = 21, .dt = 0.001});
          },
          {2, 20}},
         {"soft_on_soft", [] { return soft_on_soft(1, 1e5); }, {2, 10, 40}},
