@@ -96,12 +96,20 @@ def all_scenes():
             yield {"key": path.stem, "group": "Scenes of the course", "title": path.stem.replace("_", " "), "text": path.read_text(encoding="utf-8"), "note": "", "solver": 10, "beside": 0}
 
 
+def solver_of(text):
+    """The chapter whose solver a scene begins with: springs give, unless it asks for exact contact."""
+    try:
+        return 11 if json.loads(text).get("contact", {}).get("exact") is True else 10
+    except (ValueError, AttributeError):  # the page tells the mistake
+        return 10
+
+
 def own_scene(path):
     """A scene of the reader's own, and the meshes beside it that it names."""
     text = path.read_text(encoding="utf-8")
     names = set(re.findall(r'"file"\s*:\s*"([^"]+)"', text))
     meshes = {name: (path.parent / name).read_text(encoding="utf-8", errors="replace") for name in names if (path.parent / name).is_file()}
-    return {"key": "given", "group": "Yours", "title": path.name, "text": text, "note": "", "solver": 10, "beside": 0}, meshes
+    return {"key": "given", "group": "Yours", "title": path.name, "text": text, "note": "", "solver": solver_of(text), "beside": 0}, meshes
 
 
 def data(own=None):

@@ -55,4 +55,8 @@ EMSCRIPTEN_BINDINGS(live)
         "crossing", +[](bool bar, double x, double y, double z, double turn, double tilt) {
             return array_of(crossing(bar, x, y, z, turn, tilt));
         });
+    function(
+        "passes", +[](double h, int count, double mu, double normal, double along) {
+            return array_of(passes(h, count, mu, normal, along));
+        });
 }

@@ -64,4 +64,11 @@ Numbers implicit(double h, double centre, bool by_mean, int steps);
 ///         inside of the one, of the other, ways out (one of each overlap), and curves, each of which is a list of points
 Numbers crossing(bool bar, double x, double y, double z, double turn_deg, double tilt_deg);
 
+/// Chapter 11: a block of 1 kg on the ground, held by a spring that remembers its force.
+/// @param h              k dt^2 / m
+/// @param normal, along  velocity without contact, not zero [m/s]
+/// @return {exact impulse along the normal and along the surface, then for each pass impulse, velocity and natural map in the same
+///          two directions, and the length of the map over that of the velocity without contact ...}
+Numbers passes(double h, int count, double mu, double normal, double along);
+
 }  // namespace enduring::live

@@ -34,6 +34,7 @@ Laboratory::Laboratory(const std::string& text, const std::string& file,
                                           newton_steps_ += record.newton_steps;
                                       })))
 {
+    require_asked(scene_, solver_);
     const auto pulled = [this](World& world, Contacts&, double dt) { pull(world, dt); };
     const std::vector<Pass>& refresh = solver_.passes(StepStage::refresh);
     if (refresh.empty())

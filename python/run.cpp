@@ -16,7 +16,9 @@ void Run::choose(int chapter)
 {
     if (scene.world.step > 0)
         throw InputError("a solver is chosen before the first step: it remembers what it needs");
-    solver_ = solvers::chapter_solver(chapter, scene.contact);
+    Solver solver = solvers::chapter_solver(chapter, scene.contact);
+    require_asked(scene, solver);
+    solver_ = std::move(solver);
     chapter_ = chapter;
 }
 

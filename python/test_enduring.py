@@ -40,6 +40,17 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(enduring.SceneError, "chapter 12 has no solver"):
             ball(chapter=12)
 
+    def test_a_scene_that_asks_for_exact_contact_refuses_a_solver_whose_springs_give(self):
+        patch = {"contact": {"exact": True}}
+        with self.assertRaisesRegex(enduring.SceneError, "/contact/exact: the springs of chapter 10 give"):
+            ball(patch=patch, chapter=10)
+        scene = ball(patch=patch)
+        with self.assertRaises(enduring.SceneError):
+            scene.chapter = 6
+        self.assertEqual(scene.chapter, enduring.chapters)
+        scene.step(200)
+        self.assertGreater(scene.pairs.depth.min(), -1e-8)
+
     def test_a_patch_changes_a_file_of_the_course(self):
         scene = enduring.load(enduring.scene_file("falling_sphere"), patch={"dt": 0.002})
         self.assertEqual((scene.name, scene.dt), ("falling_sphere", 0.002))

@@ -3,7 +3,7 @@
 #include "common/input/input_error.hpp"
 
 #ifdef ENDURING_HDF5
-#include <hdf5.h>
+#include "chapters/11_exact_contact/hdf5_handle.hpp"
 
 #include <string>
 #include <vector>
@@ -12,25 +12,6 @@ namespace enduring {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
-
-/// A handle of libhdf5, closed at the end.
-class Handle {
-public:
-    Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-    ~Handle()
-    {
-        if (id_ >= 0)
-            close_(id_);
-    }
-    Handle(const Handle&) = delete;
-    Handle& operator=(const Handle&) = delete;
-    bool valid() const { return id_ >= 0; }
-    hid_t id() const { return id_; }
-
-private:
-    hid_t id_;
-    herr_t (*close_)(hid_t);
-};
 
 /// An open file that reads whole datasets, and names them where something is wrong.
 class FclibFile {
@@ -79,10 +60,10 @@ private:
     {
         if (!has(place))
             fail(place, "is missing");
-        const Handle data(H5Dopen2(file_.id(), place.c_str(), H5P_DEFAULT), H5Dclose);
+        const Hdf5Handle data(H5Dopen2(file_.id(), place.c_str(), H5P_DEFAULT), H5Dclose);
         if (!data.valid())
             fail(place, "is not a list of numbers");
-        const Handle space(H5Dget_space(data.id()), H5Sclose);
+        const Hdf5Handle space(H5Dget_space(data.id()), H5Sclose);
         const hssize_t size = H5Sget_simple_extent_npoints(space.id());
         if (size < 0 || size > 100'000'000)
             fail(place, "has " + std::to_string(size) + " numbers");
@@ -93,7 +74,7 @@ private:
     }
 
     std::string name_;
-    Handle file_;
+    Hdf5Handle file_;
 };
 
 //! [matrix]

@@ -12,6 +12,7 @@ int main(int argc, char** argv)
     using namespace enduring;
     const auto more = std::make_shared<std::filesystem::path>();
     const auto written = std::make_shared<std::filesystem::path>();
+    const auto as_fclib = std::make_shared<bool>(false);
     ChapterProgram program{
         "11_exact_contact",
         "Chapter 11: exact contact",
@@ -34,19 +35,20 @@ int main(int argc, char** argv)
              chapter11::relaxation},
         },
     };
-    program.add_options = [more, written](CLI::App& app) {
+    program.add_options = [more, written, as_fclib](CLI::App& app) {
         app.add_option("--problems", *more, "a folder of FCLIB's or Siconos' problems for scoreboard")
             ->type_name("DIR");
-        app.add_option("--write-problems", *written,
-                       "folder for the problem of each step of your scene, as Siconos' text")
-            ->type_name("DIR")
-            ->needs(app.get_option("--scene"))
-            ->excludes(app.get_option("experiments"));
+        CLI::Option* const writes = app.add_option(
+            "--write-problems", *written,
+            "folder for the problem of each step of your scene, as Siconos' text");
+        writes->type_name("DIR")->needs(app.get_option("--scene"))->excludes(app.get_option("experiments"));
+        app.add_flag("--fclib", *as_fclib, "writes them as FCLIB's HDF5")->needs(writes);
     };
-    return run_chapter(argc, argv, program, [written](const ContactParameters& parameters) {
+    return run_chapter(argc, argv, program, [written, as_fclib](const ContactParameters& parameters) {
         Solver solver = chapter11_solver(parameters);
         if (!written->empty())
-            write_problems(solver, parameters, *written);
+            write_problems(solver, parameters, *written,
+                           *as_fclib ? ProblemForm::fclib : ProblemForm::siconos);
         return solver;
     });
 }

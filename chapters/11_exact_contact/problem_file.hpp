@@ -20,4 +20,13 @@ FrictionProblem parse_siconos(const std::string& text, const std::filesystem::pa
 /// @throws InputError  also where the program was built without libhdf5
 FrictionProblem read_fclib(const std::filesystem::path& file);
 
+/// Whether this program was built with libhdf5: else the functions beside this one only complain.
+bool knows_fclib();
+
+/// A file that FCLIB's own functions read. With impulses it holds an answer, too: FCLIB's solution v, u and r.
+/// @param impulses  r, or nothing
+/// @throws InputError  also where the program was built without libhdf5
+void write_fclib(const FrictionProblem& problem, const std::filesystem::path& file,
+                 const Eigen::VectorXd& impulses = {});
+
 }  // namespace enduring

@@ -1,6 +1,7 @@
 #include "chapters/11_exact_contact/problem_of_step.hpp"
 
 #include "chapters/07_implicit_contact/step_problem.hpp"
+#include "chapters/11_exact_contact/problem_file.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
 
@@ -138,15 +139,19 @@ void take_problems(Solver& solver, const ContactParameters& parameters,
                          });
 }
 
-void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder)
+void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder,
+                    ProblemForm form)
 {
     std::filesystem::create_directories(folder);
-    take_problems(solver, parameters, [folder](int step, const FrictionProblem& problem) {
+    take_problems(solver, parameters, [folder, form](int step, const FrictionProblem& problem) {
         std::ostringstream name;
-        name << "step_" << std::setw(6) << std::setfill('0') << step << ".dat";
-        std::ofstream out(folder / name.str());
+        name << "step_" << std::setw(6) << std::setfill('0') << step;
+        if (form == ProblemForm::fclib)
+            return write_fclib(problem, folder / (name.str() + ".hdf5"));
+        const std::filesystem::path file = folder / (name.str() + ".dat");
+        std::ofstream out(file);
         if (!(out << siconos_text(problem)))
-            throw InputError((folder / name.str()).string() + ": cannot be written");
+            throw InputError(file.string() + ": cannot be written");
     });
 }
 

@@ -28,7 +28,12 @@ std::string siconos_text(const FrictionProblem& problem);
 void take_problems(Solver& solver, const ContactParameters& parameters,
                    std::function<void(int step, const FrictionProblem&)> take);
 
-/// Chapter 11's solver, which writes the problem of each step into a folder: step_000001.dat and so on.
-void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder);
+/// What a written problem is: Siconos' text, or FCLIB's HDF5.
+enum class ProblemForm { siconos, fclib };
+
+/// Chapter 11's solver, which writes the problem of each step into a folder: step_000001.dat and so on, or .hdf5.
+/// @throws InputError  a file cannot be written; HDF5 where the program was built without it
+void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder,
+                    ProblemForm form = ProblemForm::siconos);
 
 }  // namespace enduring

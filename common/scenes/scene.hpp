@@ -36,6 +36,7 @@ struct Scene {
     std::map<std::string, BodyLook> looks;  ///< by body name
     World world;                            ///< bodies placed, velocities set, time 0
     bool gives_stiffness = false;           ///< in its file; else that of `contact` is the default
+    std::string asks_exact = {};            ///< where its file asks for exact contact, or empty
     /// what will probably go wrong, a sentence each (see scene_warnings()); run() tells them
     std::vector<std::string> warnings;
     /// the same under a solver that takes the scene's stiffness
@@ -48,6 +49,9 @@ struct Scene {
 /// @throws InputError  names the file, the JSON path as /bodies/0/density,
 ///     what was expected and what stands there
 Scene load_scene(const std::filesystem::path& path, const std::string& patch = "");
+
+/// @throws InputError  the scene asks for exact contact, and the springs of this solver give: names the place
+void require_asked(const Scene& scene, const Solver& solver);
 
 /// A scene that ships with the course: common/scenes/NAME.json.
 std::filesystem::path scene_file(const std::string& name);

@@ -1,5 +1,6 @@
 #include "common/scenes/scene_reader.hpp"
 
+#include "common/input/input_error.hpp"
 #include "common/input/json_document.hpp"
 #include "common/input/json_value.hpp"
 #include "common/input/mistakes.hpp"
@@ -22,10 +23,11 @@ constexpr std::size_t max_planes = 100;
 const NumberRange stiffness_range{0, 1e12, false, true, "N/m"};
 
 /// @param restitution  is set to that of all bodies without a material, if it is given
-ContactParameters read_contact(const JsonValue& value, double& restitution)
+/// @param asks_exact   is set to the place where exact contact is asked for, if it is
+ContactParameters read_contact(const JsonValue& value, double& restitution, std::string& asks_exact)
 {
-    value.require_keys(
-        {"method", "stiffness", "friction", "max_depenetration_velocity", "wanted_depth", "restitution"});
+    value.require_keys({"method", "stiffness", "friction", "max_depenetration_velocity", "wanted_depth",
+                        "restitution", "exact"});
     ContactParameters contact;
     Mistakes mistakes;
     mistakes.gather([&] {
@@ -44,6 +46,10 @@ ContactParameters read_contact(const JsonValue& value, double& restitution)
                   contact.max_depenetration_velocity);
     read_if_given("wanted_depth", {0, 1, false, true, "m"}, contact.wanted_depth);
     mistakes.gather([&] { restitution = value.number_or("restitution", {0, 1}, restitution); });
+    mistakes.gather([&] {
+        if (value.flag_or("exact", false))
+            asks_exact = value.file() + ": " + value.path() + "/exact";
+    });
     mistakes.gather([&] {
         if (const std::optional<JsonValue> friction = value.find("friction"))
             contact.friction = read_friction(*friction, contact.stiffness);
@@ -148,7 +154,7 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
     double restitution = 0;
     mistakes.gather([&] {
         if (const std::optional<JsonValue> contact = root.find("contact")) {
-            scene.contact = read_contact(*contact, restitution);
+            scene.contact = read_contact(*contact, restitution, scene.asks_exact);
             scene.gives_stiffness = contact->find("stiffness").has_value();
         }
     });
@@ -190,6 +196,13 @@ Scene load_scene(const std::filesystem::path& path, const std::string& patch)
                                                                 : std::filesystem::path(".");
     const std::filesystem::path course_meshes = source_directory() / "common" / "meshes";
     return read_scene(read_text_file(path), patch, path.string(), {{folder, course_meshes}});
+}
+
+void require_asked(const Scene& scene, const Solver& solver)
+{
+    if (!scene.asks_exact.empty() && !solver.exact)
+        throw InputError(scene.asks_exact + ": the springs of " + solver.name +
+                         " give under a load; choose a solver of exact contact, or leave the key out");
 }
 
 std::filesystem::path scene_file(const std::string& name)

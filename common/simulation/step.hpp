@@ -103,6 +103,7 @@ public:
     double max_turn = 0.5;
     bool finds_stiffness = false;  ///< of each pair: a scene's has no effect
     bool can_resume = false;       ///< all that lasts from step to step stands in the world and its pairs
+    bool exact = false;            ///< its springs give nothing: a load is held at no depth
 
     Solver() = default;
     Solver(std::string of_solver, const std::vector<Pass>& refresh, const std::vector<Pass>& detect,

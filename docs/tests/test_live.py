@@ -20,7 +20,8 @@ require(MODULE)().then(m => {
     loose: list(m.slope(false, 10, 0.3, 0.3, 0, 1)), firm: list(m.slope(false, 10, 0.4, 0.4, 0, 1)), mass_splitting: list(m.slope(true, 10, 0.18, 0.18, 0, 1)),
     flat: list(m.circle(180)), right: list(m.circle(90)), six: slide(6), five: slide(5),
     fastest: list(m.implicit(16, 0.5, false, 200)), kept: list(m.implicit(16, 0.5, true, 200)), back: list(m.implicit(21, 0.3, false, 2)),
-    corner: list(m.crossing(false, 1.25, 0.65, 1.25, 0, 0)), bar: list(m.crossing(true, 0, 0.1, 0.1, 7, 3)), apart: list(m.crossing(false, 0, 1.5, 0, 0, 0)) }));
+    corner: list(m.crossing(false, 1.25, 0.65, 1.25, 0, 0)), bar: list(m.crossing(true, 0, 0.1, 0.1, 7, 3)), apart: list(m.crossing(false, 0, 1.5, 0, 0, 0)),
+    holds: list(m.passes(3, 8, 0.6, -1, 0.3)), slides: list(m.passes(3, 8, 0.25, -1, 0.3)), flies: list(m.passes(3, 2, 0.5, 1, 0.3)) }));
 });
 """
 
@@ -91,6 +92,19 @@ class LiveFigures(unittest.TestCase):
         self.assertTrue(all(after <= before + 1e-12 for before, after in zip(self.said["fastest"][7::2], self.said["fastest"][9::2])))
         self.assertAlmostEqual(self.said["back"][1], 4 / (1 - 2 * 0.3), 12)
         self.assertGreater(self.said["back"][0], 1)
+
+    def test_each_pass_leaves_a_quarter_of_the_error_at_a_stiffness_of_3(self):
+        for name, exact in (("holds", (1, -0.3)), ("slides", (1, -0.25)), ("flies", (0, 0))):
+            normal, along, *passes = self.said[name]
+            self.assertAlmostEqual(normal, exact[0], 8)
+            self.assertAlmostEqual(along, exact[1], 8)
+            for i in range(len(passes) // 7):
+                r_n, r_t, u_n, u_t, _, _, error = passes[7 * i:7 * i + 7]
+                self.assertAlmostEqual(r_n, (1 - 4 ** -(i + 1)) * exact[0], 11)
+                self.assertAlmostEqual(r_t, (1 - 4 ** -(i + 1)) * exact[1], 11)
+                self.assertAlmostEqual(u_n, (1 if name == "flies" else -1) + r_n, 14)
+                self.assertAlmostEqual(u_t, 0.3 + r_t, 14)
+                self.assertLessEqual(error, 4 ** -(i + 1) + 1e-14)
 
     def test_the_cube_keeps_its_speed_with_chapter_6_and_stops_with_chapter_5(self):
         self.assertAlmostEqual(self.said["six"][-1][1], 1.5, 2)

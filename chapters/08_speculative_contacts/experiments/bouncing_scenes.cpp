@@ -3,12 +3,14 @@
 #include "chapters/08_speculative_contacts/solver.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/scenes/scene_reader.hpp"
+#include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace enduring::chapter08 {
 namespace {
@@ -227,6 +229,47 @@ ObliqueBounce oblique_bounce(double e, double mu, double dt)
     watch_steps(scene, [](const World&) { return false; });
     const Vec3 velocity = scene.world.bodies[0]->mean_velocity();
     return {velocity.x(), velocity.y()};
+}
+
+namespace {
+
+/// Of 10 kg each. No two overlap at the start.
+Scene cube_of_balls(int along_edge, double e, double dt, double duration)
+{
+    constexpr double distance = 2.06 * ball_radius, aside = 0.02 * ball_radius;
+    std::mt19937 random(666);
+    std::uniform_real_distribution<double> shift(-aside, aside);
+    json text = bouncing_text("balls", e, dt, duration, 0);
+    text["planes"] = json::array({json::object({{"name", "ground"}})});
+    text["bodies"] = json::array();
+    for (int i = 0; i < along_edge * along_edge * along_edge; ++i) {
+        const int x = i % along_edge, z = i / along_edge % along_edge, y = i / (along_edge * along_edge);
+        json one = ball_at("ball " + std::to_string(i), ball_radius,
+                           {x * distance + shift(random), 1.1 * ball_radius + y * distance + shift(random),
+                            z * distance + shift(random)});
+        one["mass"] = 10;
+        text["bodies"].push_back(one);
+    }
+    return read_bouncing(text);
+}
+
+}  // namespace
+
+BallsApart balls_apart(int along_edge, double e, double dt, double duration)
+{
+    Scene scene = cube_of_balls(along_edge, e, dt, duration);
+    const double moving = total_energy(scene.world).gravitational, start = counted_energy(scene.world, dt);
+    BallsApart result{{-INFINITY, 0}};
+    run(scene, chapter08_solver(scene.contact), {},
+        {.stop = [&](const World& world, const Contacts& contacts) {
+            for (const Contact& contact : contacts)
+                if (contact.is_spring())
+                    result.deepest = std::max(result.deepest, -contact_geometry(world, contact, 1).depth);
+            result.energy.left = 1 + (counted_energy(world, dt) - start) / moving;
+            result.energy.most_gained = std::max(result.energy.most_gained, result.energy.left - 1);
+            return false;
+        }});
+    return result;
 }
 
 }  // namespace enduring::chapter08

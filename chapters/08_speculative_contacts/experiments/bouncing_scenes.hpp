@@ -46,4 +46,11 @@ struct ObliqueBounce {
 };
 ObliqueBounce oblique_bounce(double e, double mu, double dt);
 
+/// Balls that lie in a cube of so many along each edge, each a little aside, and fall apart on the ground without friction.
+struct BallsApart {
+    EnergyOfRun energy;
+    double deepest = 0;  ///< of all pairs in all steps [m]
+};
+BallsApart balls_apart(int along_edge, double e, double dt, double duration);
+
 }  // namespace enduring::chapter08

@@ -1,3 +1,4 @@
+#include "chapters/08_speculative_contacts/experiments/bouncing_scenes.hpp"
 #include "chapters/08_speculative_contacts/experiments/experiments.hpp"
 #include "chapters/08_speculative_contacts/experiments/sphere_impacts.hpp"
 
@@ -80,6 +81,65 @@ void impacts(bool quick, Report& report)
     report.fact("spheres", "worst_percent", rows.worst_percent, 2);
 }
 
+/// The same with a rebound, for friction takes (1 + e) times as much.
+void bounces(bool quick, Report& report)
+{
+    Table table({"test", "varied", "restitution", "dt_s", "along_m_per_s", "by_formula_m_per_s",
+                 "rim_m_per_s", "rim_by_formula_m_per_s", "off_percent", "rebound_percent"});
+    double worst = 0, worst_rebound = 0;
+    const auto add = [&](const std::string& test, double varied, const SphereImpact& impact) {
+        const AfterImpact after = strike(impact);
+        table.add({test, varied, impact.restitution, impact.dt, after.along.measured, after.along.formula,
+                   after.rim.measured, after.rim.formula, 100 * after.largest_off, 100 * after.rebound});
+        worst = std::max(worst, 100 * after.largest_off);
+        worst_rebound = std::max(worst_rebound, 100 * std::abs(after.rebound - impact.restitution));
+    };
+    for (const double dt : quick ? std::vector{5e-4} : std::vector{5e-4, 1e-4})
+        for (const double e : {0.5, 1.0}) {
+            for (const int angle : {5, 25, 45, 65, 85}) {
+                const double from_normal = angle * std::numbers::pi / 180, speed = 3.9;
+                add("4: angle [°]", angle,
+                    {.normal_speed = speed * std::cos(from_normal),
+                     .along = speed * std::sin(from_normal),
+                     .restitution = e,
+                     .dt = dt});
+            }
+            for (const double along : {0.5, 2.0, 8.0})
+                add("5: speed along [m/s]", along,
+                    {.normal_speed = 2, .along = along, .restitution = e, .dt = dt});
+            for (const double spin : {5.0, 15.0, 45.0}) {
+                add("6: spin [rad/s]", spin, {.spin = spin, .restitution = e, .dt = dt});
+                add("7: spins of two equal balls [rad/s]", spin,
+                    {.spin = spin,
+                     .restitution = e,
+                     .other_radius = sphere_radius,
+                     .other_spin = spin,
+                     .dt = dt});
+                add("8: spin on a large ball [rad/s]", spin,
+                    {.spin = spin, .restitution = e, .other_radius = 2.5 * sphere_radius, .dt = dt});
+            }
+        }
+    report.table("spheres_bounce", table);
+    report.page_table("spheres_bounce", table, 3);
+    report.fact("spheres", "bounces", static_cast<double>(table.rows().size()));
+    report.fact("spheres", "worst_bounce_percent", worst, 2);
+    report.fact("spheres", "worst_bounce_rebound_percent", worst_rebound, 2);
+}
+
+/// SimBenchmark's cube of 6 by 6 by 6 balls, and smaller ones.
+void cubes_of_balls(bool quick, Report& report)
+{
+    Table table({"balls", "restitution", "dt_s", "deepest_um", "energy_left_percent", "most_gained_percent"});
+    for (const int along_edge : quick ? std::vector{3} : std::vector{3, 6})
+        for (const double e : {0.0, 1.0}) {
+            const BallsApart run = balls_apart(along_edge, e, 0.01, 1);
+            table.add({static_cast<long>(along_edge * along_edge * along_edge), e, 0.01, 1e6 * run.deepest,
+                       100 * run.energy.left, 100 * run.energy.most_gained});
+        }
+    report.table("spheres_666", table);
+    report.page_table("spheres_666", table, 3);
+}
+
 /// What finer facets give: a ball on a vertex, one askew, and two balls.
 void over_the_mesh(bool quick, Report& report)
 {
@@ -115,6 +175,8 @@ void spheres(const RunOptions& options, Report& report)
 {
     rebounds(report);
     impacts(options.quick, report);
+    bounces(options.quick, report);
+    cubes_of_balls(options.quick, report);
     over_the_mesh(options.quick, report);
 }
 

@@ -1,3 +1,4 @@
+#include "chapters/08_speculative_contacts/experiments/bouncing_scenes.hpp"
 #include "chapters/08_speculative_contacts/experiments/euler_disk.hpp"
 #include "chapters/08_speculative_contacts/experiments/gears.hpp"
 #include "chapters/08_speculative_contacts/experiments/limits.hpp"
@@ -34,6 +35,28 @@ TEST_CASE("sphere impacts: balls part with their coefficient of restitution of t
             const SphereImpact impact{.restitution = restitution, .other_radius = other_radius};
             CHECK(strike(impact).rebound == doctest::Approx(restitution).epsilon(1e-3));
         }
+}
+
+TEST_CASE("sphere impacts: with a rebound friction takes 1 + e times as much, and no more than the slip")
+{
+    for (const double restitution : {0.5, 1.0})
+        for (const double along : {0.5, 8.0}) {  // sticks, slides
+            CAPTURE(restitution);
+            CAPTURE(along);
+            const AfterImpact after = strike({.along = along, .restitution = restitution, .dt = 1e-4});
+            CHECK(after.largest_off < 0.01);
+            CHECK(after.rebound == doctest::Approx(restitution).epsilon(0.01));
+        }
+    CHECK(strike({.spin = 15, .restitution = 0.5, .other_radius = 0.25, .dt = 1e-4}).largest_off < 0.01);
+}
+
+TEST_CASE("bouncing: a cube of balls falls apart, keeps its energy where it is elastic, and gains none")
+{
+    const BallsApart elastic = balls_apart(2, 1, 0.01, 0.5), clay = balls_apart(2, 0, 0.01, 0.5);
+    CHECK(elastic.energy.left > 0.95);
+    CHECK(elastic.energy.most_gained < 1e-4);
+    CHECK(clay.energy.left < 0.9);
+    CHECK(clay.deepest < 1e-3);
 }
 
 TEST_CASE("sphere impacts: of two balls each takes its share, also if one is larger or spins")

@@ -1,8 +1,10 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
+#include "chapters/08_speculative_contacts/experiments/bolt.hpp"
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
 #include "chapters/11_exact_contact/force_memory.hpp"
+#include "chapters/11_exact_contact/problem_file.hpp"
 #include "chapters/11_exact_contact/problem_of_step.hpp"
 #include "chapters/11_exact_contact/solver.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
@@ -102,6 +104,12 @@ std::vector<Source> sources()
         {"heap_of_8", boxes(loose_cubes(8, 2, 2)), {30, 60, 100, 140}},
         {"heap_of_27", boxes(loose_cubes(27, 3, 2)), {60, 100}, false},
         {"ton_on_soft", [] { return ton_on_block({}, dt); }, {3, 20}, false},
+        {"bolt_in_nut",
+         [] {
+             return chapter08::scene_of(
+                 chapter08::BoltInNut{.segments = 24, .bolt_segments = 21, .dt = 0.001});
+         },
+         {2, 20}},
         {"soft_on_soft", [] { return soft_on_soft(1, 1e5); }, {2, 10, 40}},
         {"stiff_on_soft", [] { return soft_on_soft(1, 1e9); }, {2, 10}},
         {"soft_on_triangles",
@@ -120,7 +128,7 @@ std::string numbers_text(const Eigen::VectorXd& numbers)
     return text;
 }
 
-/// Writes problems as NAME.dat and our answers as NAME.answer, and counts how they are solved.
+/// Writes problems as NAME.dat and our answers as NAME.answer, both together as NAME.hdf5, and counts how they are solved.
 class Collection {
 public:
     explicit Collection(Report& report) : report_(report) {}
@@ -131,6 +139,8 @@ public:
         const ExactSolution solution = solve_exactly(problem);
         write_file(report_.file(name + ".dat"), text);
         write_file(report_.file(name + ".answer"), numbers_text(solution.impulses));
+        if (knows_fclib())
+            write_fclib(problem, report_.file(name + ".hdf5"), solution.impulses);
         table_.add({name, static_cast<long>(problem.contacts()), solution.error,
                     static_cast<long>(solution.errors.size()), static_cast<long>(solution.newton_steps),
                     static_cast<double>(text.size()) / 1000});

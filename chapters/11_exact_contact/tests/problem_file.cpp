@@ -1,6 +1,7 @@
 #include "chapters/11_exact_contact/problem_file.hpp"
 
 #include "chapters/11_exact_contact/tests/one_block.hpp"
+#include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/source_directory.hpp"
 
@@ -155,6 +156,37 @@ TEST_CASE("problem file: triplets, compressed columns and compressed rows in HDF
     }
     const FrictionProblem bodies = read_problem(small_file("bodies"));
     CHECK((bodies.free_velocity - Eigen::Vector3d(-1, 1.2, 1.6)).norm() <= 1e-15);
+}
+
+TEST_CASE("problem file: what is written as HDF5 is read as the same problem, to the last bit")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "problem.hdf5";
+    if (!knows_fclib()) {
+        CHECK_THROWS_WITH_AS(write_fclib({}, file), doctest::Contains("libhdf5-dev"), InputError);
+        return;
+    }
+    FrictionProblem contact = hand_solved_blocks()[1].problem;
+    contact.response.coeffRef(0, 1) = 0.03;  // not symmetric
+    FrictionProblem bodies = parse_siconos(
+        "3 1  0 3 3 3 3  2 0 0 0 2 0 0 0 2   0 3 3 3 3  1 0 0 0 1 0.3 0 0 1   -2 2 3   0 0.2 0.1   0.5", "p");
+    for (const FrictionProblem& problem : {contact, bodies}) {
+        write_fclib(problem, file, Eigen::Vector3d(2, -0.6, -0.8));
+        const FrictionProblem read = read_problem(file);
+        CHECK(read.dimension == 3);
+        CHECK((Eigen::MatrixXd(read.response) - Eigen::MatrixXd(problem.response)).isZero(0));
+        CHECK(read.free_velocity == problem.free_velocity);
+        CHECK(read.mu == problem.mu);
+        REQUIRE(read.bodies.has_value() == problem.bodies.has_value());
+        if (read.bodies) {
+            CHECK(Eigen::MatrixXd(read.bodies->mass) == Eigen::MatrixXd(problem.bodies->mass));
+            CHECK(Eigen::MatrixXd(read.bodies->levers) == Eigen::MatrixXd(problem.bodies->levers));
+            CHECK(read.bodies->force == problem.bodies->force);
+            CHECK(read.bodies->given_velocity == problem.bodies->given_velocity);
+        }
+    }
+    CHECK_THROWS_WITH_AS(write_fclib(contact, folder.path / "no/such/folder.hdf5"),
+                         doctest::Contains("folder.hdf5: cannot be written"), InputError);
 }
 
 TEST_CASE("problem file: what is wrong in an HDF5 file is told with its place")

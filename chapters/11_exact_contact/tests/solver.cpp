@@ -2,6 +2,8 @@
 
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/08_speculative_contacts/search_parts.hpp"
+#include "chapters/10_self_contact/solver.hpp"
+#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -32,6 +34,15 @@ TEST_CASE("exact steps: a stack on springs of h = 100 rests at no depth")
         advance(scene.world, contacts, solver, scene.dt);
     for (std::size_t i = 0; i < 4; ++i)
         CHECK(std::abs(scene.world.bodies[i]->centre().y() - (0.5 + static_cast<double>(i))) <= 1e-9);
+}
+
+TEST_CASE(
+    "exact steps: a scene that asks for exact contact runs under this solver, and under no chapter before")
+{
+    Scene scene = chapter07::scene_of(chapter07::stack_of(1), 0.01);
+    scene.asks_exact = "scene.json: /contact/exact";
+    CHECK_NOTHROW(require_asked(scene, chapter11_solver(scene.contact)));
+    CHECK_THROWS_AS(require_asked(scene, chapter10_solver(scene.contact)), InputError);
 }
 
 TEST_CASE("exact steps: a cube lands on the ground and not in it, in the step in which it lands")

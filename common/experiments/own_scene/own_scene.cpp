@@ -214,6 +214,7 @@ void own_scene(const RunOptions& options, Report& report, const MakeSolver& make
 {
     Scene scene = load_scene(options.scene.value());
     const Solver solver = make(scene.contact);
+    require_asked(scene, solver);
     check(choice, solver, report);
     RunLimits limits;
     if (!choice.resume.empty())

@@ -18,6 +18,7 @@ int step_count(const Scene& scene)
 
 RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& probes, const RunLimits& limits)
 {
+    require_asked(scene, solver);
     RunResult result;
     result.contacts = limits.contacts;
     const PassObserver lap = [&result](const std::string& pass) { result.timings.lap(pass); };

@@ -85,6 +85,24 @@ TEST_CASE("scene: what the file leaves out has the documented value")
     CHECK(scene.world.planes.empty());
 }
 
+TEST_CASE("scene: where it asks for exact contact, a solver whose springs give is refused, with the place")
+{
+    Solver gives, exact;
+    gives.name = "chapter 0";
+    exact.exact = true;
+    const Scene asks = ball(R"({"contact": {"exact": true}})");
+    CHECK_NOTHROW(require_asked(asks, exact));
+    CHECK_THROWS_WITH_AS(require_asked(asks, gives),
+                         "ball.json: /contact/exact: the springs of chapter 0 give under a load; choose a "
+                         "solver of exact contact, or leave the key out",
+                         InputError);
+    for (const char* patch : {"", R"({"contact": {"exact": false}})"})
+        CHECK_NOTHROW(require_asked(ball(patch), gives));
+    CHECK(complaint(R"({"contact": {"exact": 1, "stiffness": -1}})") ==
+          "ball.json: /contact/stiffness: expected a number above 0 up to 1e+12 [N/m], found -1\n"
+          "ball.json: /contact/exact: expected true or false, found 1");
+}
+
 TEST_CASE("scene: density times volume is the mass, and a scale counts three times")
 {
     const Scene scene = ball(
@@ -208,7 +226,7 @@ TEST_CASE("scene: wrong types are named with what was expected")
           "ball.json: /contact/method: expected one of \"dpf\", \"cpf\", found \"cpg\"");
     CHECK(
         complaint(R"({"contact": 5})") ==
-        "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", \"max_depenetration_velocity\", \"wanted_depth\", \"restitution\", found 5");
+        "ball.json: /contact: expected an object with the keys \"method\", \"stiffness\", \"friction\", \"max_depenetration_velocity\", \"wanted_depth\", \"restitution\", \"exact\", found 5");
     CHECK(complaint(R"({"/bodies/0/look/smooth": 1})") ==
           "ball.json: /bodies/0/look/smooth: expected true or false, found 1");
     CHECK(complaint(R"({"/bodies/0/type": 7})") ==

@@ -35,6 +35,18 @@ TEST_CASE("laboratory: a mistake in a scene's text is told with its place")
     CHECK_THROWS_AS(Laboratory(cube(), "own.json", {}, 12), InputError);
 }
 
+TEST_CASE("laboratory: a scene that asks for exact contact runs under chapter 11 and says so under any other")
+{
+    std::string text = cube();
+    text.insert(1, R"("contact": {"exact": true}, )");
+    CHECK_THROWS_WITH_AS(Laboratory(text, "own.json", {}, 10),
+                         doctest::Contains("own.json: /contact/exact: the springs of chapter 10 give"),
+                         InputError);
+    Laboratory lab(text, "own.json", {}, 11);
+    steps(lab, 40);
+    CHECK(lab.numbers().depth < 1e-9);
+}
+
 TEST_CASE("laboratory: without a hand it steps as the chapter's solver does, to the last bit")
 {
     for (const int chapter : {3, 6, 7, 10}) {

@@ -124,6 +124,22 @@ TEST_CASE("own scene: without pictures there are the same tables under their nam
         CHECK(std::filesystem::exists(with / "scene.png"));
 }
 
+TEST_CASE("own scene: one that asks for exact contact is refused as a mistake, and leaves no tables")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path scene = folder.path / "scene.json", out = folder.path / "out";
+    write_file(scene, "{\"contact\": {\"exact\": true}, " + falling_ball(0.1).substr(1));
+    std::ostringstream said;
+    auto* const real_err = std::cerr.rdbuf(said.rdbuf());
+    const int code = chapter({"--scene", scene.string(), "--out", out.string()});
+    std::cerr.rdbuf(real_err);
+    CHECK(code == 2);
+    CHECK(said.str().find("scene.json: /contact/exact: the springs of nobody give under a load") !=
+          std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(out / "energy.csv"));
+    CHECK_FALSE(std::filesystem::exists(out / "failed.txt"));
+}
+
 TEST_CASE(
     "own scene: a run that is saved and goes on writes the rows that it would have written, to the byte")
 {

@@ -107,6 +107,17 @@ TEST_CASE("run: a limit or a stop ends it early")
               .steps == 1);
 }
 
+TEST_CASE("run: a scene that asks for exact contact does not begin under a solver whose springs give")
+{
+    Scene scene = two_sheets();
+    scene.asks_exact = "sheets.json: /contact/exact";
+    Solver solver;
+    CHECK_THROWS_AS(run(scene, solver, {}), InputError);
+    CHECK(scene.world.step == 0);
+    solver.exact = true;
+    CHECK_NOTHROW(run(scene, solver, {}, {1, {}}));
+}
+
 TEST_CASE(
     "run: a stiffness that the step cannot bear is told under a solver that takes it, and under no other")
 {
