@@ -236,8 +236,8 @@ TEST_CASE("scene: warnings name the file, the bodies and the numbers; a scene th
     CHECK(
         read(R"("bodies": [)" + sheet + ", " + cube("cube", "[0.1, 0.47, 0.2]") + "]").warnings ==
         std::vector<std::string>{
-            "trial.json: 'cube' begins inside 'floor', 0.03 m deep: a surface with a border has no inside to be let "
-            "out of, so it falls through; move one of them"});
+            "trial.json: 'cube' begins inside 'floor', 0.03 m deep: a surface with a border has no inside to separate "
+            "from, so the body falls through; move one of them"});
 }
 
 TEST_CASE("scene: who is too stiff is named by the key that the file has, or by the default")
