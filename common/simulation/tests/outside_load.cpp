@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -186,7 +187,7 @@ TEST_CASE(
     body->add_load(load);
     World world = weightless(std::move(body));
     Contacts contacts;
-    double first = -1, before = -0.1;
+    double first = -1, before = -0.1, farthest = 0;
     constexpr double dt = 1e-3;
     int passes = 0;
     while (world.time < 8 && passes < 7) {
@@ -195,8 +196,10 @@ TEST_CASE(
         if (before < 0 && now >= 0 && ++passes == 1)
             first = world.time - dt * now / (now - before);
         before = now;
+        farthest = std::max(farthest, now);
     }
     CHECK(passes == 7);
+    CHECK(farthest == doctest::Approx(0.1).epsilon(1e-3));  // no farther than it began on the other side
     CHECK(world.thrown_away == 0);
     CHECK((world.time - first) / 6 == doctest::Approx(2 * 3.14159265 * std::sqrt(mass / 120)).epsilon(1e-3));
 
