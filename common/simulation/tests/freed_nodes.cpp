@@ -175,3 +175,21 @@ TEST_CASE(
     CHECK(body.angular_momentum(Vec3::Zero()).y() - turning ==
           doctest::Approx(-50 * 0.05 * 0.5).epsilon(0.06));
 }
+
+TEST_CASE(
+    "freed nodes: a state from after their time is taken up by a body that is made anew, and one from before")
+{
+    const GivenMotion motion = GivenMotion::steady({1, 0, 0}, Vec3::Zero());
+    for (const double saved : {until / 2, until + 0.05}) {
+        CAPTURE(saved);
+        World first = gripped_bar(-0.49, 0.49, motion), second = gripped_bar(-0.49, 0.49, motion);
+        run_until(first, saved, 0.01);
+        run_until(second, saved < until ? 2 * until : 0.0, 0.01);  // was freed, and is held again
+        restore_state(*second.bodies[0], state_of(*first.bodies[0]));
+        second.time = first.time;
+        run_until(first, 2 * until, 0.01);
+        run_until(second, 2 * until, 0.01);
+        for (std::size_t i = 0; i < first.bodies[0]->positions_t0().size(); ++i)
+            CHECK((first.bodies[0]->positions_t0()[i] - second.bodies[0]->positions_t0()[i]).norm() < 1e-9);
+    }
+}
