@@ -67,6 +67,13 @@ void ElasticBody::fix(int node)
     whole_turn_.reset();
 }
 
+void ElasticBody::release(int node)
+{
+    fixed_[node] = 0;
+    inverse_masses_[node] = 1 / masses_[node];
+    solver_.forget_factor();  // in which the node stands
+}
+
 void ElasticBody::linearise(const NodalVectors& positions)
 {
     if (!options_.freeze_rotations)

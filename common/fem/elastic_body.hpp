@@ -50,6 +50,8 @@ public:
     /// The node stays where it is from now on.
     /// @throws InputError  no such node
     void fix(int node);
+    /// What was fixed is free from now on, with the position and velocity that it has.
+    void release(int node);
 
     const Eigen::SparseMatrix<double>& mass_matrix() const { return mass_matrix_; }  ///< M [kg], of all nodes
     /// row sums of M [kg], all positive

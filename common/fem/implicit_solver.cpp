@@ -101,6 +101,7 @@ void ImplicitSolver::renew_factor(const System& system)
 {
     factor_.factor(system.elasticity, mass_matrix_, system.fixed, system.mass_scale, system.stiffness_scale);
     ++factorisations_;
+    is_stale_ = false;
     solves_with_factor_ = early_iterations_ = wasted_iterations_ = 0;
 }
 
@@ -154,7 +155,8 @@ void ImplicitSolver::solve(const Elasticity& elasticity, const std::vector<char>
     if (!rhs.allFinite() || !v.allFinite())
         return;  // nothing to be saved here: the step names the body and the vertex
 
-    if (!factor_.matches(mass_scale, stiffness_scale) || wasted_iterations_ > iterations_per_factorisation)
+    if (is_stale_ || !factor_.matches(mass_scale, stiffness_scale) ||
+        wasted_iterations_ > iterations_per_factorisation)
         renew_factor(system);
     factor_.turn(elasticity.rotations());
     if (!conjugate_gradients(system, rhs, v, given, 2 * iterations_per_factorisation)) {

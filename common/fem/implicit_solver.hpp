@@ -38,6 +38,9 @@ public:
                double stiffness_scale, const NodalVectors& rhs, NodalVectors& v, double given = 0,
                const WholeTurn* turn = nullptr);
 
+    /// The next solve makes a new factor: a node that was fixed is free, and the old factor answers nothing there.
+    void forget_factor() { is_stale_ = true; }
+
     /// One application of the preconditioner: the solution for rhs but for what elements have turned against
     /// each other since the matrix was factored, and for its single precision. Zero before the first solve.
     /// @param fixed  as for solve(), and turn, too
@@ -61,6 +64,7 @@ private:
     Eigen::VectorXd masses_;  ///< its row sums
     double tolerance_;
     TurnedFactor factor_;
+    bool is_stale_ = false;
     int iterations_ = 0, factorisations_ = 0;
     int solves_with_factor_ = 0;
     int early_iterations_ = 0;   ///< the most that one of the first solves with the present factor took

@@ -179,6 +179,36 @@ void copy_elements(GmshCopy& copy)
     }
 }
 
+/// One line for each entity: its number, its place, and the groups that it belongs to; what bounds it is left out.
+void copy_entities(GmshCopy& copy)
+{
+    std::array<std::uint64_t, 4> counts{};
+    for (std::uint64_t& count : counts)
+        count = copy.copy_size();
+    copy.text << '\n';
+    for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
+        for (std::uint64_t i = 0; i < counts[dimension]; ++i) {
+            copy.copy_int();
+            for (int n = dimension == 0 ? 3 : 6; n > 0; --n)
+                copy.copy_real();
+            for (std::uint64_t groups = copy.copy_size(); groups > 0; --groups)
+                copy.copy_int();
+            for (std::uint64_t bounds = dimension == 0 ? 0 : copy.take<std::uint64_t>(); bounds > 0; --bounds)
+                copy.take<std::int32_t>();
+            copy.text << '\n';
+        }
+}
+
+/// A section that is text in a binary file, too.
+void copy_lines(GmshCopy& copy, const std::string& end)
+{
+    std::string line = copy.take_line();
+    for (; line != end && !copy.at_end(); line = copy.take_line())
+        copy.text << line << '\n';
+    if (line != end)
+        copy.fail("the file ends where " + end + " is missing");
+}
+
 }  // namespace
 
 bool is_binary_gmsh(const std::string& bytes)
@@ -205,9 +235,18 @@ std::string gmsh_as_text(const std::string& bytes, const std::string& name)
         if (section.empty() || section[0] != '$')
             copy.fail("a section such as $Nodes expected");
         const std::string end = "$End" + section.substr(1);
-        if (section == "$Nodes" || section == "$Elements") {
+        if (section == "$PhysicalNames") {
             copy.text << section << '\n';
-            if (section == "$Nodes")
+            copy_lines(copy, end);
+            copy.text << end << '\n';
+            continue;
+        }
+        const bool is_entities = section == "$Entities" && in_blocks;
+        if (is_entities || section == "$Nodes" || section == "$Elements") {
+            copy.text << section << '\n';
+            if (is_entities)
+                copy_entities(copy);
+            else if (section == "$Nodes")
                 in_blocks ? copy_nodes_in_blocks(copy) : copy_nodes(copy);
             else
                 in_blocks ? copy_elements_in_blocks(copy) : copy_elements(copy);

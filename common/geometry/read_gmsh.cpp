@@ -17,8 +17,6 @@ namespace enduring {
 namespace {
 
 constexpr long four_node_tetrahedron = 4, ten_node_tetrahedron = 11;
-/// Points, lines, triangles and quadrangles of first and second order: what bounds or marks the solid.
-constexpr std::array<long, 10> elements_passed_over{1, 2, 3, 8, 9, 10, 15, 16, 20, 21};
 /// Gmsh lists the last two edges of a 10-node tetrahedron as 23, 13; ours are 13, 23.
 constexpr std::array<std::size_t, 10> place_in_file{0, 1, 2, 3, 4, 5, 6, 7, 9, 8};
 
@@ -29,6 +27,7 @@ struct GmshContent {
     std::map<long, int> node_of_number;
     long type = 0;
     std::vector<std::array<int, 10>> elements;  ///< the last six are -1 for 4-node elements
+    GmshGroups groups{};
 };
 
 bool goes_on(TextLines& lines, const std::string& end)
@@ -77,7 +76,7 @@ void read_counted(TextLines& lines, const std::string& section, const ReadLine& 
 
 /// Reads one section of version 4.1: the counts of blocks and entries, then for each block a line with its entity, one number
 /// of its own and the count of its entries, and these.
-/// @param read_block  is given that number and that count
+/// @param read_block  is given the dimension and number of the entity, that number and that count
 template <class ReadBlock>
 void read_blocks(TextLines& lines, const std::string& section, const ReadBlock& read_block)
 {
@@ -89,12 +88,12 @@ void read_blocks(TextLines& lines, const std::string& section, const ReadBlock& 
     for (; goes_on(lines, end); ++blocks_read) {
         if (blocks_read == blocks)
             lines.fail("$" + section + " promises " + std::to_string(blocks) + " blocks and goes on");
-        lines.next_integer("dimension of the entity");
-        lines.next_integer("entity");
+        const long dimension = lines.next_integer("dimension of the entity");
+        const long entity = lines.next_integer("entity");
         const long own = lines.next_integer("number of the block"), count = lines.next_integer("count");
         if (count < 0)
             lines.fail("a block of " + std::to_string(count) + " entries");
-        read_block(own, count);
+        read_block(dimension, entity, own, count);
         entries_read += count;
     }
     if (blocks_read < blocks || entries_read != entries)
@@ -148,8 +147,8 @@ std::array<Vec3, N> positions_of(const GmshContent& content, const std::array<in
 /// Whether the element is a tetrahedron, and of the same kind as those before it; false if it bounds or marks the solid.
 bool is_wanted(TextLines& lines, const std::string& name, long type, GmshContent& content)
 {
-    if (std::find(elements_passed_over.begin(), elements_passed_over.end(), type) !=
-        elements_passed_over.end())
+    const GmshElementType kind = gmsh_element_type(type);
+    if (kind.corners > 0 && kind.dimension < 3)
         return false;
     if (type != four_node_tetrahedron && type != ten_node_tetrahedron)
         lines.fail(name + " is of type " + std::to_string(type) +
@@ -160,6 +159,15 @@ bool is_wanted(TextLines& lines, const std::string& name, long type, GmshContent
     return true;
 }
 
+/// Of a node of an element, in the file.
+int place_of(TextLines& lines, const std::string& name, long node, const GmshContent& content)
+{
+    const auto found = content.node_of_number.find(node);
+    if (found == content.node_of_number.end())
+        lines.fail(name + " names node " + std::to_string(node) + ", which does not exist");
+    return found->second;
+}
+
 /// The nodes of a tetrahedron, to the end of the line.
 void append_tetrahedron(TextLines& lines, const std::string& name, GmshContent& content)
 {
@@ -168,12 +176,10 @@ void append_tetrahedron(TextLines& lines, const std::string& name, GmshContent& 
     const std::size_t count = content.type == four_node_tetrahedron ? 4 : 10;
     for (std::size_t i = 0; i < count; ++i) {
         const long node = lines.next_integer("node");
-        const auto found = content.node_of_number.find(node);
-        if (found == content.node_of_number.end())
-            lines.fail(name + " names node " + std::to_string(node) + ", which does not exist");
-        if (std::find(element.begin(), element.end(), found->second) != element.end())
+        const int place = place_of(lines, name, node, content);
+        if (std::find(element.begin(), element.end(), place) != element.end())
             lines.fail(name + " names node " + std::to_string(node) + " twice");
-        element[place_in_file[i]] = found->second;
+        element[place_in_file[i]] = place;
     }
     if (!lines.next_word().empty())
         lines.fail(name + " names too many nodes");
@@ -189,30 +195,54 @@ std::string next_element_name(TextLines& lines)
     return "element " + std::to_string(lines.next_integer("element number"));
 }
 
+/// The nodes of an element, to the end of the line where it is a tetrahedron.
+/// @param groups  physical ones that it belongs to
+void read_element_nodes(TextLines& lines, const std::string& name, long type, std::span<const long> groups,
+                        GmshContent& content)
+{
+    const GmshElementType kind = gmsh_element_type(type);
+    std::vector<int> corners;
+    if (is_wanted(lines, name, type, content)) {
+        append_tetrahedron(lines, name, content);
+        corners.assign(content.elements.back().begin(), content.elements.back().begin() + 4);
+    } else if (std::any_of(groups.begin(), groups.end(),
+                           [&](long group) { return content.groups.is_named(kind.dimension, group); })) {
+        for (int i = 0; i < kind.corners; ++i)
+            corners.push_back(place_of(lines, name, lines.next_integer("node"), content));
+    }
+    for (const long group : groups)
+        content.groups.add(kind.dimension, group, corners);
+}
+
+/// Version 2.2 has the physical group as the first tag of an element, 0 for none.
 void read_element(TextLines& lines, GmshContent& content)
 {
     const std::string name = next_element_name(lines);
-    if (!is_wanted(lines, name, lines.next_integer("element type"), content))
-        return;
-    for (long tags = lines.next_integer("number of tags"); tags > 0; --tags)
-        lines.next_integer("tag");
-    append_tetrahedron(lines, name, content);
+    const long type = lines.next_integer("element type");
+    std::vector<long> groups;
+    for (long tags = lines.next_integer("number of tags"); tags > 0; --tags) {
+        const long tag = lines.next_integer("tag");
+        if (groups.empty())
+            groups.push_back(tag);
+    }
+    read_element_nodes(lines, name, type, groups, content);
 }
 
-void read_element_block(TextLines& lines, long type, long count, GmshContent& content)
+void read_element_block(TextLines& lines, std::span<const long> groups, long type, long count,
+                        GmshContent& content)
 {
     for (long i = 0; i < count; ++i) {
         next_of_block(lines, "Elements");
         const std::string name = next_element_name(lines);
-        if (is_wanted(lines, name, type, content))
-            append_tetrahedron(lines, name, content);
+        read_element_nodes(lines, name, type, groups, content);
     }
 }
 
 void read_nodes(TextLines& lines, GmshContent& content)
 {
     if (content.in_blocks)
-        read_blocks(lines, "Nodes", [&](long, long count) { read_node_block(lines, count, content); });
+        read_blocks(lines, "Nodes",
+                    [&](long, long, long, long count) { read_node_block(lines, count, content); });
     else
         read_counted(lines, "Nodes", [&] { append_node(lines, lines.next_integer("node number"), content); });
 }
@@ -220,8 +250,10 @@ void read_nodes(TextLines& lines, GmshContent& content)
 void read_elements(TextLines& lines, GmshContent& content)
 {
     if (content.in_blocks)
-        read_blocks(lines, "Elements",
-                    [&](long type, long count) { read_element_block(lines, type, count, content); });
+        read_blocks(lines, "Elements", [&](long dimension, long entity, long type, long count) {
+            const std::vector<long> groups = content.groups.groups_of(static_cast<int>(dimension), entity);
+            read_element_block(lines, groups, type, count, content);
+        });
     else
         read_counted(lines, "Elements", [&] { read_element(lines, content); });
 }
@@ -243,6 +275,10 @@ GmshContent read_gmsh_content(TextLines& lines)
             read_nodes(lines, content);
         } else if (section == "$Elements") {
             read_elements(lines, content);
+        } else if (section == "$PhysicalNames") {
+            content.groups.read_names(lines);
+        } else if (section == "$Entities" && content.in_blocks) {
+            content.groups.read_entities(lines);
         } else {
             while (goes_on(lines, "$End" + section.substr(1))) {}
         }
@@ -254,7 +290,8 @@ GmshContent read_gmsh_content(TextLines& lines)
 
 /// Renumbers the nodes that elements use: corners first, then the
 /// middles of edges, each in the order of the file.
-QuadraticTetrahedralMesh compact(const GmshContent& content)
+/// @param renumbered  is told the new number of each place in the file, -1 for none
+QuadraticTetrahedralMesh compact(const GmshContent& content, std::vector<int>& renumbered)
 {
     enum Use { unused, middle, corner };
     std::vector<Use> use(content.nodes.size(), unused);
@@ -264,7 +301,7 @@ QuadraticTetrahedralMesh compact(const GmshContent& content)
             of_node = std::max(of_node, i < 4 ? corner : middle);
         }
     QuadraticTetrahedralMesh mesh;
-    std::vector<int> renumbered(content.nodes.size(), -1);
+    renumbered.assign(content.nodes.size(), -1);
     for (Use wanted : {corner, middle}) {
         for (std::size_t n = 0; n < use.size(); ++n)
             if (use[n] == wanted) {
@@ -302,22 +339,33 @@ std::ifstream open(const std::filesystem::path& file)
 
 }  // namespace
 
+GmshSolid read_gmsh_with_groups(std::istream& stream, const std::string& name)
+{
+    const GmshContent content = read_content(stream, name);
+    std::vector<int> renumbered;
+    const QuadraticTetrahedralMesh mesh = compact(content, renumbered);
+    return {corners_of(mesh), content.groups.on_nodes(renumbered, mesh.corner_count)};
+}
+
 TetrahedralMesh read_gmsh(std::istream& stream, const std::string& name)
 {
-    return corners_of(compact(read_content(stream, name)));
+    return read_gmsh_with_groups(stream, name).mesh;
 }
 
 QuadraticTetrahedralMesh read_gmsh_quadratic(std::istream& stream, const std::string& name)
 {
     const GmshContent content = read_content(stream, name);
-    return content.type == ten_node_tetrahedron ? compact(content)
-                                                : with_edge_midpoints(corners_of(compact(content)));
+    std::vector<int> renumbered;
+    QuadraticTetrahedralMesh mesh = compact(content, renumbered);
+    return content.type == ten_node_tetrahedron ? mesh : with_edge_midpoints(corners_of(mesh));
 }
 
-TetrahedralMesh read_gmsh(const std::filesystem::path& file)
+TetrahedralMesh read_gmsh(const std::filesystem::path& file) { return read_gmsh_with_groups(file).mesh; }
+
+GmshSolid read_gmsh_with_groups(const std::filesystem::path& file)
 {
     std::ifstream stream = open(file);
-    return read_gmsh(stream, file.string());
+    return read_gmsh_with_groups(stream, file.string());
 }
 
 QuadraticTetrahedralMesh read_gmsh_quadratic(const std::filesystem::path& file)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/geometry/gmsh_groups.hpp"
 #include "common/geometry/meshes.hpp"
 
 #include <filesystem>
@@ -10,8 +11,8 @@ namespace enduring {
 
 /// Reads the tetrahedra of a Gmsh file, version 2.2 or 4.1, text or binary: element type 4, or the corners of type 11.
 ///
-/// Points, lines and surface elements are passed over, and so are nodes that no tetrahedron uses; the others
-/// keep their order in the file. Units are taken as they stand.
+/// Points, lines and surface elements are passed over, but for the physical groups that they mark, and so are nodes that no
+/// tetrahedron uses; the others keep their order in the file. Units are taken as they stand.
 ///
 /// @throws InputError  "file:line: reason", of a binary file "file, byte N: reason" or with the line of the text that holds the
 ///                     same: missing, empty or truncated file, another version, a
@@ -20,6 +21,14 @@ namespace enduring {
 ///                     both kinds of tetrahedra
 TetrahedralMesh read_gmsh(const std::filesystem::path& file);
 TetrahedralMesh read_gmsh(std::istream& stream, const std::string& name);
+
+/// The same, with the nodes of each physical group that has a name.
+struct GmshSolid {
+    TetrahedralMesh mesh;
+    NodeGroups groups;
+};
+GmshSolid read_gmsh_with_groups(const std::filesystem::path& file);
+GmshSolid read_gmsh_with_groups(std::istream& stream, const std::string& name);
 
 /// The same with 10 nodes an element: type 11 as it stands, type 4 with the middles of its edges added.
 QuadraticTetrahedralMesh read_gmsh_quadratic(const std::filesystem::path& file);

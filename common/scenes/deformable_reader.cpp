@@ -1,9 +1,11 @@
 #include "common/scenes/deformable_reader.hpp"
 
+#include "common/fem/point_weights.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/solid_checks.hpp"
 #include "common/scenes/motion_reader.hpp"
 #include "common/scenes/placement.hpp"
+#include "common/scenes/region_reader.hpp"
 #include "common/simulation/deformable_body.hpp"
 
 #include <array>
@@ -13,67 +15,87 @@
 namespace enduring {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t max_driven = 100;
+constexpr std::size_t max_driven = 100, max_forces = 100;
 
-/// A box and a ball in the shape's coordinates: the nodes in both.
-struct Region {
-    Vec3 low, high, centre = Vec3::Zero();
-    double radius = infinity;
-    bool contains(const Vec3& point) const
-    {
-        return (point.array() >= low.array()).all() && (point.array() <= high.array()).all() &&
-               !((point - centre).norm() > radius);
-    }
-};
-
-Region read_region(const JsonValue& value)
+/// Until when nodes are held [s].
+double read_until(const JsonValue& region)
 {
-    const NumberRange coordinate{-1e6, 1e6, true, true, "m"};
-    Region region{value.vector_or("min", coordinate, Vec3::Constant(-infinity)),
-                  value.vector_or("max", coordinate, Vec3::Constant(infinity))};
-    if (const std::optional<JsonValue> ball = value.find("ball")) {
-        ball->require_keys({"centre", "radius"});
-        region.centre = ball->at("centre").vector(coordinate);
-        region.radius = ball->at("radius").number({0, 1e6, true, true, "m"});
-    }
-    return region;
+    return region.number_or("until", {0, 3600, false, true, "s"}, std::numeric_limits<double>::infinity());
 }
 
-std::vector<int> nodes_in(const JsonValue& value, const std::vector<Vec3>& nodes)
-{
-    const Region region = read_region(value);
-    std::vector<int> inside;
-    for (std::size_t node = 0; node < nodes.size(); ++node)
-        if (region.contains(nodes[node]))
-            inside.push_back(static_cast<int>(node));
-    if (inside.empty())
-        value.complain("no node of the shape lies in this region");
-    return inside;
-}
-
-/// The keys "fixed" and "driven": nodes that stay, and nodes that move as given. No node is in two of them.
-void read_grips(const JsonValue& body, const std::vector<Vec3>& nodes, const Placement& placement,
+/// The keys "fixed" and "driven": nodes that stay, and nodes that move as given. No node is in two of them. Nodes that stay until
+/// a time are driven nowhere.
+void read_grips(const JsonValue& body, const NamedNodes& of_body, const Placement& placement,
                 DeformableSettings& settings)
 {
-    std::vector<char> taken(nodes.size(), 0);
+    std::vector<char> taken(of_body.nodes.size(), 0);
     if (const std::optional<JsonValue> fixed = body.find("fixed")) {
-        fixed->require_keys({"min", "max", "ball"});
-        settings.fixed_nodes = nodes_in(*fixed, nodes);
-        for (const int node : settings.fixed_nodes)
+        fixed->require_keys({"min", "max", "ball", "group", "until"});
+        std::vector<int> nodes = read_region(*fixed, of_body);
+        for (const int node : nodes)
             taken[static_cast<std::size_t>(node)] = 1;
+        if (fixed->find("until"))
+            settings.driven_nodes.push_back({std::move(nodes),
+                                             GivenMotion::steady(Vec3::Zero(), Vec3::Zero()),
+                                             placement.position, read_until(*fixed)});
+        else
+            settings.fixed_nodes = std::move(nodes);
     }
     const std::optional<JsonValue> driven = body.find("driven");
     if (!driven)
         return;
     for (const JsonValue& entry : driven->items(0, max_driven)) {
-        entry.require_keys({"min", "max", "ball", "motion"});
+        entry.require_keys({"min", "max", "ball", "group", "motion", "until"});
         const ReadMotion given = read_given_motion(entry.at("motion"), placement);
-        const std::vector<int> gripped = nodes_in(entry, nodes);
+        const std::vector<int> gripped = read_region(entry, of_body);
         for (const int node : gripped)
             if (std::exchange(taken[static_cast<std::size_t>(node)], 1) != 0)
                 entry.complain("a node in this region is fixed or driven already");
-        settings.driven_nodes.push_back({gripped, given.motion, given.centre});
+        settings.driven_nodes.push_back({gripped, given.motion, given.centre, read_until(entry)});
+    }
+}
+
+/// What a force at a point or on a region gives to the nodes; none if it is spread over the whole body.
+std::vector<NodeWeight> read_shares(const JsonValue& entry, const NamedNodes& of_body,
+                                    const ElasticBody& elastic)
+{
+    std::vector<NodeWeight> shares;
+    if (const std::optional<JsonValue> point = entry.find("point")) {
+        if (gives_region(entry))
+            point->complain("stands beside a region of nodes; one of the two is enough");
+        shares = point_weights(elastic.mesh(), point->vector({-1e4, 1e4, true, true, "m"}));
+        if (shares.empty())
+            point->complain("lies outside of the body");
+    } else if (gives_region(entry)) {
+        const std::vector<int> nodes = read_region(entry, of_body);
+        const double mass = elastic.masses()(nodes).sum();
+        for (const int node : nodes)
+            shares.push_back({node, elastic.masses()[node] / mass});
+    }
+    return shares;
+}
+
+/// What a rigid body has and a soft one cannot have.
+void refuse_what_is_rigid(const JsonValue& entry)
+{
+    const auto refuse = [&](const char* key, const char* reason) {
+        if (const std::optional<JsonValue> found = entry.find(key))
+            found->complain(reason);
+    };
+    refuse("torque", "a soft body does not turn as a whole; give forces at two of its points");
+    refuse("axes", "a soft body has no axes that turn along; its forces are in the world's");
+    refuse("spring", "pulls rigid bodies only");
+}
+
+void add_forces(const JsonValue& value, const NamedNodes& of_body, DeformableBody& body)
+{
+    const std::optional<JsonValue> list = value.find("forces");
+    if (!list)
+        return;
+    for (const JsonValue& entry : list->items(0, max_forces)) {
+        refuse_what_is_rigid(entry);
+        entry.require_keys({"force", "table", "point", "min", "max", "ball", "group"});
+        body.add_force(read_force(entry), read_shares(entry, of_body, body.elastic()));
     }
 }
 
@@ -99,19 +121,20 @@ ElasticMaterial read_material(const JsonValue& body, const TetrahedralMesh& mesh
     return material;
 }
 
-TetrahedralMesh read_solid(const JsonValue& value, const SceneSurroundings& surroundings)
+Shape read_solid(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     Shape shape = read_shape(value.at("shape"), surroundings);
     if (!shape.solid)
         value.at("shape").fail("a shape made of tetrahedra, \"bar\" or a \"file\" ending in .msh");
     check_solid(*shape.solid, "the mesh");
-    return *std::move(shape.solid);
+    return shape;
 }
 
 std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& surroundings,
                             const SceneMaterials& materials)
 {
-    const TetrahedralMesh mesh = read_solid(value, surroundings);
+    const Shape shape = read_solid(value, surroundings);
+    const TetrahedralMesh& mesh = *shape.solid;
     const Placement placement = read_placement(value);
     const InitialMotion motion = read_motion(value);
     DeformableSettings settings;
@@ -132,20 +155,17 @@ std::unique_ptr<Body> build(const JsonValue& value, const SceneSurroundings& sur
                                              ? LinearSolverKind::simplicial
                                              : LinearSolverKind::supernodal;
 
-    const std::vector<TimedVector> forces = read_spread_forces(value);
-    const auto driven = [&](std::unique_ptr<DeformableBody> body) {
-        for (const TimedVector& force : forces)
-            body->add_force(force);
+    const auto made_of = [&](const auto& of_basis) {
+        const NamedNodes of_body = NamedNodes::of(of_basis, shape.groups);
+        read_grips(value, of_body, placement, settings);
+        auto body = std::make_unique<DeformableBody>(value.at("name").text(), of_basis, settings);
+        add_forces(value, of_body, *body);
         return body;
     };
     const std::optional<JsonValue> basis = value.find("basis");
-    if (!basis || basis->choice({"linear", "quadratic"}) == 1) {
-        const QuadraticTetrahedralMesh quadratic = with_edge_midpoints(mesh);
-        read_grips(value, quadratic.nodes, placement, settings);
-        return driven(std::make_unique<DeformableBody>(value.at("name").text(), quadratic, settings));
-    }
-    read_grips(value, mesh.nodes, placement, settings);
-    return driven(std::make_unique<DeformableBody>(value.at("name").text(), mesh, settings));
+    if (!basis || basis->choice({"linear", "quadratic"}) == 1)
+        return made_of(with_edge_midpoints(mesh));
+    return made_of(mesh);
 }
 
 }  // namespace

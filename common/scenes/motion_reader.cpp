@@ -1,6 +1,9 @@
 #include "common/scenes/motion_reader.hpp"
 
-#include <array>
+#include "common/input/number_text.hpp"
+
+#include <Eigen/Eigenvalues>
+
 #include <string>
 
 namespace enduring {
@@ -48,7 +51,8 @@ void refuse_beside_table(const JsonValue& value, std::initializer_list<const cha
             found->complain("stands beside \"table\"; one of the two is enough");
 }
 
-const NumberRange force_range{-1e9, 1e9, true, true, "N"}, torque_range{-1e9, 1e9, true, true, "N m"};
+const NumberRange force_range{-1e9, 1e9, true, true, "N"}, torque_range{-1e9, 1e9, true, true, "N m"},
+    spring_range{0, 1e12, false, true, "N/m"};
 
 /// What stands here, or in the rows of the table, under one key.
 TimedVector read_timed(const JsonValue& value, const std::string& key, const NumberRange& range)
@@ -64,9 +68,16 @@ TimedVector read_timed(const JsonValue& value, const std::string& key, const Num
     return TimedVector(std::move(rows));
 }
 
+AnchoredSpring read_spring(const JsonValue& value)
+{
+    value.require_keys({"anchor", "stiffness", "rest_length"});
+    return {value.at("anchor").vector(place_range), value.at("stiffness").number(spring_range),
+            value.number_or("rest_length", {0, 1e4, true, true, "m"}, 0)};
+}
+
 OutsideLoad read_load(const JsonValue& value, const Placement& placement)
 {
-    value.require_keys({"force", "torque", "table", "point", "axes"});
+    value.require_keys({"force", "torque", "table", "point", "axes", "spring"});
     if (const std::optional<JsonValue> table = value.find("table")) {
         refuse_beside_table(value, {"force", "torque"});
         for (const JsonValue& row : table->items(2, max_rows))
@@ -77,6 +88,8 @@ OutsideLoad read_load(const JsonValue& value, const Placement& placement)
     load.torque = read_timed(value, "torque", torque_range);
     if (const std::optional<JsonValue> point = value.find("point"))
         load.point = placement.place(point->vector(place_range));
+    if (const std::optional<JsonValue> spring = value.find("spring"))
+        load.spring = read_spring(*spring);
     if (const std::optional<JsonValue> axes = value.find("axes"))
         load.turns_along = axes->choice({"world", "body"}) == 1;
     if (load.turns_along) {
@@ -119,23 +132,42 @@ std::vector<OutsideLoad> read_loads(const JsonValue& body, const Placement& plac
     return loads;
 }
 
-std::vector<TimedVector> read_spread_forces(const JsonValue& body)
+TimedVector read_force(const JsonValue& entry)
 {
-    std::vector<TimedVector> forces;
+    if (const std::optional<JsonValue> table = entry.find("table")) {
+        refuse_beside_table(entry, {"force"});
+        for (const JsonValue& row : table->items(2, max_rows))
+            row.require_keys({"time", "force"});
+    }
+    return read_timed(entry, "force", force_range);
+}
+
+//! [slow_springs]
+/// A spring that swings with omega is stable while omega dt < 2; at 1, its period is 5 percent off. All springs of a body swing no
+/// faster than with the sum of their squares, each with the least mass that its point has.
+void require_slow_springs(const JsonValue& body, const RigidBody& of, double dt)
+{
     const std::optional<JsonValue> list = body.find("forces");
     if (!list)
-        return forces;
+        return;
+    const Placement placement = read_placement(body);
+    double left = 1;
     for (const JsonValue& entry : list->items(0, max_loads)) {
-        entry.require_keys({"force", "table"});
-        if (const std::optional<JsonValue> table = entry.find("table")) {
-            refuse_beside_table(entry, {"force"});
-            for (const JsonValue& row : table->items(2, max_rows))
-                row.require_keys({"time", "force"});
-        }
-        forces.push_back(read_timed(entry, "force", force_range));
+        const std::optional<JsonValue> spring = entry.find("spring");
+        if (!spring)
+            continue;
+        const std::optional<JsonValue> point = entry.find("point");
+        const Vec3 where = point ? placement.place(point->vector(place_range)) : of.motion().centre();
+        const double response = of.motion().inverse_mass_at(where).eigenvalues().real().maxCoeff(),
+                     stiffness = spring->at("stiffness").number(spring_range);
+        left -= dt * dt * response * stiffness;
+        if (left < 0)
+            spring->at("stiffness")
+                .complain("is too stiff for steps of " + shortest(dt) + " s by " +
+                          readable(-left / (dt * dt * response), 3) + " N/m; make dt shorter");
     }
-    return forces;
 }
+//! [slow_springs]
 
 ReadLocks read_locks(const JsonValue& body, const Placement& placement)
 {

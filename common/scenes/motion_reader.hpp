@@ -5,6 +5,7 @@
 #include "common/scenes/placement.hpp"
 #include "common/simulation/given_motion.hpp"
 #include "common/simulation/outside_load.hpp"
+#include "common/simulation/rigid_body.hpp"
 
 #include <optional>
 #include <vector>
@@ -21,8 +22,12 @@ ReadMotion read_given_motion(const JsonValue& value, const Placement& placement)
 /// The list "forces" of a rigid body; its points and the axes that turn along are those of the shape.
 std::vector<OutsideLoad> read_loads(const JsonValue& body, const Placement& placement);
 
-/// The list "forces" of a deformable body, which are spread over it.
-std::vector<TimedVector> read_spread_forces(const JsonValue& body);
+/// The force of an entry of "forces" [N], constant or a table of forces alone.
+TimedVector read_force(const JsonValue& entry);
+
+/// Springs between a body and the world, whose forces are those of the start of a step, have to be slow beside it.
+/// @throws InputError  one of the body's springs is too stiff for steps of dt [s]
+void require_slow_springs(const JsonValue& body, const RigidBody& of, double dt);
 
 /// The object "locked" of a rigid body.
 struct ReadLocks {

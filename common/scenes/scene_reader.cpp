@@ -8,6 +8,7 @@
 #include "common/scenes/body_reader.hpp"
 #include "common/scenes/friction_reader.hpp"
 #include "common/scenes/material_reader.hpp"
+#include "common/scenes/motion_reader.hpp"
 #include "common/scenes/scene_warnings.hpp"
 
 #include <nlohmann/json.hpp>
@@ -124,6 +125,8 @@ void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings,
         mistakes.gather([&] {
             require_new_name(entry, names);
             scene.world.bodies.push_back(read_body(entry, surroundings, materials));
+            if (const auto* rigid = dynamic_cast<const RigidBody*>(scene.world.bodies.back().get()))
+                require_slow_springs(entry, *rigid, scene.dt);
         });
         mistakes.gather([&] {
             const std::optional<JsonValue> look = entry.find("look");

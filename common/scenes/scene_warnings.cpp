@@ -3,6 +3,7 @@
 #include "common/input/number_text.hpp"
 #include "common/scenes/start_overlap.hpp"
 #include "common/scenes/stiffness_check.hpp"
+#include "common/simulation/deformable_body.hpp"
 #include "common/simulation/natural_units.hpp"
 
 #include <algorithm>
@@ -69,6 +70,20 @@ std::string sentence(const StiffestContact& contact, const Scene& scene)
            " s; make dt shorter, the stiffness smaller, or the bodies heavier";
 }
 
+/// What its own weight strains a soft body by, about: above 1 it lies flat, and its elements turn inside out.
+double strain_by_weight(const DeformableBody& body, const Vec3& gravity)
+{
+    const ElasticMaterial& material = body.elastic().material();
+    return material.density * body.gravity_on(gravity).norm() * body.size() / material.young;
+}
+
+std::string sentence_on_weight(const DeformableBody& body, const Vec3& gravity)
+{
+    return "'" + body.name() +
+           "' is so soft that its own weight presses it flat (density * gravity * size / young = " +
+           readable(strain_by_weight(body, gravity), 3) + "); is \"young\" in pascal?";
+}
+
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const std::string& file)
@@ -78,6 +93,10 @@ std::vector<std::string> scene_warnings(const Scene& scene, const std::string& f
         warnings.push_back(file + ": " + sentence(overlap, speed_of(overlap, scene)));
     for (const StartSelfOverlap& overlap : start_self_overlaps(scene.world))
         warnings.push_back(file + ": " + sentence(overlap));
+    for (const auto& body : scene.world.bodies)
+        if (const auto* soft = dynamic_cast<const DeformableBody*>(body.get()))
+            if (strain_by_weight(*soft, scene.world.gravity) > 1)
+                warnings.push_back(file + ": " + sentence_on_weight(*soft, scene.world.gravity));
     return warnings;
 }
 

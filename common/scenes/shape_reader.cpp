@@ -46,12 +46,12 @@ double grid_faces(const std::array<int, 3>& cells)
     return 4 * (x * y + y * z + z * x);
 }
 
-Shape surface_only(SurfaceMesh mesh) { return {std::move(mesh), std::nullopt}; }
+Shape surface_only(SurfaceMesh mesh) { return {std::move(mesh), std::nullopt, {}}; }
 
 Shape with_surface(TetrahedralMesh solid)
 {
     SurfaceMesh surface = surface_of(solid).mesh;
-    return {std::move(surface), std::move(solid)};
+    return {std::move(surface), std::move(solid), {}};
 }
 
 Shape read_box(const JsonValue& value, const SceneLimits& limits)
@@ -149,8 +149,12 @@ Shape read_file(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     const std::filesystem::path path = find_mesh(value, surroundings.mesh_folders);
     const std::string ending = ending_of(path);
-    if (ending == ".msh")
-        return with_surface(read_gmsh(path));
+    if (ending == ".msh") {
+        GmshSolid read = read_gmsh_with_groups(path);
+        Shape shape = with_surface(std::move(read.mesh));
+        shape.groups = std::move(read.groups);
+        return shape;
+    }
     if (ending == ".obj" || ending == ".off" || ending == ".stl" || ending == ".ply")
         return surface_only(read_surface(path));
     value.fail("a mesh file ending in .msh (tetrahedra) or .obj, .off, .stl or .ply (surface)");

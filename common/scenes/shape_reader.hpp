@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/geometry/gmsh_groups.hpp"
 #include "common/geometry/meshes.hpp"
 #include "common/input/json_value.hpp"
 
@@ -27,6 +28,7 @@ struct SceneSurroundings {
 struct Shape {
     SurfaceMesh surface;
     std::optional<TetrahedralMesh> solid;
+    NodeGroups groups{};  ///< of the solid, by their names in its file
 };
 
 /// Reads {"box": {...}}, {"file": "part.stl", "scale": 0.001, "weld": true} and the other shapes of the scene format.

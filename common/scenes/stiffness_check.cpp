@@ -3,6 +3,7 @@
 #include "common/simulation/pressed_bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace enduring {
@@ -33,6 +34,8 @@ Softness softness_of(const Body& body, double stiffness)
         // a fixed node bears any step
         if (const double inverse = body.inverse_mass(vertex).trace() / 3; inverse > 0)
             softness.inverse_pair = std::min(softness.inverse_pair, inverse);
+    if (!std::isfinite(softness.inverse_pair))
+        softness.inverse_pair = 0;  // all are fixed
     return softness;
 }
 

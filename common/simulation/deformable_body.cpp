@@ -140,8 +140,8 @@ DeformableBody::DeformableBody(std::string name, SurfaceTopology surface, Elasti
     for (const int node : settings.fixed_nodes)
         elastic_.fix(node);
     for (const DrivenNodes& driven : settings.driven_nodes) {
-        grips_.push_back(
-            {driven.nodes, elastic_.positions()(Eigen::all, driven.nodes), driven.motion, driven.centre});
+        grips_.push_back({driven.nodes, elastic_.positions()(Eigen::all, driven.nodes), driven.motion,
+                          driven.centre, driven.until});
         for (const int node : driven.nodes)
             elastic_.fix(node);
     }
@@ -166,7 +166,30 @@ NodalVectors DeformableBody::Grip::places(double time) const
 void DeformableBody::put_grips(double time)
 {
     for (const Grip& grip : grips_)
-        elastic_.positions()(Eigen::all, grip.nodes) = grip.places(time);
+        if (grip.holds)
+            elastic_.positions()(Eigen::all, grip.nodes) = grip.places(time);
+}
+
+/// Freed nodes go on as they move. By the time alone, so that a step that is thrown away may have freed them.
+void DeformableBody::hold(Grip& grip, bool holds)
+{
+    if (grip.holds == holds)
+        return;
+    grip.holds = holds;
+    for (const int node : grip.nodes)
+        if (holds)
+            elastic_.fix(node);
+        else
+            elastic_.release(node);
+    vertex_response_.forget();
+}
+
+void DeformableBody::add_force(const TimedVector& force, std::vector<NodeWeight> shares)
+{
+    if (shares.empty())
+        for (int node = 0; node < elastic_.node_count(); ++node)
+            shares.push_back({node, elastic_.masses()[node] / mass()});
+    forces_.push_back({force, std::move(shares)});
 }
 
 //! [move_grips]
@@ -176,7 +199,11 @@ void DeformableBody::move_grips(const Vec3& weight, double dt)
 {
     const double before = energy_of(elastic_, weight).total();
     grip_velocity_ = NodalVectors::Zero(3, elastic_.node_count());
-    for (const Grip& grip : grips_) {
+    for (Grip& grip : grips_) {
+        constexpr double rounding = 1e-6;  // of the sum of all steps, in parts of one
+        hold(grip, time_ + rounding * dt < grip.until);
+        if (!grip.holds)
+            continue;
         grip_velocity_(Eigen::all, grip.nodes) = (grip.places(time_ + dt) - grip.places(time_)) / dt;
         elastic_.velocities()(Eigen::all, grip.nodes).setZero();
     }
@@ -185,15 +212,31 @@ void DeformableBody::move_grips(const Vec3& weight, double dt)
 }
 //! [move_grips]
 
+//! [spread_forces]
+/// Their means over the step. What holds a node takes what pulls there, so that does no work on the body.
+void DeformableBody::spread_forces(double dt)
+{
+    NodalVectors& outside = elastic_.external_forces();
+    outside.setZero();
+    for (const auto& [force, shares] : forces_) {
+        const Vec3 mean = force.integral(time_, time_ + dt) / dt;
+        for (const auto& [node, weight] : shares)
+            outside.col(node) += weight * mean;
+    }
+    for (const Grip& grip : grips_)
+        if (grip.holds)
+            outside(Eigen::all, grip.nodes).setZero();
+}
+//! [spread_forces]
+
 void DeformableBody::predict(const Vec3& gravity, double dt)
 {
-    force_impulse_.setZero();
-    for (const TimedVector& force : forces_)
-        force_impulse_ += force.integral(time_, time_ + dt);
     const Vec3 weight = gravity_on(gravity);
     if (!grips_.empty())
         move_grips(weight, dt);
-    elastic_.predict(forces_.empty() ? weight : Vec3(weight + force_impulse_ / (mass() * dt)), dt);
+    if (!forces_.empty())
+        spread_forces(dt);
+    elastic_.predict(weight, dt);
     if (!grips_.empty()) {
         grip_work_ -= elastic_.kinetic_energy();
         elastic_.velocities() += grip_velocity_;

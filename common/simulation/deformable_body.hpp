@@ -9,6 +9,8 @@
 #include "common/simulation/rest_neighbours.hpp"
 #include "common/simulation/vertex_response.hpp"
 
+#include <limits>
+
 namespace enduring {
 
 /// How contact impulses change a deformable body's velocities.
@@ -27,6 +29,8 @@ struct DrivenNodes {
     std::vector<int> nodes;
     GivenMotion motion;
     Vec3 centre = Vec3::Zero();  ///< what the motion displaces and turns about, where the body is placed [m]
+    /// [s]; from the first step on that begins then, they are free, with the velocity that they have
+    double until = std::numeric_limits<double>::infinity();
 };
 
 /// What a deformable body is made of, and where it starts.
@@ -56,8 +60,9 @@ public:
     DeformableBody(std::string name, const QuadraticTetrahedralMesh& mesh,
                    const DeformableSettings& settings);
 
-    /// A force from now on [N], spread over the body by its mass as gravity is; any number of them.
-    void add_force(const TimedVector& force) { forces_.push_back(force); }
+    /// A force from now on [N]; any number of them. On nodes that are held it does nothing.
+    /// @param shares  of nodes in it, together 1; if none, it is spread over the body by its mass as gravity is
+    void add_force(const TimedVector& force, std::vector<NodeWeight> shares = {});
 
     void predict(const Vec3& gravity, double dt) override;
     void update_prediction(double dt) override;
@@ -82,8 +87,7 @@ public:
     bool is_driven() const override { return Body::is_driven() || !forces_.empty() || !grips_.empty(); }
     double driven_work(double dt) const override
     {
-        return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum() +
-               force_impulse_.dot(mean_velocity()) + grip_work_;
+        return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum() + grip_work_;
     }
     void visit_state(StateArchive& archive) override;
 
@@ -107,16 +111,23 @@ private:
         NodalVectors placed;  ///< without the motion [m]
         GivenMotion motion;
         Vec3 centre;
+        double until;
+        bool holds = true;
 
         NodalVectors places(double time) const;
     };
     void put_grips(double time);
+    void hold(Grip& grip, bool holds);
+    void spread_forces(double dt);
     void move_grips(const Vec3& weight, double dt);
 
     double shared_response(int u, int v) const;
 
-    std::vector<TimedVector> forces_;
-    Vec3 force_impulse_ = Vec3::Zero();  ///< of all of them in the step that is predicted [N s]
+    struct SharedForce {
+        TimedVector force;
+        std::vector<NodeWeight> shares;
+    };
+    std::vector<SharedForce> forces_;
     std::vector<Grip> grips_;
     double grip_work_ = 0;        ///< of what moves them, in the step that is predicted [J]
     NodalVectors grip_velocity_;  ///< in that step, of all nodes, zero where nothing grips [m/s]

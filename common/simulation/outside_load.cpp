@@ -32,6 +32,13 @@ Vec3 TimedVector::integral(double from, double to) const
 }
 //! [integral]
 
+Vec3 AnchoredSpring::force_on(const Vec3& point) const
+{
+    const Vec3 to_anchor = anchor - point;
+    const double distance = to_anchor.norm();
+    return distance > 0 ? Vec3(stiffness * (1 - rest_length / distance) * to_anchor) : Vec3(Vec3::Zero());
+}
+
 TimedVector TimedVector::turned(const Quaternion& turn) const
 {
     TimedVector result = *this;

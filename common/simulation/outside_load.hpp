@@ -31,6 +31,16 @@ private:
     std::vector<Row> rows_;
 };
 
+/// A spring between a point that stands in the world and a point of a body; its force lies along the line between both.
+struct AnchoredSpring {
+    Vec3 anchor;             ///< that stands [m]
+    double stiffness;        ///< [N/m]
+    double rest_length = 0;  ///< [m]
+
+    /// [N]
+    Vec3 force_on(const Vec3& point) const;
+};
+
 /// A force and a torque on a rigid body from outside.
 struct OutsideLoad {
     TimedVector force{};   ///< [N]
@@ -38,6 +48,8 @@ struct OutsideLoad {
     /// of the body, on which the force acts, in the world as the body is when the load is added [m]; else its centre of mass
     std::optional<Vec3> point{};
     bool turns_along = false;  ///< with the body: both are in world axes only when the load is added
+    /// between its anchor and the point; its force is that of the start of the step
+    std::optional<AnchoredSpring> spring{};
 };
 
 }  // namespace enduring

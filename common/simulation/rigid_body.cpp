@@ -90,8 +90,10 @@ void RigidBody::apply_loads(double dt)
             impulse = orientation * impulse;
             turning = orientation * turning;
         }
-        if (load.point)
-            turning += (orientation * *load.point).cross(impulse);
+        const Vec3 lever = orientation * load.point.value_or(Vec3::Zero());
+        if (load.spring)
+            impulse += dt * load.spring->force_on(motion_.pose().position + lever);
+        turning += lever.cross(impulse);
         load_momentum_ += impulse;
         load_turning_ += turning;
     }

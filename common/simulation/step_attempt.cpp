@@ -2,6 +2,7 @@
 
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
+#include "common/simulation/natural_units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,13 +73,14 @@ double turned_lever_work(const World& world, double dt)
 
 bool has_gained(const World& world, const HeldEnergy& before, const HeldEnergy& after, double dt)
 {
-    double mass = 0;
-    for (const auto& body : world.bodies)
-        mass += body->mass();
     const double fall = dt * world.gravity.norm();
+    double at_rest = 0;
+    for (const auto& body : world.bodies) {
+        const double trembling = scale_parts.trembling * body->size() / dt;
+        at_rest += body->mass() * (attempt_limits.gain_at_rest * fall * fall + trembling * trembling);
+    }
     const double gain = after.total - before.total - world.attempt.put_in;
-    return !(gain <= attempt_limits.gain * (before.moving + world.attempt.put_in) +
-                         attempt_limits.gain_at_rest * mass * fall * fall +
+    return !(gain <= attempt_limits.gain * (before.moving + world.attempt.put_in) + at_rest +
                          attempt_limits.rounding * std::abs(before.total));
 }
 //! [held_energy]

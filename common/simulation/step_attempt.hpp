@@ -11,7 +11,8 @@ struct AttemptLimits {
     /// that stand still gains nothing; normals that turn with their bodies gain by the square of the turn. A tenth: sound
     /// steps of bodies that tumble are halved. Ten times: a hundred such steps double the energy.
     double gain = 1e-3;
-    /// Of M g^2 dt^2, what gravity itself gives to all bodies from rest in a step: the same where hardly anything moves.
+    /// Of M g^2 dt^2, what gravity itself gives to all bodies from rest in a step: the same where hardly anything moves. Without
+    /// gravity scale_parts.trembling alone is left, else the rounding of an elastic energy is a gain.
     double gain_at_rest = 0.01;
     /// Of the size of the total energy, which depends on where its zero is: rounding.
     double rounding = 1e-12;

@@ -26,6 +26,8 @@ public:
     /// A new step has begun: the elements have turned, and where dt [s]
     /// is another one the system is another, too.
     void begin_step(double dt);
+    /// What was learned belongs to another system: nodes were fixed or freed.
+    void forget();
     /// Velocity change at vertex u per impulse at vertex v [1/kg]; block(v, u) is its transpose.
     Mat3 block(int u, int v);
 
@@ -56,7 +58,6 @@ private:
         Mat3 frame = Mat3::Identity(), first_frame = Mat3::Identity();  ///< now; when it was computed
         int frame_of_step = -1;
     };
-    void forget();
     bool has_bent(std::span<const int> vertices);
     int column_of(int vertex);
     const Block& stored(int i, int j) const;

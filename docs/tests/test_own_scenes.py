@@ -21,6 +21,11 @@ def keys_of(value):
     return set().union(*map(keys_of, value)) if isinstance(value, list) else set()
 
 
+def keys_of_readers():
+    readers = "".join(file.read_text(encoding="utf-8") for file in (ROOT / "common/scenes").glob("*.cpp"))
+    return {key for call in re.findall(r"require_keys\(\s*\{(.*?)\}\s*\)", readers, re.S) for key in re.findall(r'"(\w+)"', call)}
+
+
 class OwnScenes(unittest.TestCase):
     def test_each_scene_has_its_step_and_each_listing_stands_in_its_file(self):
         self.assertEqual({name for _, name in STEPS}, {file.stem for file in SCENES.glob("*.json")})
@@ -38,10 +43,15 @@ class OwnScenes(unittest.TestCase):
                 self.assertEqual(sorted(keys), sorted(used - known))
             known |= used
 
+    def test_every_key_that_a_reader_takes_stands_once_in_the_tables_of_this_page(self):
+        others = PAGE.split("| In | Keys |")[1]
+        named = [key for keys in TABLE.values() for key in keys]
+        named += [key for keys in re.findall(r"^\| [^|]* \| (`.*) \|$", others, re.M) for key in re.findall(r"`(\w+)`", keys)]
+        self.assertEqual(sorted(named), sorted(keys_of_readers()))
+
     def test_every_key_that_a_reader_takes_stands_on_the_page_of_the_format(self):
         page = (ROOT / "common/scenes/scene_format.md").read_text(encoding="utf-8")
-        readers = "".join(file.read_text(encoding="utf-8") for file in (ROOT / "common/scenes").glob("*.cpp"))
-        keys = {key for call in re.findall(r"require_keys\(\s*\{(.*?)\}\s*\)", readers, re.S) for key in re.findall(r'"(\w+)"', call)}
+        keys = keys_of_readers()
         self.assertGreater(len(keys), 80)
         self.assertEqual([key for key in sorted(keys) if not re.search(rf'[`"]{key}[`"]', page)], [])
 

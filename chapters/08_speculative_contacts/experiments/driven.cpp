@@ -1,5 +1,6 @@
 #include "chapters/08_speculative_contacts/experiments/driven_scenes.hpp"
 #include "chapters/08_speculative_contacts/experiments/experiments.hpp"
+#include "chapters/08_speculative_contacts/experiments/freed_scenes.hpp"
 #include "chapters/08_speculative_contacts/experiments/hinged_scenes.hpp"
 
 #include <algorithm>
@@ -41,6 +42,11 @@ std::vector<Case> all_cases()
         {"door on a hinge, hit", "door_momentum", "momentum about the hinge [N m s]",
          [](double dt) { return hit_door(dt).momentum; }},
         {"crank and slider", "crank", "where the slider is [m]", slider_crank},
+        {"pin in the slot of a yoke", "slot", "where the yoke is [m]", pin_in_slot},
+        {"puck on a spring, rubs", "spring", "first turning point [m]", puck_on_spring},
+        {"soft bar, two forces", "two_forces", "angle [rad]", turned_by_two_forces},
+        {"soft bar, turned by 360 degrees, let go", "let_go", "period [s]",
+         [](double dt) { return twisted_and_let_go(dt).period; }},
         {"rigid sheet between box and ball", "sheet", "height of the ball [m]", sheet_on_box},
         {"two materials", "materials_slide", "acceleration [m/s^2]",
          [](double dt) { return slide_of_materials(30, dt); }},

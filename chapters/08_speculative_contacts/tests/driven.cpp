@@ -1,3 +1,4 @@
+#include "chapters/08_speculative_contacts/experiments/freed_scenes.hpp"
 #include "chapters/08_speculative_contacts/experiments/hinged_scenes.hpp"
 #include "chapters/08_speculative_contacts/experiments/pressed_soft.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
@@ -68,6 +69,34 @@ TEST_CASE("hinges: a crank moves a slider to where its corners are")
         const AgainstFormula slider = slider_crank(dt);
         CHECK(std::abs(slider.measured - slider.formula) < 0.2 * dt);
     }
+}
+
+TEST_CASE("outside load: a puck on a spring turns where friction has taken its part")
+{
+    for (const double dt : {0.01, 0.004})
+        CHECK(std::abs(puck_on_spring(dt).error()) < 0.5 * dt);
+}
+
+TEST_CASE("given motion: a pin in a slot moves a yoke to r cos(omega t)")
+{
+    for (const double dt : {0.01, 0.004}) {
+        const AgainstFormula yoke = pin_in_slot(dt);
+        CHECK(std::abs(yoke.measured - yoke.formula) < 2e-4);
+    }
+}
+
+TEST_CASE("outside load: forces at two points of a soft bar turn it by T t^2 / (2 I)")
+{
+    for (const double dt : {0.01, 0.004})
+        CHECK(std::abs(turned_by_two_forces(dt).error()) < 0.01 + 3 * dt);
+}
+
+TEST_CASE("freed nodes: a soft bar that is turned by 360 degrees and let go swings back, and gains nothing" *
+          doctest::test_suite("long simulation"))
+{
+    const LetGo bar = twisted_and_let_go(0.01);
+    CHECK(std::abs(bar.period.error()) < 0.05);
+    CHECK(bar.most_held <= 1);
 }
 
 TEST_CASE("moving sheets: a box over the border rides if its middle is over the sheet, and falls if not")

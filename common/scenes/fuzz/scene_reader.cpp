@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t zero = all.find('\0');
     const std::string text = all.substr(0, zero),
                       patch = zero == std::string::npos ? "" : all.substr(zero + 1);
-    const enduring::SceneLimits small{2000, 200, 4};
+    const enduring::SceneLimits small{2000, 200, 8};
     try {
         const enduring::Scene scene = enduring::read_scene(text, patch, "fuzz.json", {{}, small});
         for (const auto& body : scene.world.bodies)

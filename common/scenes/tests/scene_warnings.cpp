@@ -236,8 +236,40 @@ TEST_CASE("scene: warnings name the file, the bodies and the numbers, and a scen
     CHECK(
         read(R"("bodies": [)" + sheet + ", " + cube("cube", "[0.1, 0.47, 0.2]") + "]").warnings ==
         std::vector<std::string>{
-            "trial.json: 'cube' begins inside 'floor', 0.03 m deep: a surface with a border has no inside to "
-            "separate from, so the body falls through; move one of them"});
+            "trial.json: 'cube' begins inside 'floor', 0.03 m deep: a surface with a border has no inside to separate "
+            "from, so the body falls through; move one of them"});
+}
+
+TEST_CASE("scene: a soft body that its own weight presses flat is told, and no other")
+{
+    const auto warned = [](const std::string& young, const std::string& more) {
+        return read(
+                   R"("bodies": [{"name": "jelly", "type": "deformable", "shape": {"bar": {"size": [0.2, 0.2, 0.2]}},
+            "density": 1000, "poisson": 0.3, "young": )" +
+                   young + more + "}]")
+            .warnings;
+    };
+    CHECK(warned("2000", "").empty());  // 1000 * 9.81 * 0.2 is a little less
+    CHECK(warned("0.2", R"(, "gravity": false)").empty());
+    CHECK(
+        warned("0.2", "") ==
+        std::vector<std::string>{
+            "trial.json: 'jelly' is so soft that its own weight presses it flat (density * gravity * size / young = 9810); "
+            "is \"young\" in pascal?"});
+}
+
+TEST_CASE("scene: a soft body that is held at every node bears any step")
+{
+    const auto told = [](const std::string& fixed) {
+        return read(
+                   R"("planes": [{"name": "ground"}], "contact": {"stiffness": 1e9}, "bodies": [{"name": "jelly",
+            "type": "deformable", "shape": {"bar": {"size": [1, 1, 1]}}, "density": 1000, "poisson": 0.3, "young": 1e6,
+            "position": [0, 1, 0], "fixed": )" +
+                   fixed + "}]")
+            .stiffness_warning;
+    };
+    CHECK(!told(R"({"until": 0.5})"));
+    CHECK(told(R"({"min": [0.4, -1, -1]})"));
 }
 
 TEST_CASE("scene: who is too stiff is named by the key that the file has, or by the default")

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-
+#include <cmath>
 #include <limits>
 
 using namespace enduring;
@@ -93,6 +93,18 @@ TEST_CASE(
         CHECK(gains({0, 0, 0}, 40 + 1.01 * moving));
         CHECK(gains({0, 0, 0}, std::numeric_limits<double>::quiet_NaN()));
     }
+}
+
+TEST_CASE("energy watch: without gravity a body may tremble, by a part of its size in a step")
+{
+    World world = two_boxes();
+    world.gravity.setZero();
+    double expected = 0;
+    for (const auto& body : world.bodies)
+        expected += body->mass() * std::pow(1e-8 * body->size() / 0.01, 2);
+    const auto gains = [&](double gain) { return has_gained(world, {}, {gain, 0, 0}, 0.01); };
+    CHECK_FALSE(gains(0.99 * expected));
+    CHECK(gains(1.01 * expected));
 }
 
 TEST_CASE("energy watch: springs count among what moves")

@@ -9,6 +9,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -175,4 +176,40 @@ TEST_CASE(
     CHECK((pulse.turned(quarter).integral(1, 2) - Vec3(-2, 2, 0)).norm() < 1e-14);
     CHECK((TimedVector(Vec3(1, 2, 3)).turned(quarter).integral(0, 1) - Vec3(-2, 1, 3)).norm() < 1e-14);
     CHECK_THROWS_AS(TimedVector({{1, Vec3::Zero()}, {1, Vec3::Ones()}}), std::invalid_argument);
+}
+
+TEST_CASE(
+    "outside load: a spring swings a body with the period 2 pi sqrt(m / k), and turns it where it is not at the centre")
+{
+    auto body = brick();
+    OutsideLoad load;
+    load.spring = AnchoredSpring{Vec3(0.3, 0, 0), 120, 0.2};
+    body->add_load(load);
+    World world = weightless(std::move(body));
+    Contacts contacts;
+    double first = -1, before = -0.1, farthest = 0;
+    constexpr double dt = 1e-3;
+    int passes = 0;
+    while (world.time < 8 && passes < 7) {
+        advance(world, contacts, halving(), dt);
+        const double now = world.bodies[0]->centre().x() - 0.1;  // where the spring is as long as it rests
+        if (before < 0 && now >= 0 && ++passes == 1)
+            first = world.time - dt * now / (now - before);
+        before = now;
+        farthest = std::max(farthest, now);
+    }
+    CHECK(passes == 7);
+    CHECK(farthest == doctest::Approx(0.1).epsilon(1e-3));  // no farther than it began on the other side
+    CHECK(world.thrown_away == 0);
+    CHECK((world.time - first) / 6 == doctest::Approx(2 * 3.14159265 * std::sqrt(mass / 120)).epsilon(1e-3));
+
+    auto hung = brick();
+    load.spring = AnchoredSpring{Vec3(0.25, 0.5, 0), 10, 0};
+    load.point = Vec3(0.25, 0.1, 0);
+    hung->add_load(load);
+    World other = weightless(std::move(hung));
+    advance(other, contacts, {}, dt);
+    const RigidMotion& motion = dynamic_cast<const RigidBody&>(*other.bodies[0]).motion();
+    CHECK((motion.velocity() - Vec3(0, 4 * dt / mass, 0)).norm() < 1e-15);
+    CHECK(motion.angular_momentum(motion.centre()).z() == doctest::Approx(0.25 * 4 * dt));
 }
