@@ -29,7 +29,7 @@ ROOT = Path(__file__).resolve().parent.parent
 WORK, NPM = ROOT / "build/editor", ROOT / "build/editor_npm"
 EIGEN = Path("/usr/include/eigen3")
 CLANG = NPM / "node_modules/@yowasp/clang/gen"
-OFFERED = ["1.1", "1.2", "1.3", "1.4", "2.1"]  # those that `./course prove --page` has proven
+OFFERED = [f"{chapter}.{number}" for chapter in range(1, 12) for number in range(1, 6)]
 LIBRARIES = ["standalonewasm-memgrow", "stubs", "c", "dlmalloc", "compiler_rt", "c++-except", "c++abi-except", "unwind-except"]
 IMPORTED = "emscripten_notify_memory_growth\n__call_sighandler\n"  # what the C library asks of the page
 # Of the C library's headers, those of screens, sound and networks are left out; of clang's, those of processors.
@@ -174,8 +174,9 @@ def build():
         packed = WORK / f"{module.name}.gz"
         if not packed.is_file() or packed.stat().st_mtime < module.stat().st_mtime:
             pack(module.read_bytes(), packed)
-    size = sum(path.stat().st_size for path in WORK.glob("*.gz"))
-    (WORK / "exercises.json").write_text(json.dumps({"size": size, "rebuilt": rebuilt, "headers": precompiled(), "exercises": [entry_of(exercise) for exercise in offered()]}), encoding="utf-8")
+    size = sum(path.stat().st_size for path in [*WORK.glob("*.wasm.gz"), WORK / "llvm-resources.tar.gz"])
+    about = {"size": size, "rebuilt": rebuilt, "headers": precompiled(), "exercises": [entry_of(exercise) for exercise in offered()]}
+    pack(json.dumps(about).encode(), WORK / "exercises.json.gz")
     return size
 
 

@@ -135,7 +135,10 @@ class Laboratory {
   // A run has its frames: there is nothing to choose and to compute.
   offer(yes) {
     this.replays = !yes;
-    for (const choice of [this.solverChoice, this.besideChoice]) choice.disabled = !yes;
+    for (const choice of [this.solverChoice, this.besideChoice]) {
+      choice.disabled = !yes;
+      choice.closest("label").style.display = yes ? "" : "none";
+    }
   }
 
   chooseRun() { return this.given.run ? this.openRun(this.given.run) : this.runFile.click(); }

@@ -10,7 +10,7 @@ export function replayed(file) {
     return { ...body, points, vertices: points.length / 3, faces: Int32Array.from(floats(body.faces)), still: body.kind === "rests" };
   });
   const frames = file.frames.map(({ numbers, motion, pairs }) =>
-    ({ numbers: { rounds: 0, newton_steps: 0, ...numbers }, pairs: Float64Array.from(floats(pairs)), positions: positionsOf(bodies, floats(motion)) }));
+    ({ numbers, pairs: Float64Array.from(floats(pairs)), positions: positionsOf(bodies, floats(motion)) }));
   if (!frames.length) throw new Error("this run has no frames");
   return { scene: { warnings: [], ...file.scene, bodies }, frames };
 }
