@@ -9,7 +9,7 @@
 
 namespace enduring {
 
-/// Watches a run and leaves it as one file that the book's laboratory shows again: `./course lab replay.json`.
+/// Watches a run and leaves it as one file that the book's laboratory shows again (./course lab replay.json).
 ///
 /// The file is JSON. "scene" has what is drawn: bodies, planes, camera. "frames" have a step's numbers; "motion", the
 /// bodies in their order: nothing of one at rest, position and quaternion (w last) of a rigid one, all vertices of
