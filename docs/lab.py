@@ -2,7 +2,7 @@
 """The laboratory: the page that runs the layers themselves. Makes its files, brings them into the book, or serves them by themselves.
 
     docs/lab.py                     build/lab: the page without the book
-    docs/lab.py --serve [SCENE]     and opens it in a browser, with a scene of the reader's own
+    docs/lab.py --serve [FILE]      and opens it in a browser, with a scene of the reader's own, or with a run: replay.json
 
 What draws comes from npm (three.js) in the version and with the digest of docs/lab/package-lock.json, and esbuild makes one file of it.
 """
@@ -112,8 +112,19 @@ def own_scene(path):
     return {"key": "given", "group": "Yours", "title": path.name, "text": text, "note": "", "solver": solver_of(text), "beside": 0}, meshes
 
 
+def run_in(path):
+    """The run that a program wrote into a file, or nothing where the file is something else."""
+    try:
+        run = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError:  # a scene with a mistake in it, which the page tells
+        return None
+    return run if isinstance(run, dict) and "replay" in run else None
+
+
 def data(own=None):
     scenes, meshes = list(all_scenes()), {name: (ROOT / "common/meshes" / name).read_text(encoding="utf-8") for name in MESHES}
+    if run := own and run_in(own):
+        return {"scenes": scenes, "meshes": meshes, "run": run}
     if own:
         scene, its = own_scene(own)
         scenes.insert(0, scene)
@@ -141,7 +152,7 @@ def build(own=None):
     (WORK / "lab_data.js").write_text(f"window.LABORATORY = {json.dumps(data(own), ensure_ascii=False)};\n", encoding="utf-8")
     (WORK / "index.html").write_text(PAGE, encoding="utf-8")
     size = compressed_size(WORK)
-    if size > LARGEST:
+    if size > LARGEST and not own:
         sys.exit(f"The laboratory is {size} bytes compressed; at most {LARGEST} are allowed")
     return size
 
@@ -177,7 +188,7 @@ def serve(opens, folder=WORK, page="", name="The laboratory"):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("scene", type=Path, nargs="?", help="a scene of your own")
+    parser.add_argument("scene", type=Path, nargs="?", help="a scene of your own, or a run: replay.json")
     parser.add_argument("--serve", action="store_true", help="serves it until Ctrl-C, and opens it")
     parser.add_argument("--no-browser", action="store_true", help="only serves it")
     options = parser.parse_args()

@@ -35,6 +35,16 @@ PLAY = """const [steps, done] = arguments, lab = window.laboratory; (async () =>
 # Where a point of space is on the canvas, from its middle [px].
 ON_SCREEN = """const { camera, canvas } = window.laboratory.lanes[0].view, at = new camera.position.constructor(...eval(arguments[0])).project(camera);
 return [Math.round(at.x * canvas.clientWidth / 2), Math.round(-at.y * canvas.clientHeight / 2)];"""
+FILM = """const done = arguments[0]; window.laboratory.film().then(async film => done({ type: film.type, size: film.size,
+  head: [...new Uint8Array(await film.slice(0, 4).arrayBuffer())] }), error => done({ error: String(error) }));"""
+OPEN_A_RUN = """const [run, step] = arguments, lab = window.laboratory; lab.given.run = run; lab.openRun(run);
+const { frames } = lab.lanes[0]; lab.show(frames.findIndex(({ numbers }) => numbers.step === step));
+return { count: frames.length, positions: [...frames[lab.index].positions], state: lab.state.textContent, pairs: frames[lab.index].pairs.length };"""
+PLAY_A_RUN = """const done = arguments[0], lab = window.laboratory; lab.show(0); lab.play(true); setTimeout(() => { lab.play(false); done(lab.index); }, 1500);"""
+WEBM = [0x1A, 0x45, 0xDF, 0xA3]  # as such a file begins
+SPINS = '{"/bodies/ball/angular_velocity": [3, -5, 7]}'  # so that a rigid body of the scene `tumble` turns about all axes
+LAST = 11  # the chapter whose solver a scene of one's own gets
+FLOAT = 1e-6  # of the scene's size: what a float of 32 bits rounds away of a position and a turn
 KNOWN_NOISE = ("GPU stall", "software WebGL", "swiftshader")
 
 
@@ -142,6 +152,36 @@ def pointer_faults(driver):
     run("window.laboratory.pairsShown.click(); window.laboratory.play(false)")
 
 
+def film_faults(driver):
+    """A film of some steps is one that a player opens."""
+    driver.execute_async_script(PLAY, 8)
+    film = driver.execute_async_script(FILM)
+    if film.get("type") != "video/webm" or film["head"] != WEBM or film["size"] < 1000:
+        yield f"eight steps make the film {film}"
+
+
+def run_faults(driver, program):
+    """A run that a program wrote, of soft, rigid and resting bodies, is shown as it was."""
+    run, text = driver.execute_script, lab.text_of("tumble", SPINS)
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "scene.json").write_text(text, encoding="utf-8")
+        subprocess.run([program.parent / "solvers", "--scene", Path(folder) / "scene.json", "--quick", "--out", folder], check=True, capture_output=True)
+        page = run(OPEN_A_RUN, json.loads((Path(folder) / "replay.json").read_text(encoding="utf-8")), STEPS)
+    apart = difference(page, native(program, text, LAST))
+    print(f"   a run of tumble: {page['count']} frames, {apart:.1e} of its size apart after {STEPS} steps")
+    if not apart <= FLOAT:
+        yield f"a run of tumble is {apart:.1e} of its size apart from the program; at most {FLOAT:.0e}"
+    if f"Step {STEPS}," not in page["state"] or not page["pairs"]:
+        yield f"step {STEPS} of a run is told as '{page['state']}', with {page['pairs']} numbers of pairs"
+    if not driver.execute_async_script(PLAY_A_RUN) > 3:
+        yield "a run does not play"
+    if not run("return window.laboratory.solverChoice.disabled"):
+        yield "a run offers solvers"
+    driver.execute_async_script("const done = arguments[0], lab = window.laboratory; lab.sceneChoice.value = 'tower'; lab.chooseScene().then(done)")
+    if run("return window.laboratory.solverChoice.disabled") or "Step 3," not in driver.execute_async_script(PLAY, 3):
+        yield "after a run no scene steps"
+
+
 def faults(page, program):
     """All that is wrong with the laboratory of a page."""
     if program is None or not Path(program).is_file():
@@ -163,6 +203,8 @@ def faults(page, program):
         yield from use_faults(driver)
         yield from hand_faults(driver)
         yield from pointer_faults(driver)
+        yield from film_faults(driver)
+        yield from run_faults(driver, program)
         yield from number_faults(driver, program)
         yield from (f"console: {entry['message'][:160]}" for entry in driver.get_log("browser") if entry["level"] == "SEVERE" or
                     entry["level"] == "WARNING" and not any(noise in entry["message"] for noise in KNOWN_NOISE))

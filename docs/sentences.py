@@ -1,5 +1,5 @@
-"""What a script can see of a page's prose: sentences with too many pronouns, bodies and solvers that want, know or say something, and history
-of the text. docs/sentences.toml has the limits of each group of pages, and the exceptions by name."""
+"""What a script can see of a page's prose: sentences with too many pronouns or words, bodies and solvers that want, know or say something, and
+history of the text. docs/sentences.toml has the limits of each group of pages, and the exceptions by name."""
 import re
 import tomllib
 from dataclasses import dataclass
@@ -7,6 +7,7 @@ from fnmatch import fnmatch
 
 PRONOUN = re.compile(r"\b(it|its|this|these|that|those|which|one|ones)\b", re.I)
 MANY = 4  # pronouns in a sentence
+LONG = 36  # words in a sentence; formulas and numbers are none
 ACTOR = r"bod(?:y|ies)|pairs?|solvers?|steps?|springs?|vertex|vertices|faces?|edges?|ground|walls?|methods?|query|queries|cubes?|rounds?|particles?|chapter \d+"
 MIND = re.compile(rf"\b(?:{ACTOR})\s+(?:\w+ly\s+|never |does not |do not |cannot )?(?:wants?|wanted to|knows?|knew|says?|said|asks?|asked|answers?|answered|thinks?|forgets?)\b", re.I)
 HISTORY = re.compile(r"\b(?:(?:an?|the) (?:earlier|first|former) version|for long (?:it|this|they) (?:was|were|had)|until now|we would like|(?:was|were) asked for)\b", re.I)
@@ -18,6 +19,11 @@ class Sentence:
     line: int  # where its paragraph begins
     text: str
 
+    @property
+    def words(self):
+        """How many there are, without those that stand for something else."""
+        return sum(word != "X" and any(map(str.isalpha, word)) for word in self.text.split())
+
 
 def without_code(text):
     """The text with a word in place of each formula, number, listing and reference; their lines stay."""
@@ -27,14 +33,14 @@ def without_code(text):
 
 
 def sentences(text, first_line=1):
-    """The sentences of a page, without headings, tables and what stands alone on a line."""
+    """The sentences of a page, without headings, tables, what stands alone on a line, and indented listings."""
     paragraph, begin = [], first_line
     for number, line in enumerate([*without_code(text).split("\n"), ""], start=first_line):
         opens = re.match(r"\s*(?:[-*]|\d+\.)\s", line)
-        skipped = not line.strip() or line.lstrip().startswith(("#", "|", "@", "<", "\\"))
+        skipped = not line.strip() or line.lstrip().startswith(("#", "|", "@", "<", "\\")) or not paragraph and line.startswith("    ")
         if paragraph and (skipped or opens):
             joined = " ".join(" ".join(paragraph).split())
-            yield from (Sentence(begin, part) for part in re.split(r"(?<=[.!?:])\s+(?=[A-Z*])", joined) if len(part.split()) > 3)
+            yield from (Sentence(begin, part) for part in re.split(r"(?<=[.!?:])\s+(?=[A-Z*\\\\])", joined) if len(part.split()) > 3)
             paragraph = []
         if not skipped:
             begin = begin if paragraph else number
@@ -53,20 +59,20 @@ def faults(name, text, rules, first_line=1):
     group = group_of(rules["group"], name)
     if not group:
         return
-    found = {"pronouns": [], "minds": [], "history": []}
+    found = {"pronouns": [], "long": [], "minds": [], "history": []}
     all_sentences = list(sentences(text, first_line))
     for sentence in all_sentences:
-        for kind, wrong in (("pronouns", len(PRONOUN.findall(sentence.text)) >= MANY), ("minds", MIND.search(sentence.text)),
-                            ("history", HISTORY.search(sentence.text))):
+        for kind, wrong in (("pronouns", len(PRONOUN.findall(sentence.text)) >= MANY), ("long", sentence.words >= LONG),
+                            ("minds", MIND.search(sentence.text)), ("history", HISTORY.search(sentence.text))):
             if not wrong:
                 continue
             excepted = [e for e in rules["exception"] if e["page"] == name and e["kind"] == kind and e["text"] in sentence.text]
             rules["unused"][:] = [e for e in rules["unused"] if e not in excepted]
             if not excepted:
                 found[kind].append(sentence)
-    told = {"pronouns": f"{MANY} or more of it, this, that, which, one", "minds": "only people want, know, say and ask", "history": "history of the text"}
+    told = {"pronouns": f"{MANY} or more of it, this, that, which, one", "long": f"{LONG} words or more", "minds": "only people want, know, say and ask", "history": "history of the text"}
     for kind, sentences_found in found.items():
-        allowed = group[kind] * len(all_sentences) / 100 if kind == "pronouns" else group[kind]
+        allowed = group[kind] * len(all_sentences) / 100 if kind in ("pronouns", "long") else group[kind]
         if len(sentences_found) > allowed:
             yield from (f"{name}:{s.line}: {told[kind]} ({len(sentences_found)} sentences, {allowed:.0f} allowed): {s.text[:90]}" for s in sentences_found)
     main = sum(len(s.text.split()) for s in sentences(BEHIND.split(text)[0]))

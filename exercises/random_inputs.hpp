@@ -3,6 +3,8 @@
 #include "common/geometry/vector.hpp"
 
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace enduring {
 
@@ -29,6 +31,39 @@ public:
     {
         const double x = number(low, high), y = number(low, high), z = number(low, high);
         return {x, y, z};
+    }
+
+    /// Of a bell curve about 0 with width 1: the sum of twelve numbers, which no library rounds otherwise.
+    double normal()
+    {
+        double sum = -6;
+        for (int i = 0; i < 12; ++i)
+            sum += number(0, 1);
+        return sum;
+    }
+
+    /// Three of a bell curve.
+    Vec3 normal_vector()
+    {
+        const double x = normal(), y = normal(), z = normal();
+        return {x, y, z};
+    }
+
+    /// A unit vector; no direction is likelier than another.
+    Vec3 direction()
+    {
+        for (;;)
+            if (const Vec3 within = point(-1, 1); within.norm() < 1 && within.norm() > 0.1)
+                return within.normalized();
+    }
+
+    /// Brings values into another order.
+    template <class Value>
+    void shuffle(std::vector<Value>& values_in_a_row)
+    {
+        for (int i = static_cast<int>(values_in_a_row.size()) - 1; i > 0; --i)
+            std::swap(values_in_a_row[static_cast<std::size_t>(i)],
+                      values_in_a_row[static_cast<std::size_t>(whole(0, i))]);
     }
 
 private:

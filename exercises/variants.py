@@ -19,7 +19,7 @@ from judge import properties_of, run_cases
 NUMBER = r"(?<![\w.])\d+(?:\.\d*)?(?:e[+-]?\d+)?(?![\w.])"
 NAMED = re.compile(rf"\bconst double [^;{{}}]*;|for \(const double \w+ : \{{([^}}]*)\}}\)")
 DECLARED = re.compile(rf"= *({NUMBER}) *(?=[,;])|(?<=[{{,]) *({NUMBER}) *(?=[}},])")
-SEED = re.compile(r"\bmt19937(?:_64)? \w+\((\d+)\)|\bunsigned seed = (\d+); seed <= (\d+)")
+SEED = re.compile(r"\bRandomInputs \w+\((\d+)\)|\bunsigned seed = (\d+); seed <= (\d+)")
 THROWS = 4  # of the dice, until a check bites
 HEAD = "// A hidden variant of exercises/{}: other numbers, other seeds (from {}). Its sentences still tell the published ones.\n"
 

@@ -54,6 +54,10 @@ class Packed(unittest.TestCase):
             self.assertTrue((ROOT / entry["check"]).is_file())
             self.assertEqual((entry["properties"] > 0, len(entry["mutants"])), (True, len(exercise.mutants)))
 
+    def test_no_check_takes_random_inputs_that_another_library_makes_otherwise(self):
+        for exercise in editor.offered():
+            self.assertNotRegex(exercise.published_check.read_text(encoding="utf-8"), r"#include <random>|std::shuffle|_distribution", exercise.number)
+
     def test_the_headers_are_those_of_the_terminals_answers(self):
         self.assertEqual([line for line in editor.precompiled().splitlines() if line.split()[1] in ('"live/charconv_of_doubles.hpp"', "<vector>", "<Eigen/Dense>")],
                          ['#include "live/charconv_of_doubles.hpp"', "#include <vector>", "#include <Eigen/Dense>"])

@@ -53,6 +53,13 @@ class Menu(unittest.TestCase):
             scene, meshes = lab.own_scene(Path(folder) / "my.json")
         self.assertEqual((scene["title"], meshes), ("my.json", {"part.obj": "v 0 0 0\n"}))
 
+    def test_a_run_is_told_from_a_scene_and_from_what_is_broken(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "some.json"
+            for text, is_run in (('{"replay": 1, "frames": []}', True), ('{"name": "scene"}', False), ("{", False), ("[1]", False)):
+                path.write_text(text)
+                self.assertEqual("run" in lab.data(path), is_run, text)
+
 
 @unittest.skipUnless(NODE, "needs node")
 class Links(unittest.TestCase):

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import sentences  # noqa: E402
 
-STRICT = '[[group]]\npages = "chapters/07_*/chapter.md"\npronouns = 0\nminds = 0\nhistory = 0\nwords = 30\n'
+STRICT = '[[group]]\npages = "chapters/07_*/chapter.md"\npronouns = 0\nlong = 0\nminds = 0\nhistory = 0\nwords = 30\n'
 PRONOUNS = "This is what it does to that which comes."
 NAME = "chapters/07_more/chapter.md"
 
@@ -43,6 +43,14 @@ class Faults(Book):
             self.assertEqual(len(self.faults(wrong)), 1, wrong)
         self.assertEqual(self.faults("An earlier step has found the pair."), [])
 
+    def test_a_long_sentence_is_found_and_formulas_and_numbers_count_for_nothing(self):
+        long = "The cube lies on " + "a very wide and even " * 6
+        for sentence, count in ((f"{long}floor.", 0), (f"{long}green floor.", 1), (f"{long}$x$ `y` 7<!--drop.depth--> 1.5 % floor.", 0)):
+            self.assertEqual(len([fault for fault in self.faults(sentence) if "36 words or more" in fault]), count, sentence)
+
+    def test_a_sentence_ends_before_a_reference(self):
+        self.assertEqual(self.faults("This is what the cube does to it. \\ref page_notation has that symbol."), [])
+
     def test_a_share_below_the_limit_passes(self):
         rules = STRICT.replace("pronouns = 0", "pronouns = 50")
         self.assertEqual(self.faults(f"{PRONOUNS} A cube lies on the floor.", rules=rules), [])
@@ -58,6 +66,9 @@ class WhatIsNotRead(Book):
     def test_code_formulas_tables_headings_and_names_of_tests(self):
         for text in (f"```\n{PRONOUNS}\n```", f"| {PRONOUNS} |", f"## {PRONOUNS}", f"A cube lies (@test{{{PRONOUNS}}}) there.", f"The name is `{PRONOUNS}` here."):
             self.assertEqual(self.faults(text), [], text)
+
+    def test_an_indented_listing(self):
+        self.assertEqual(self.faults(f"A cube lies there:\n\n    {PRONOUNS}\n    {PRONOUNS}\n"), [])
 
     def test_lines_after_a_block_of_code_keep_their_numbers(self):
         self.assertIn(f"{NAME}:6:", self.faults(f"```\na\nb\n```\n{PRONOUNS}")[0])

@@ -1,9 +1,9 @@
 #include "exercises/03_penalty_impulses/3_shared_push.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 using namespace enduring;
 
@@ -32,16 +32,14 @@ Patch six_around(double own_mass, double their_mass)
 /// multiples of 2^-12 m, so that sums and halves of them are exact, and flat stays flat.
 Patch random_patch(unsigned seed, bool flat)
 {
-    std::mt19937_64 generator(seed);
-    std::uniform_int_distribution<int> place(-100, 100);
-    std::uniform_real_distribution<double> mass(0.01, 1);
+    RandomInputs random(seed);
+    const auto place = [&] { return random.whole(-100, 100) / 1024.0; };
     std::vector<Vec3> positions;
     std::vector<double> masses;
     for (int i = 0; i < 8; ++i) {
-        const double x = place(generator) / 1024.0, y = place(generator) / 1024.0,
-                     z = place(generator) / 1024.0;
+        const double x = place(), y = place(), z = place();
         positions.emplace_back(x, flat ? 0.5 * x - 0.25 * z : y, z);
-        masses.push_back(mass(generator));
+        masses.push_back(random.number(0.01, 1));
     }
     return patch_of(positions, masses);
 }

@@ -1,11 +1,11 @@
 #include "exercises/05_categorisation/2_cone.hpp"
 #include "chapters/05_categorisation/experiments/corner.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
 namespace enduring::chapter05 {
 namespace {
@@ -35,17 +35,13 @@ std::vector<Vec3> all_directions(int count)
 /// Three to eight directions, all within 80 degrees of one of them that is not told.
 std::vector<std::vector<Vec3>> random_bundles(int count)
 {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> anywhere(-1, 1);
-    const auto direction = [&] {
-        return Vec3(anywhere(random), anywhere(random), anywhere(random)).normalized().eval();
-    };
+    RandomInputs random(5);
     std::vector<std::vector<Vec3>> bundles;
     for (int i = 0; i < count; ++i) {
-        const Vec3 centre = direction();
+        const Vec3 centre = random.direction();
         std::vector<Vec3> bundle;
         while (static_cast<int>(bundle.size()) < 3 + i % 6)
-            if (const Vec3 one = direction(); one.dot(centre) > std::cos(80 * degree))
+            if (const Vec3 one = random.direction(); one.dot(centre) > std::cos(80 * degree))
                 bundle.push_back(one);
         bundles.push_back(bundle);
     }

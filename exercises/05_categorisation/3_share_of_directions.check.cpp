@@ -1,9 +1,9 @@
 #include "exercises/05_categorisation/3_share_of_directions.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 namespace enduring::chapter05 {
 namespace {
@@ -125,13 +125,9 @@ TEST_CASE("law: a small triangle is as good as flat, and its share is its area o
 
 TEST_CASE("law: a triangle that is cut in two has the share of its parts")
 {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<double> anywhere(-1, 1);
-    const auto direction = [&] {
-        return Vec3(anywhere(random), anywhere(random), anywhere(random)).normalized().eval();
-    };
+    RandomInputs random(3);
     for (int i = 0; i < 50; ++i) {
-        const Vec3 a = direction(), b = direction(), c = direction(),
+        const Vec3 a = random.direction(), b = random.direction(), c = random.direction(),
                    between = (0.3 * b + 0.7 * c).normalized();
         given("normals ", readable(a), ", ", readable(b), ", ", readable(c),
               ", cut at a point between the last two");

@@ -2,8 +2,8 @@
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
-#include <random>
 #include <stdexcept>
 
 namespace enduring {
@@ -54,13 +54,13 @@ TEST_CASE("weights: a face without area is refused")
 
 TEST_CASE("walk: on a flat floor it ends below the point, from every face to everywhere")
 {
-    std::mt19937 random(6);
-    std::uniform_real_distribution<double> anywhere(-1.9, 1.9);
+    RandomInputs random(6);
     for (const GridDiagonals diagonals :
          {GridDiagonals::same, GridDiagonals::alternating, GridDiagonals::crossed}) {
         const Still floor{plane_grid(4, 4, {6, 6}, diagonals)};
         for (int face = 0; face < static_cast<int>(floor.mesh.faces.size()); face += 5) {
-            const Vec3 point(anywhere(random), -0.2, anywhere(random));
+            const double x = random.number(-1.9, 1.9), z = random.number(-1.9, 1.9);
+            const Vec3 point(x, -0.2, z);
             given("a floor of 6 by 6 cells, from face ", face, " to the point ", readable(point), " m");
             const auto walk = walk_to_foot(floor.surface(), face, point);
             expect_that("the walk arrives", walk.has_value());

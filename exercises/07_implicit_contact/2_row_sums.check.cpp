@@ -1,17 +1,16 @@
 #include "exercises/07_implicit_contact/2_row_sums.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <Eigen/Eigenvalues>
-
-#include <random>
 
 using namespace enduring;
 
 namespace {
 
-std::mt19937 generator(7);
+RandomInputs generator(7);
 
-double random_number() { return std::uniform_real_distribution<>(-1, 1)(generator); }
+double random_number() { return generator.number(-1, 1); }
 
 Eigen::VectorXd random_vector(Eigen::Index size)
 {

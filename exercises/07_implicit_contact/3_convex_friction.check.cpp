@@ -1,10 +1,10 @@
 #include "exercises/07_implicit_contact/3_convex_friction.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <Eigen/Dense>
 
 #include <numbers>
-#include <random>
 
 using namespace enduring;
 
@@ -18,13 +18,12 @@ struct Sample {
 
 std::vector<Sample> samples()
 {
-    std::mt19937 generator(11);
-    std::normal_distribution<double> random;
-    const auto vector = [&] { return Vec3(random(generator), random(generator), random(generator)); };
+    RandomInputs random(11);
     std::vector<Sample> all;
     for (const double size : {1e-6, 1e-3, 1.0, 1e3, 1e6})
         for (int i = 0; i < 200; ++i)
-            all.push_back({size * vector(), vector().normalized(), std::abs(random(generator)), size});
+            all.push_back(
+                {size * random.normal_vector(), random.direction(), std::abs(random.normal()), size});
     return all;
 }
 
@@ -109,20 +108,18 @@ constexpr double dt = 0.01;
 
 std::vector<Situation> situations()
 {
-    std::mt19937 generator(5);
-    std::normal_distribution<double> random;
-    const auto vector = [&] { return Vec3(random(generator), random(generator), random(generator)); };
+    RandomInputs random(5);
     std::vector<Situation> all;
     for (const double length : {1e-3, 1.0, 1e3})
         for (int i = 0; i < 150; ++i) {
             PairLaw pair;
-            pair.normal = vector().normalized();
-            pair.depth_t0 = 0.01 * length * random(generator);
-            const Vec3 stretch = 0.01 * length * vector();
+            pair.normal = random.direction();
+            pair.depth_t0 = 0.01 * length * random.normal();
+            const Vec3 stretch = 0.01 * length * random.normal_vector();
             pair.stretch = stretch - pair.normal.dot(stretch) * pair.normal;
-            pair.stiffness = 1e3 * length * std::exp(random(generator));
-            pair.mu = std::abs(random(generator));
-            all.push_back({pair, length * vector(), length});
+            pair.stiffness = 1e3 * length * std::exp(random.normal());
+            pair.mu = std::abs(random.normal());
+            all.push_back({pair, length * random.normal_vector(), length});
         }
     return all;
 }
@@ -317,12 +314,11 @@ TEST_CASE(
 
 TEST_CASE("answer: the potential lies above each of its tangents, so it is convex, whatever the pair")
 {
-    std::mt19937 generator(3);
-    std::normal_distribution<double> random;
+    RandomInputs random(3);
     for (const auto& [pair, velocity, speed] : situations()) {
         const ConvexAnswer here = convex_answer(pair, velocity, dt);
         for (int i = 0; i < 10; ++i) {
-            const Vec3 change = speed * Vec3(random(generator), random(generator), random(generator));
+            const Vec3 change = speed * random.normal_vector();
             const ConvexAnswer there = convex_answer(pair, velocity + change, dt);
             const double rounding = 1e-10 * pair.stiffness * dt * dt * speed * speed,
                          tangent = here.potential - here.impulse.dot(change);

@@ -1,8 +1,8 @@
 #include "exercises/07_implicit_contact/5_two_cubes.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <algorithm>
-#include <random>
 
 using namespace enduring;
 
@@ -13,9 +13,9 @@ using Eigen::VectorXd;
 
 constexpr double gravity = 10;  ///< as in the chapter's example [m/s^2]
 
-std::mt19937 generator(75);
+RandomInputs generator(75);
 
-double random_number() { return std::uniform_real_distribution<>(-1, 1)(generator); }
+double random_number() { return generator.number(-1, 1); }
 
 /// The chapter's two cubes of 1 kg: one on the floor, and one 0.9 mm above it.
 PileStep two_cubes(double along = 0)
@@ -78,7 +78,8 @@ TEST_CASE("pair: minus the slope of the potential is the impulse, and minus that
     for (int trial = 0; trial < 400; ++trial) {
         const CubePair pair{1e-3 * random_number(), 1e5 * std::pow(10, random_number()),
                             1e-4 * random_number(), 0};
-        const Vector2d velocity(0.1 * random_number(), 0.1 * random_number());
+        const double along = 0.1 * random_number(), up = 0.1 * random_number();
+        const Vector2d velocity(along, up);
         const double limit = 0.5 * std::abs(random_number()), by = 1e-7, dt = 0.01,
                      mass = pair.stiffness * dt * dt;
         const double room = pair.stiffness * dt * std::abs(pair.stretch + dt * velocity.x()) - limit;

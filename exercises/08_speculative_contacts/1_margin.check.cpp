@@ -1,7 +1,6 @@
 #include "exercises/08_speculative_contacts/1_margin.hpp"
 #include "exercises/checking.hpp"
-
-#include <random>
+#include "exercises/random_inputs.hpp"
 
 using namespace enduring;
 
@@ -96,11 +95,10 @@ TEST_CASE("find: near at the start comes first, then a crossing, and what ends o
 
 TEST_CASE("find: with both questions, whatever falls has its pair before it is inside")
 {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<> unit(0, 1);
+    RandomInputs random(1);
     for (int trial = 0; trial < 500; ++trial) {
-        Approach approach{0.01 + 3 * unit(random), 30 * unit(random) - 5};
-        const double dt = 0.002 + 0.02 * unit(random), margin = margin_of(9.81, dt, 1, 1.5, 1e-4);
+        Approach approach{random.number(0.01, 3.01), random.number(-5, 25)};
+        const double dt = random.number(0.002, 0.022), margin = margin_of(9.81, dt, 1, 1.5, 1e-4);
         given("gap ", approach.gap, " m, speed ", approach.speed, " m/s, dt ", dt, " s");
         for (int step = 0; step < 10000; ++step) {
             if (find_pair(approach, 9.81, dt, margin) != Found::not_at_all)

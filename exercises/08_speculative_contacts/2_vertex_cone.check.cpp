@@ -2,20 +2,13 @@
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <algorithm>
-#include <random>
 
 using namespace enduring;
 
 namespace {
-
-Vec3 random_direction(std::mt19937& random)
-{
-    std::normal_distribution<> normal;
-    const double x = normal(random), y = normal(random), z = normal(random);
-    return Vec3(x, y, z).normalized();
-}
 
 SurfaceMesh grid_with(double (*height)(double x, double z))
 {
@@ -65,10 +58,10 @@ TEST_CASE("worst sine: that of the neighbour which is farthest before the plane,
 
 TEST_CASE("cone: of a convex body it has a vertex just where this lies farthest along the direction")
 {
-    std::mt19937 random(1);
+    RandomInputs random(1);
     for (const SurfaceMesh& mesh : {box({1, 2, 0.3}), sphere(0.5, 1), tetrahedron(1)})
         for (int trial = 0; trial < 50; ++trial) {
-            const Vec3 direction = random_direction(random);
+            const Vec3 direction = random.direction();
             std::size_t farthest = 0;
             for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
                 if (mesh.vertices[v].dot(direction) > mesh.vertices[farthest].dot(direction))
@@ -168,11 +161,10 @@ TEST_CASE("a direction: every vertex of a convex body has one, and it is in its 
 
 TEST_CASE("a direction: of a bumpy ball, as many have one as can touch a plane with their neighbours")
 {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<> stretch(0.8, 1.2);
+    RandomInputs random(5);
     SurfaceMesh ball = sphere(1, 2);
     for (Vec3& x : ball.vertices)
-        x *= stretch(random);
+        x *= random.number(0.8, 1.2);
     int with = 0;
     for (std::size_t v = 0; v < ball.vertices.size(); ++v) {
         // Slower and without a border: many directions.
@@ -183,9 +175,9 @@ TEST_CASE("a direction: of a bumpy ball, as many have one as can touch a plane w
                 for (const int other : face)
                     paths.emplace_back(ball.vertices[static_cast<std::size_t>(other)] - ball.vertices[v]);
         bool touches = false;
-        std::mt19937 directions(7);
+        RandomInputs directions(7);
         for (int trial = 0; trial < 20000 && !touches; ++trial) {
-            const Vec3 direction = random_direction(directions);
+            const Vec3 direction = directions.direction();
             touches = direction.dot(ball.vertices[v]) > 0 &&
                       std::all_of(paths.begin(), paths.end(),
                                   [&](const Vec3& path) { return path.dot(direction) <= 0; });

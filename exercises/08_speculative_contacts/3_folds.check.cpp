@@ -1,8 +1,8 @@
 #include "exercises/08_speculative_contacts/3_folds.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <numbers>
-#include <random>
 
 using namespace enduring;
 
@@ -30,11 +30,10 @@ FoldedEdge placed(FoldedEdge edge, double scale, const Quaternion& turn, const V
 /// The same edge, told from its other end.
 FoldedEdge reversed(const FoldedEdge& edge) { return {edge.q, edge.p, edge.right, edge.left}; }
 
-Quaternion random_turn(std::mt19937& random)
+Quaternion random_turn(RandomInputs& random)
 {
-    std::normal_distribution<> normal;
-    const double x = normal(random), y = normal(random), z = normal(random), w = normal(random);
-    return Quaternion(w, x, y, z).normalized();
+    const Vec3 axis = random.direction();
+    return Quaternion(Eigen::AngleAxisd(random.number(-180, 180) * degree, axis));
 }
 
 /// A roof of this angle on each side, its edge along z.
@@ -55,7 +54,7 @@ FoldedEdge turned(const FoldedEdge& edge, double degrees, const Vec3& axis)
 
 TEST_CASE("into: at right angles to the edge, in the face, away from the edge, of unit length")
 {
-    std::mt19937 random(1);
+    RandomInputs random(1);
     for (const double degrees : {-100.0, -20.0, 0.0, 60.0})
         for (const double skew : {0.0, 5.0}) {
             const Quaternion turn = random_turn(random);
@@ -70,7 +69,7 @@ TEST_CASE("into: at right angles to the edge, in the face, away from the edge, o
 
 TEST_CASE("fold: the sine of its angle, positive in a valley, in any size and from both ends")
 {
-    std::mt19937 random(2);
+    RandomInputs random(2);
     for (const double degrees : {-150.0, -90.0, -10.0, 0.0, 1.0, 45.0, 120.0})
         for (const double scale : {1e-3, 1.0, 100.0}) {
             const FoldedEdge edge = placed(fold_by(degrees, 0.7), scale, random_turn(random));

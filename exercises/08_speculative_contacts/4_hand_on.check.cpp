@@ -1,21 +1,14 @@
 #include "exercises/08_speculative_contacts/4_hand_on.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <numbers>
-#include <random>
 
 using namespace enduring;
 
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-
-Vec3 random_direction(std::mt19937& random)
-{
-    std::normal_distribution<> normal;
-    const double x = normal(random), y = normal(random), z = normal(random);
-    return Vec3(x, y, z).normalized();
-}
 
 /// The level plane through the origin, turned about z.
 FacePlane leaning(double degrees)
@@ -70,10 +63,9 @@ TEST_CASE("force: out along the normal, and back along the stretch")
 
 TEST_CASE("turn: as Eigen's shortest turn, and nothing happens between equal normals")
 {
-    std::mt19937 random(1);
+    RandomInputs random(1);
     for (int trial = 0; trial < 200; ++trial) {
-        const Vec3 from = random_direction(random), to = random_direction(random),
-                   vector = 3 * random_direction(random);
+        const Vec3 from = random.direction(), to = random.direction(), vector = 3 * random.direction();
         if (from.dot(to) < -0.9)
             continue;
         given("from ", readable(from), " to ", readable(to), ", vector ", readable(vector));

@@ -3,9 +3,9 @@
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <algorithm>
-#include <random>
 #include <set>
 
 using namespace enduring;
@@ -33,14 +33,11 @@ SurfaceMesh standing_on_a_corner()
 /// Two boxes of 1 m to 2 m, anywhere near each other; cells are not cubes.
 std::pair<Shape, Shape> random_boxes(int seed)
 {
-    std::mt19937 random(static_cast<unsigned>(seed));
-    std::uniform_real_distribution<> unit(-1, 1);
+    RandomInputs random(static_cast<unsigned>(seed));
     const auto one = [&] {
-        SurfaceMesh mesh = box({1.5 + unit(random) / 2, 1.5 + unit(random) / 2, 1.5 + unit(random) / 2},
-                               {2, 3, 2});
-        const Eigen::Quaterniond turn(
-            Eigen::Vector4d(unit(random), unit(random), unit(random), 1.1).normalized());
-        const Vec3 place = 0.8 * Vec3(unit(random), unit(random), unit(random));
+        SurfaceMesh mesh = box(random.point(1, 2), {2, 3, 2});
+        const Vec3 axis = random.point(-1, 1), place = random.point(-0.8, 0.8);
+        const Eigen::Quaterniond turn(Eigen::Vector4d(axis.x(), axis.y(), axis.z(), 1.1).normalized());
         for (Vec3& x : mesh.vertices)
             x = turn * x + place;
         return Shape(mesh);
@@ -209,9 +206,9 @@ TEST_CASE("curves: in whatever order the piercings come, they are the same")
     };
     std::vector<Piercing> piercings = find_piercings(a.still(), b.still());
     const auto before = as_sets(join_piercings(piercings, a.still(), b.still()));
-    std::mt19937 random(3);
+    RandomInputs random(3);
     for (int trial = 0; trial < 5; ++trial) {
-        std::shuffle(piercings.begin(), piercings.end(), random);
+        random.shuffle(piercings);
         const Intersection crossing = join_piercings(piercings, a.still(), b.still());
         given("the same ", piercings.size(), " piercings, shuffled");
         expect_that("the curves pass the same piercings", as_sets(crossing) == before);

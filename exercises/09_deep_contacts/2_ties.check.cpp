@@ -1,7 +1,6 @@
 #include "exercises/09_deep_contacts/2_ties.hpp"
 #include "exercises/checking.hpp"
-
-#include <random>
+#include "exercises/random_inputs.hpp"
 
 using namespace enduring;
 
@@ -43,12 +42,11 @@ bool is_right(const std::string& what, int got, int expected)
     return got == expected;
 }
 
-std::mt19937 generator(8);
+RandomInputs generator(8);
 
 LatticePoint random_point(int size)
 {
-    std::uniform_int_distribution<int> coordinate(-size, size);
-    const int x = coordinate(generator), y = coordinate(generator);
+    const int x = generator.whole(-size, size), y = generator.whole(-size, size);
     return {x, y};
 }
 
@@ -105,7 +103,7 @@ TEST_CASE("side: without a line there is no side")
 
 TEST_CASE("side: it is exact for coordinates up to 1e9")
 {
-    const std::int64_t large = 1000000000;
+    const int large = 1000000000;
     const LatticePoint a{-large, -large + 1}, b{large, large};
     // (b - a) x (p - a) = 2e9 (p.y - a.y) - (2e9 - 1) (p.x - a.x)
     for (const int shift : {1, -1}) {
@@ -115,13 +113,10 @@ TEST_CASE("side: it is exact for coordinates up to 1e9")
         expect("side of (0, 0)", side_of_line({0, 0}, a, b, shift), -1, 0);
         expect("side of (0, 1)", side_of_line({0, 1}, a, b, shift), 1, 0);
     }
-    std::uniform_int_distribution<std::int64_t> coordinate(-large, large);
     for (int trial = 0; trial < 1000; ++trial) {
         LatticePoint points[3];
-        for (LatticePoint& point : points) {
-            point.x = coordinate(generator);
-            point.y = coordinate(generator);
-        }
+        for (LatticePoint& point : points)
+            point = random_point(large);
         const auto& [p, from, to] = points;
         given("a ", told(from), ", b ", told(to), ", p ", told(p), ", shift 1");
         if (!is_right("side", side_of_line(p, from, to, 1), plain_side(p, from, to)))

@@ -1,19 +1,16 @@
 #include "exercises/09_deep_contacts/3_separation_direction.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <algorithm>
-#include <random>
 
 using namespace enduring;
 
 namespace {
 
-std::mt19937 generator(83);
+RandomInputs generator(83);
 
-Vec3 random_vector()
-{
-    return Vec3::NullaryExpr([] { return std::uniform_real_distribution<>(-1, 1)(generator); });
-}
+Vec3 random_vector() { return generator.point(-1, 1); }
 
 Loop random_loop(int points)
 {

@@ -1,8 +1,8 @@
 #include "exercises/11_exact_contact/1_natural_map.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <cmath>
-#include <random>
 
 using namespace enduring;
 
@@ -29,11 +29,10 @@ TEST_CASE("nearest point: what is inside stays, and what is behind the tip goes 
 
 TEST_CASE("nearest point: what is missing is at right angles to it, and behind the tip")
 {
-    std::mt19937 random(1);
-    std::normal_distribution<double> normal;
+    RandomInputs random(1);
     for (int i = 0; i < 500; ++i) {
-        const Vec3 impulse(normal(random), normal(random), normal(random));
-        const double mu = 0.05 + std::abs(normal(random));
+        const Vec3 impulse = random.normal_vector();
+        const double mu = 0.05 + std::abs(random.normal());
         given("impulse ", impulse.transpose(), ", mu ", mu);
         const Vec3 point = nearest_point(impulse, mu), missing = impulse - point;
         expect_that("it lies in the cone", along(point) <= mu * point.x() + 1e-12);
@@ -64,11 +63,10 @@ TEST_CASE("map: what comes in, what is lifted while it slides, and friction alon
 
 TEST_CASE("block: its impulse makes the map zero, whatever it does")
 {
-    std::mt19937 random(2);
-    std::normal_distribution<double> normal;
+    RandomInputs random(2);
     for (int i = 0; i < 300; ++i) {
-        const Vec3 free_velocity(normal(random), normal(random), normal(random));
-        const double mass = std::exp(normal(random)), mu = 0.1 + std::abs(normal(random));
+        const Vec3 free_velocity = random.normal_vector();
+        const double mass = std::exp(random.normal()), mu = 0.1 + std::abs(random.normal());
         given("free velocity ", free_velocity.transpose(), " m/s, mass ", mass, " kg, mu ", mu);
         const Vec3 impulse = impulse_on_block(free_velocity, mass, mu);
         expect("map", map_of_contact(impulse, free_velocity + impulse / mass, mu), Vec3(0, 0, 0), 1e-12,

@@ -2,7 +2,6 @@
 #include "exercises/checking.hpp"
 
 #include <cmath>
-#include <random>
 
 using namespace enduring;
 

@@ -1,8 +1,8 @@
 #include "exercises/11_exact_contact/3_relaxed_lift.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <cmath>
-#include <random>
 
 using namespace enduring;
 
@@ -26,16 +26,15 @@ TEST_CASE("impulse: a block that slides is pushed up, though it does not come in
 
 TEST_CASE("impulse: no other one of the cone leaves less energy")
 {
-    std::mt19937 random(3);
-    std::normal_distribution<double> normal;
+    RandomInputs random(3);
     for (int i = 0; i < 300; ++i) {
-        const Vec3 q(normal(random), normal(random), normal(random));
-        const double mass = std::exp(normal(random)), mu = 0.1 + std::abs(normal(random));
+        const Vec3 q = random.normal_vector();
+        const double mass = std::exp(random.normal()), mu = 0.1 + std::abs(random.normal());
         given("free velocity ", q.transpose(), " m/s, mass ", mass, " kg, mu ", mu);
         const Vec3 impulse = relaxed_impulse(q, mass, mu);
         expect_that("it lies in the cone", std::hypot(impulse.y(), impulse.z()) <= mu * impulse.x() + 1e-12);
         for (int other = 0; other < 20; ++other) {
-            Vec3 near = impulse + 0.1 * mass * Vec3(normal(random), normal(random), normal(random));
+            Vec3 near = impulse + 0.1 * mass * random.normal_vector();
             near.x() = std::max(near.x(), std::hypot(near.y(), near.z()) / mu);
             expect_that("another one of the cone leaves more energy",
                         (q + near / mass).squaredNorm() >= (q + impulse / mass).squaredNorm() - 1e-12);

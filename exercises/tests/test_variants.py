@@ -22,7 +22,7 @@ CHECK = """TEST_CASE("fall: half")
         given("mass 0.3 kg");
         expect("way", way(mass, 3), 4.5, 1e-12);
     }
-    std::mt19937 random(7);
+    RandomInputs random(7);
     for (unsigned seed = 1; seed <= 20; ++seed)
         continue;
 }

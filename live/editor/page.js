@@ -136,7 +136,7 @@ class Editor {
 
 /** Opens an exercise's editor in the place of its button. */
 export async function open(number, button) {
-    offered ??= await (await fetch(place("exercises.json"))).json();
+    offered ??= await new Response((await fetch(place("exercises.json.gz"))).body.pipeThrough(new DecompressionStream("gzip"))).json();
     compiler ??= new Compiler(offered);
     const editor = new Editor(offered.exercises.find(exercise => exercise.number === number));
     button.replaceWith(editor.box);

@@ -14,7 +14,7 @@ export class Curves {
       const box = document.createElement("figure"), canvas = document.createElement("canvas"), caption = document.createElement("figcaption");
       box.append(caption, canvas);
       place.append(box);
-      return { curve, canvas, caption };
+      return { curve, box, canvas, caption };
     });
   }
 
@@ -23,7 +23,9 @@ export class Curves {
     for (const chart of this.charts) this.drawOne(chart, lanes, index);
   }
 
-  drawOne({ curve, canvas, caption }, lanes, index) {
+  drawOne({ curve, box, canvas, caption }, lanes, index) {
+    box.hidden = lanes.every(lane => lane.frames.every(({ numbers }) => curve.value(numbers) === undefined)); // a run that was written does not have all
+    if (box.hidden) return;
     const style = getComputedStyle(canvas), scale = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
     if (!width) return;
     canvas.width = width * scale;

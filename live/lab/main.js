@@ -2,16 +2,18 @@
 // what is seen, view.js draws.
 import { Curves, LANE_COLOURS } from "./curves.js";
 import { Engine } from "./engine.js";
+import { filmType, record } from "./film.js";
 import { readLink, writeLink } from "./link.js";
 import { keyOf, pairAt, pairCount, readable, rowsOf } from "./pairs.js";
 import { button, element, labelled, select } from "./parts.js";
+import { replayed } from "./replay.js";
 import { View } from "./view.js";
 
 const CHAPTERS = [[1, "1: particle and plane"], [2, "2: collision detection"], [3, "3: penalty impulses"], [4, "4: friction"], [5, "5: categorisation"], [6, "6: redefinition"],
                   [7, "7: implicit contact"], [8, "8: speculative contacts"], [9, "9: deep contacts"], [10, "10: self-contact"],
                   [11, "11: exact contact"]];
 const SPEEDS = [[1, "as the clock"], [0.25, "4 times slower"], [0.0625, "16 times slower"], [0, "step by step"]];
-const OWN = "own", MOST_BYTES = 3e8, MOST_STEPS_A_FRAME = 20, FRAME = 1 / 60;
+const OWN = "own", RUN = "run", MOST_BYTES = 3e8, MOST_STEPS_A_FRAME = 20, FRAME = 1 / 60;
 
 const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
 
@@ -36,7 +38,7 @@ class Laboratory {
   makeControls() {
     const groups = new Map();
     for (const scene of this.given.scenes) groups.set(scene.group, [...groups.get(scene.group) ?? [], [scene.key, scene.title]]);
-    this.sceneChoice = select([...groups.entries(), ["Your own", [[OWN, "the text below"]]]], () => this.chooseScene());
+    this.sceneChoice = select([...groups.entries(), ["Your own", [[OWN, "the text below"], [RUN, "a run that a program wrote"]]]], () => this.chooseScene());
     this.solverChoice = select(CHAPTERS, () => this.reload());
     this.besideChoice = select([[0, "none"], ...CHAPTERS], () => this.reload());
     this.speedChoice = select(SPEEDS, () => this.restartClock());
@@ -61,10 +63,14 @@ class Laboratory {
       element("div", { className: "lab-bar" }, [button("run this text", "", () => { this.sceneChoice.value = OWN; this.reload(); })])]);
     const keep = element("div", { className: "lab-bar" }, [
       button("copy a link", "to this scene, its solvers, step and view", () => this.copyLink()), button("save a picture", "", () => this.savePicture()),
+      this.filmButton = button("save a film", "of the steps so far, at the chosen speed", () => this.saveFilm()), button("open a run", "replay.json of a program", () => this.runFile.click()),
       button("view from the start", "key Home", () => this.resetView())]);
+    this.filmButton.hidden = !filmType();
+    this.runFile = element("input", { type: "file", accept: ".json", hidden: true });
+    this.runFile.addEventListener("change", () => this.openFile(this.runFile.files[0]));
     this.box.replaceChildren(
       element("div", { className: "lab-bar" }, [labelled("scene", this.sceneChoice), labelled("solver of chapter", this.solverChoice), labelled("beside it", this.besideChoice)]),
-      this.about, this.message, this.views, this.slider, steps, this.state, this.curvesBox, this.pairBox, keep, own);
+      this.about, this.message, this.views, this.slider, steps, this.state, this.curvesBox, this.pairBox, keep, this.runFile, own);
     this.box.addEventListener("keydown", event => this.key(event));
   }
 
@@ -78,6 +84,7 @@ class Laboratory {
 
   // ------------------------------------------------------------------------------------------------------- the scenes
   chooseScene() {
+    if (this.sceneChoice.value === RUN) return this.chooseRun();
     const scene = this.given.scenes.find(({ key }) => key === this.sceneChoice.value);
     if (scene) {
       this.text.value = scene.text;
@@ -91,6 +98,8 @@ class Laboratory {
   async reload(keepView = null) {
     const turn = ++this.begun, known = this.given.scenes.find(({ key }) => key === this.sceneChoice.value);
     this.play(false);
+    if (this.sceneChoice.value === RUN) return this.chooseRun();
+    this.offer(true);
     const chapters = [Number(this.solverChoice.value), Number(this.besideChoice.value)].filter(chapter => chapter > 0);
     while (this.lanes.length > chapters.length) this.endLane(this.lanes.pop());
     while (this.lanes.length < chapters.length) this.lanes.push(this.makeLane());
@@ -100,21 +109,64 @@ class Laboratory {
     const failed = loaded.find(({ error }) => error);
     this.say(failed?.error ?? loaded[0].scene.warnings.join("\n"), !failed);
     if (failed) return;
-    this.lanes.forEach((lane, i) => {
-      const same = lane.scene && JSON.stringify([lane.scene.name, lane.scene.bodies.map(body => body.name)]) === JSON.stringify([loaded[i].scene.name, loaded[i].scene.bodies.map(body => body.name)]);
-      const looked = same ? lane.view.looks() : null;
-      Object.assign(lane, { scene: loaded[i].scene, broken: null, frames: [this.kept(loaded[i].frame)] });
-      lane.title.textContent = `chapter ${chapters[i]}`;
-      lane.title.style.setProperty("--lane", LANE_COLOURS[i]);
-      lane.view.showsPairs = this.pairsShown.checked;
-      lane.view.canvas.setAttribute("aria-label", `${lane.scene.name} under the solver of chapter ${chapters[i]}. Drag beside bodies to turn the view, drag a body to pull it.`);
-      lane.view.show(lane.scene, lane.frames[0]);
-      if (keepView ?? looked) lane.view.look(keepView ?? looked);
-    });
+    this.lanes.forEach((lane, i) => this.begin(lane, loaded[i].scene, [this.kept(loaded[i].frame)], { title: `chapter ${chapters[i]}`, colour: LANE_COLOURS[i], keepView }));
     this.about.textContent = [known?.note, this.lanes[0].scene.description].filter(Boolean).join(" ");
     this.choose(null);
     this.index = 0;
     this.until = this.lanes[0].scene.duration;
+    this.show(0);
+  }
+
+  // A scene of the same bodies is seen from where the last one was.
+  begin(lane, scene, frames, { title, colour, keepView = null }) {
+    const named = ({ name, bodies }) => JSON.stringify([name, bodies.map(body => body.name)]);
+    const looked = lane.scene && named(lane.scene) === named(scene) ? lane.view.looks() : null;
+    Object.assign(lane, { scene, broken: null, frames });
+    lane.title.textContent = title;
+    lane.title.style.setProperty("--lane", colour);
+    lane.view.showsPairs = this.pairsShown.checked;
+    lane.view.pulls = !this.replays;
+    lane.view.canvas.setAttribute("aria-label", `${scene.name}, ${title}. Drag beside bodies to turn the view${this.replays ? "" : ", drag a body to pull it"}.`);
+    lane.view.show(scene, frames[0]);
+    if (keepView ?? looked) lane.view.look(keepView ?? looked);
+  }
+
+  // ------------------------------------------------------------------------------------------- a run that was written
+  // A run has its frames: there is nothing to choose and to compute.
+  offer(yes) {
+    this.replays = !yes;
+    for (const choice of [this.solverChoice, this.besideChoice]) {
+      choice.disabled = !yes;
+      choice.closest("label").style.display = yes ? "" : "none";
+    }
+  }
+
+  chooseRun() { return this.given.run ? this.openRun(this.given.run) : this.runFile.click(); }
+
+  async openFile(file) {
+    if (!file) return;
+    try {
+      this.given.run = JSON.parse(await file.text());
+      this.openRun(this.given.run);
+    } catch (error) {
+      this.say(`${file.name}: ${error.message}`, false);
+    }
+  }
+
+  // @throws Error  it is no run
+  openRun(run) {
+    const { scene, frames } = replayed(run);
+    ++this.begun;
+    this.play(false);
+    this.offer(false);
+    this.sceneChoice.value = RUN;
+    while (this.lanes.length > 1) this.endLane(this.lanes.pop());
+    if (!this.lanes.length) this.lanes.push(this.makeLane());
+    this.begin(this.lanes[0], scene, frames, { title: scene.solver, colour: LANE_COLOURS[0] });
+    this.say("", true);
+    this.about.textContent = `${counted(frames.length, "frame")} of a run. ${scene.description}`;
+    this.choose(null);
+    this.until = Infinity;
     this.show(0);
   }
 
@@ -145,7 +197,7 @@ class Laboratory {
   get broken() { return this.lanes.length > 0 && this.lanes.every(lane => lane.broken); }
 
   async advance(steps) {
-    if (this.computing || this.broken || !this.lanes.length) return;
+    if (this.computing || this.broken || this.replays || !this.lanes.length) return;
     const turn = this.begun;
     this.computing = true;
     const frames = await Promise.all(this.lanes.map(lane => lane.broken ? lane.frames.at(-1) : lane.engine.advance(steps)));
@@ -184,7 +236,8 @@ class Laboratory {
   }
 
   play(yes) {
-    this.playing = yes && !this.broken;
+    this.playing = yes && !this.broken && !this.filming;
+    if (this.playing && this.replays && this.index === this.last) this.show(0);
     this.playButton.textContent = this.playing ? "❚❚ pause" : "▶ play";
     const now = this.lanes[0]?.frames[this.index]?.numbers.time ?? 0;
     if (this.playing && now >= this.until - 1e-9) this.until += this.lanes[0].scene.duration;
@@ -196,17 +249,27 @@ class Laboratory {
   async tick(now) {
     requestAnimationFrame(this.tick);
     if (!this.playing || this.computing || !this.lanes.length) return;
-    const speed = Number(this.speedChoice.value), { dt } = this.lanes[0].scene, time = this.lanes[0].frames[this.index].numbers.time;
-    const due = speed ? this.clock.time + speed * (now - this.clock.at) / 1000 : time + dt;
-    if (due < time + dt * 0.999) return;
-    if (due > time + 4 * Math.max(dt, FRAME)) this.clock = { at: now, time: time + dt }; // it cannot keep pace: what was missed is not made up for
-    if (time >= this.until - 1e-9) { this.play(false); return; }
+    const speed = Number(this.speedChoice.value), { dt } = this.lanes[0].scene, time = this.timeOf(this.index), next = this.index < this.last ? this.timeOf(this.index + 1) : time + dt;
+    const due = speed ? this.clock.time + speed * (now - this.clock.at) / 1000 : next;
+    if (due < next - dt * 0.001) return;
+    if (this.index === this.last && due > time + 4 * Math.max(dt, FRAME)) this.clock = { at: now, time: next }; // it cannot keep pace: what was missed is not made up for
+    if (time >= this.until - 1e-9 || this.replays && this.index === this.last) { this.play(false); return; }
     const steps = Math.max(1, Math.min(MOST_STEPS_A_FRAME, Math.floor((due - time) / dt + 1e-3)));
     if (this.index === this.last) await this.advance(steps);
-    this.show(this.index + 1);
+    this.show(speed ? this.frameAt(due, this.index + 1) : this.index + 1);
+  }
+
+  timeOf(index) { return this.lanes[0].frames[index].numbers.time; }
+
+  // The last frame that is due, but not before `first`.
+  frameAt(time, first = 0) {
+    let index = first;
+    while (index < this.last && this.timeOf(index + 1) <= time + 1e-9) ++index;
+    return index;
   }
 
   pull(lane, grip) {
+    if (this.replays) return;
     if (grip && this.index < this.last) this.show(this.last);
     lane.engine.hold(grip?.body ?? -1, grip?.face ?? 0, grip?.target ?? [0, 0, 0]);
     if (grip && !this.playing) this.play(true);
@@ -221,10 +284,10 @@ class Laboratory {
 
   tell() {
     const frames = this.lanes.map(lane => lane.frames[this.index]), [{ numbers: n }] = frames;
-    const work = ({ numbers: m, milliseconds }) => [m.newton_steps ? `${counted(m.rounds, "round")} with ${counted(m.newton_steps, "Newton step")}` : counted(m.rounds, "round"),
+    const work = ({ numbers: m, milliseconds }) => [this.replays ? "" : m.newton_steps ? `${counted(m.rounds, "round")} with ${counted(m.newton_steps, "Newton step")}` : counted(m.rounds, "round"),
       m.thrown_away ? `${m.thrown_away} halved so far` : "", milliseconds ? `${readable(Number(milliseconds.toFixed(1)))} ms a step` : ""].filter(Boolean).join(", ");
-    this.state.textContent = `Step ${n.step}, ${n.time.toFixed(3)} s. ` +
-      frames.map((frame, i) => `${this.lanes.length > 1 ? `${this.lanes[i].title.textContent}: ` : ""}${frame.numbers.pairs} of ${pairCount(frame)} pairs push; ${work(frame)}.`).join(" ");
+    const told = (frame, i) => (this.lanes.length > 1 ? `${this.lanes[i].title.textContent}: ` : "") + [`${frame.numbers.pairs} of ${pairCount(frame)} pairs push`, work(frame)].filter(Boolean).join("; ");
+    this.state.textContent = `Step ${n.step}, ${n.time.toFixed(3)} s. ${frames.map(told).join(". ")}.`;
     this.tellPair();
   }
 
@@ -275,6 +338,7 @@ class Laboratory {
   }
 
   async copyLink() {
+    if (this.replays) return this.say("A link cannot hold a run: give its file, replay.json.", true);
     this.written = this.link();
     history.replaceState(null, "", `#${this.written}`);
     try {
@@ -286,6 +350,7 @@ class Laboratory {
   }
 
   async openLink() {
+    if (this.given.run && !location.hash) return this.openRun(this.given.run);
     const link = readLink(location.hash.slice(1)), first = this.given.scenes[0];
     const scene = this.given.scenes.find(({ key }) => key === link.scene) ?? (link.text ? null : first);
     this.sceneChoice.value = link.text || !scene ? OWN : scene.key;
@@ -300,15 +365,55 @@ class Laboratory {
     this.show(this.last);
   }
 
-  savePicture() {
-    for (const lane of this.lanes) lane.view.drawNow();
-    const pictures = this.lanes.map(lane => lane.view.canvas), whole = element("canvas", { width: pictures.reduce((sum, { width }) => sum + width, 0), height: pictures[0].height });
+  // All views side by side, as they are now.
+  paint(whole) {
     let at = 0;
-    for (const picture of pictures) {
-      whole.getContext("2d").drawImage(picture, at, 0);
-      at += picture.width;
+    for (const { view } of this.lanes) {
+      view.drawNow();
+      whole.getContext("2d").drawImage(view.canvas, at, 0);
+      at += view.canvas.width;
     }
-    element("a", { href: whole.toDataURL("image/png"), download: `${this.lanes[0].scene.name}_${this.lanes[0].frames[this.index].numbers.step}.png` }).click();
+  }
+
+  // With even sides, as films have them.
+  canvasOfAll() {
+    const even = length => length - length % 2, pictures = this.lanes.map(lane => lane.view.canvas);
+    return element("canvas", { width: even(pictures.reduce((sum, { width }) => sum + width, 0)), height: even(pictures[0].height) });
+  }
+
+  save(address, ending) { element("a", { href: address, download: `${this.lanes[0].scene.name}_${this.lanes[0].frames[this.index].numbers.step}.${ending}` }).click(); }
+
+  savePicture() {
+    const whole = this.canvasOfAll();
+    this.paint(whole);
+    this.save(whole.toDataURL("image/png"), "png");
+  }
+
+  // The steps so far, at the chosen speed; step by step, ten of them in a second.
+  async film() {
+    const whole = this.canvasOfAll(), speed = Number(this.speedChoice.value), first = this.timeOf(0), last = this.last;
+    this.play(false);
+    this.filming = this.filmButton.disabled = true;
+    try {
+      return await record(whole, seconds => {
+        this.show(Math.min(last, speed ? this.frameAt(first + speed * seconds) : Math.floor(10 * seconds)));
+        this.paint(whole);
+        return this.index < last;
+      });
+    } finally {
+      this.filming = this.filmButton.disabled = false;
+    }
+  }
+
+  async saveFilm() {
+    if (!this.last) return this.say("There is no step yet to film: play first.", true);
+    try {
+      const film = await this.film(), address = URL.createObjectURL(film);
+      this.save(address, film.type.split("/")[1]);
+      setTimeout(() => URL.revokeObjectURL(address), 60_000);
+    } catch (error) {
+      this.say(`This browser could not film: ${error.message}`, false);
+    }
   }
 }
 

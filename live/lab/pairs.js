@@ -48,6 +48,6 @@ export function rowsOf(pair, scene) {
     ["load", readable(pair.load, "N")],
     ["slips at", readable(pair.slip, "m/s")],
     ["pushes", pair.pushes ? "yes" : "no"],
-    ["since step", String(pair.since)],
+    ...pair.since < 0 ? [] : [["since step", String(pair.since)]],
   ];
 }

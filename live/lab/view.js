@@ -252,7 +252,7 @@ export class View {
       aim(event);
       const [hit] = this.ray.intersectObjects(this.bodies.map(body => body.mesh), false);
       const body = hit ? this.bodies.findIndex(({ mesh }) => mesh === hit.object) : -1;
-      if (body < 0 || this.bodies[body].still || this.markAt(pressed) !== null) return;
+      if (body < 0 || !this.pulls || this.bodies[body].still || this.markAt(pressed) !== null) return;
       pressed.grip = { body, face: hit.faceIndex, plane: new Plane().setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(new Vector3()), hit.point) };
       this.controls.enabled = false;
       this.canvas.setPointerCapture(event.pointerId);

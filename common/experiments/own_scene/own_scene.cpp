@@ -1,6 +1,7 @@
 #include "common/experiments/own_scene/own_scene.hpp"
 
 #include "common/experiments/gltf/animation.hpp"
+#include "common/experiments/own_scene/replay.hpp"
 #include "common/experiments/paraview/series.hpp"
 #include "common/experiments/render/run_pictures.hpp"
 #include "common/experiments/run/contact_census.hpp"
@@ -22,6 +23,7 @@ namespace enduring {
 namespace {
 
 constexpr const char* state_file = "state.json";
+constexpr const char* replay_file = "replay.json";
 constexpr const char* failure_note = "failed.txt";  // lies beside tables that end early, and says why
 
 /// time_s, body, x_m ... vz_m_per_s: what MotionProbe says, of every body that moves.
@@ -83,16 +85,17 @@ void check(const OwnSceneOptions& choice, const Solver& solver, const Report& re
 /// Everything that watches the run, and what becomes of it.
 class Observers {
 public:
-    Observers(const Scene& scene, const RunOptions& options, const OwnSceneOptions& choice, Report& report)
+    Observers(const Scene& scene, const std::string& solver, const RunOptions& options,
+              const OwnSceneOptions& choice, Report& report)
         : motion_(scene.world), penetration_(scene.contact.stiffness), filmed_(!options.quick),
-          pictures_(scene, {.filmed = filmed_}),
+          pictures_(scene, {.filmed = filmed_}), replay_(scene, solver), replayed_(options.pictures),
           tables_([this, &report](const World&, const Contacts&, double) {
               for (const auto& [name, table] : all_tables())
                   report.rows_so_far(name, *table);
           })
     {
         if (options.pictures)
-            watching_.push_back(&pictures_);
+            watching_.insert(watching_.end(), {&pictures_, &replay_});
         if (!choice.paraview.empty())
             watching_.push_back(&series_.emplace(choice.paraview, choice.every));
         if (!choice.gltf.empty())
@@ -112,6 +115,10 @@ public:
         write_png(pictures_.strip_of_all(3), report.file("scene.png"));
         if (filmed_)
             pictures_.write_film(report.file("scene.webp"));
+        if (replayed_)
+            replay_.write(report.file(replay_file));
+        else
+            std::filesystem::remove(report.folder() / replay_file);  // of an earlier run
         if (series_)
             series_->finish();
         if (animation_)
@@ -161,6 +168,8 @@ private:
     InversionProbe inversion_;
     bool filmed_;
     RunPictures pictures_;
+    Replay replay_;
+    bool replayed_;
     std::optional<ParaviewSeries> series_;
     std::optional<GltfAnimation> animation_;
     WatchProbe tables_;  ///< puts the rows of this step on the disk
@@ -219,7 +228,7 @@ void own_scene(const RunOptions& options, Report& report, const MakeSolver& make
     RunLimits limits;
     if (!choice.resume.empty())
         limits.contacts = resume_run(choice.resume, scene.world);
-    Observers observers(scene, options, choice, report);
+    Observers observers(scene, solver.name, options, choice, report);
     std::vector<Probe*> probes = observers.probes();
     std::optional<SaveProbe> save;
     if (choice.save > 0)
