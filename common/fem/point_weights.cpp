@@ -34,6 +34,7 @@ std::vector<NodeWeight> point_weights(const ElasticMesh& mesh, const Vec3& point
         return weights;
     with_basis(mesh.basis(), [&](auto basis) {
         using B = decltype(basis);
+        weights.reserve(B::nodes);
         for (int node = 0; node < B::nodes; ++node) {
             double weight = node < 4 ? 1 : 2;
             for (int corner = 0; corner < 4; ++corner)

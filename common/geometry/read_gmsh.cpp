@@ -207,6 +207,7 @@ void read_element_nodes(TextLines& lines, const std::string& name, long type, st
         corners.assign(content.elements.back().begin(), content.elements.back().begin() + 4);
     } else if (std::any_of(groups.begin(), groups.end(),
                            [&](long group) { return content.groups.is_named(kind.dimension, group); })) {
+        corners.reserve(static_cast<std::size_t>(kind.corners));
         for (int i = 0; i < kind.corners; ++i)
             corners.push_back(place_of(lines, name, lines.next_integer("node"), content));
     }

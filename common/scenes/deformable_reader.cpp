@@ -69,6 +69,7 @@ std::vector<NodeWeight> read_shares(const JsonValue& entry, const NamedNodes& of
     } else if (gives_region(entry)) {
         const std::vector<int> nodes = read_region(entry, of_body);
         const double mass = elastic.masses()(nodes).sum();
+        shares.reserve(nodes.size());
         for (const int node : nodes)
             shares.push_back({node, elastic.masses()[node] / mass});
     }

@@ -186,9 +186,11 @@ void DeformableBody::hold(Grip& grip, bool holds)
 
 void DeformableBody::add_force(const TimedVector& force, std::vector<NodeWeight> shares)
 {
-    if (shares.empty())
+    if (shares.empty()) {
+        shares.reserve(static_cast<std::size_t>(elastic_.node_count()));
         for (int node = 0; node < elastic_.node_count(); ++node)
             shares.push_back({node, elastic_.masses()[node] / mass()});
+    }
     forces_.push_back({force, std::move(shares)});
 }
 

@@ -41,6 +41,8 @@ SurfaceMesh slot(double gap)
     for (const double side : {-1.0, 1.0}) {
         const SurfaceMesh wall = box({0.1, 0.8, 0.2});
         const auto first = static_cast<int>(both.vertices.size());
+        both.vertices.reserve(both.vertices.size() + wall.vertices.size());
+        both.faces.reserve(both.faces.size() + wall.faces.size());
         for (const Vec3& vertex : wall.vertices)
             both.vertices.push_back(vertex + side * (gap / 2 + 0.05) * Vec3::UnitX());
         for (const auto& [a, b, c] : wall.faces)

@@ -76,6 +76,7 @@ std::vector<double> cradle(int chapter, double gap, double dt)
         R"("gravity": [0, 0, 0], "contact": {"restitution": 1}, "bodies": [)" + bodies + "]", dt);
     run_under(chapter, scene, 0.6, [](const World&) { return false; });
     std::vector<double> end;
+    end.reserve(scene.world.bodies.size());
     for (const auto& body : scene.world.bodies)
         end.push_back(body->mean_velocity().x());
     return end;

@@ -137,8 +137,10 @@ TEST_CASE("freed nodes: a bar that was held and is free answers impulses as one 
         ask();
         run_until(held, until, 0.01);
         run_until(free, until, 0.01);
-        for (World* world : {&held, &free})
-            world->bodies[0]->set_time(until), world->bodies[0]->predict(Vec3::Zero(), 0.01);
+        for (World* world : {&held, &free}) {
+            world->bodies[0]->set_time(until);
+            world->bodies[0]->predict(Vec3::Zero(), 0.01);
+        }
         for (const int vertex : {0, 7, 12})
             CHECK((held.bodies[0]->inverse_mass(vertex) - free.bodies[0]->inverse_mass(vertex)).norm() <
                   1e-5 * free.bodies[0]->inverse_mass(vertex).norm());
