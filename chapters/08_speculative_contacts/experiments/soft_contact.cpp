@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <functional>
 #include <limits>
 #include <string>
@@ -25,9 +26,10 @@ struct SoftContact {
     double speed = 0;   ///< of its centre of mass [m/s]
     long inverted = 0;  ///< elements, the most after any step
     long unsolved = 0, solves = 0;
-    long badly = 0;   ///< parts of steps that ended badly and could not be halved any more
-    long halved = 0;  ///< attempts that were thrown away
-    int torn = 0;     ///< links of a chain that have come apart at the end
+    long badly = 0;      ///< parts of steps that ended badly and could not be halved any more
+    long halved = 0;     ///< attempts that were thrown away
+    double seconds = 0;  ///< of the processor
+    int torn = 0;        ///< links of a chain that have come apart at the end
 };
 
 Vec3 angular_momentum(const World& world)
@@ -47,7 +49,9 @@ double turning(const World& world)
     return sum;
 }
 
-SoftContact run_soft_contact(Scene& scene, double duration)
+enum class ElasticForces { linear_step, of_the_end };
+
+SoftContact run_soft_contact(Scene& scene, double duration, ElasticForces forces = ElasticForces::of_the_end)
 {
     SoftContact found;
     ImplicitSettings settings;
@@ -55,7 +59,9 @@ SoftContact run_soft_contact(Scene& scene, double duration)
         ++found.solves;
         found.unsolved += !record.converged;
     };
-    const Solver solver = chapter08_solver(scene.contact, settings);
+    Solver solver = chapter08_solver(scene.contact, settings);
+    if (forces == ElasticForces::linear_step)
+        solver.remove("settle soft bodies");
     World& world = scene.world;
     Contacts contacts;
     const Vec3 turned_at_first = angular_momentum(world);
@@ -63,6 +69,7 @@ SoftContact run_soft_contact(Scene& scene, double duration)
     Energy energy = total_energy(world);
     double springs = 0, most = energy.kinetic + energy.elastic;
     const int steps = static_cast<int>(std::lround(duration / scene.dt));
+    const std::clock_t begin = std::clock();
     for (int i = 0; i < steps; ++i) {
         advance(world, contacts, solver, scene.dt);
         const Energy before = std::exchange(energy, total_energy(world));
@@ -75,6 +82,7 @@ SoftContact run_soft_contact(Scene& scene, double duration)
             inverted += body->inverted_elements();
         found.inverted = std::max(found.inverted, inverted);
     }
+    found.seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     found.turned_away = (angular_momentum(world) - turned_at_first).norm() / turning_at_first;
     found.height = world.bodies.back()->centre().y();
     found.speed = world.bodies.back()->mean_velocity().norm();
@@ -152,6 +160,18 @@ std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
     return all;
 }
 
+/// Counts the links, too, that have come apart.
+SoftContact run_chain(Scene& scene, double duration, ElasticForces forces)
+{
+    std::vector<int> linked;
+    for (std::size_t ring = 1; ring < scene.world.bodies.size(); ++ring)
+        linked.push_back(linking_number(scene, ring, ring - 1));
+    SoftContact outcome = run_soft_contact(scene, duration, forces);
+    for (std::size_t ring = 1; ring < scene.world.bodies.size(); ++ring)
+        outcome.torn += linking_number(scene, ring, ring - 1) != linked[ring - 1];
+    return outcome;
+}
+
 /// Chains: are they linked at the end?
 std::optional<SoftTotals> chains(const RunOptions& options, Report& report)
 {
@@ -165,13 +185,7 @@ std::optional<SoftTotals> chains(const RunOptions& options, Report& report)
                 runs.push_back({rings, young, dt});
     const auto found = sweep<SoftContact>(options, "soft chains", runs.size(), [&](std::size_t i) {
         Scene scene = soft_chain(runs[i]);
-        std::vector<int> linked;
-        for (std::size_t ring = 1; ring < scene.world.bodies.size(); ++ring)
-            linked.push_back(linking_number(scene, ring, ring - 1));
-        SoftContact outcome = run_soft_contact(scene, options.quick ? 0.6 : 1.5);
-        for (std::size_t ring = 1; ring < scene.world.bodies.size(); ++ring)
-            outcome.torn += linking_number(scene, ring, ring - 1) != linked[ring - 1];
-        return outcome;
+        return run_chain(scene, options.quick ? 0.6 : 1.5, ElasticForces::of_the_end);
     });
     if (!found)
         return std::nullopt;
@@ -263,6 +277,58 @@ std::optional<SoftTotals> twisted_bars(const RunOptions& options)
     return all;
 }
 
+/// The same scenes with one linear step of the elastic forces, and with those of the step's end.
+void compare_forces(const RunOptions& options, Report& report)
+{
+    struct Case {
+        std::string name;
+        std::function<SoftContact(ElasticForces)> run;
+    };
+    const double longer = options.quick ? 1 : 2;
+    std::vector<Case> cases;
+    for (const double dt : options.quick ? std::vector{0.005} : std::vector{0.005, 0.002, 0.001})
+        cases.push_back({"two cubes, dt " + readable(1000 * dt, 2) + " ms", [=](ElasticForces forces) {
+                             Scene scene = soft_collision({Basis::linear, 1e5, dt, 1});
+                             return run_soft_contact(scene, 0.4, forces);
+                         }});
+    cases.push_back({"three rings", [=](ElasticForces forces) {
+                         Scene scene = soft_chain({3, 1e5, 0.02});
+                         return run_chain(scene, 0.5 * longer, forces);
+                     }});
+    cases.push_back(
+        {"bunny of 10 kPa", [=](ElasticForces forces) {
+             Scene scene = chapter07::bunnies_in_bowl({1, longer > 1 ? 785 : 363, "linear", 1e4}, 0.01);
+             return run_soft_contact(scene, longer, forces);
+         }});
+    cases.push_back({"twisted bar", [=](ElasticForces forces) {
+                         Scene scene = twisted_soft_bar(Basis::linear, 1e6, 0.01);
+                         return run_soft_contact(scene, 0.3 * longer, forces);
+                     }});
+    cases.push_back({"a ton on a block", [=](ElasticForces forces) {
+                         Scene scene = chapter07::ton_on_block({1, 1e6, 3}, 0.025);
+                         return run_soft_contact(scene, longer, forces);
+                     }});
+    const auto found = sweep<SoftContact>(options, "elastic forces", 2 * cases.size(), [&](std::size_t i) {
+        return cases[i / 2].run(i % 2 == 0 ? ElasticForces::linear_step : ElasticForces::of_the_end);
+    });
+    if (!found)
+        return;
+    Table table({"scene", "elastic forces", "angular momentum lost [%]", "links torn", "elements inverted",
+                 "most gain in a step [%]", "steps halved", "processor [s]"});
+    double seconds[2] = {0, 0};
+    for (std::size_t i = 0; i < found->size(); ++i) {
+        const SoftContact& run = (*found)[i];
+        const bool is_free = cases[i / 2].name.starts_with("two cubes");  // else something holds the bodies
+        table.add({cases[i / 2].name, std::string(i % 2 == 0 ? "linear step" : "of the end"),
+                   is_free ? Cell(100 * run.turned_away) : Cell(std::string("-")),
+                   static_cast<long>(run.torn), run.inverted, 100 * run.gain, run.halved, run.seconds});
+        seconds[i % 2] += run.seconds;
+    }
+    report.table("elastic_ends", table);
+    report.page_table("elastic_ends", table, 2);
+    report.fact("soft_contact", "time_ratio", seconds[1] / seconds[0], 2);
+}
+
 }  // namespace
 
 /// Soft bodies that meet: angular momentum, inverted elements, links, heights, and the energy of every step.
@@ -287,6 +353,7 @@ void soft_contact(const RunOptions& options, Report& report)
     add("a ton on light cubes as loads", soft_loads(options, report));
     add("soft bunnies", bunnies(options));
     add("twisted bars", twisted_bars(options));
+    compare_forces(options, report);
     if (options.share.is_part())
         return;
     report.table("soft_contact", table);
