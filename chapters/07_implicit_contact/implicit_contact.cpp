@@ -2,12 +2,14 @@
 
 #include "chapters/04_friction/surface_turn.hpp"
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
+#include "chapters/07_implicit_contact/elastic_ends.hpp"
 #include "chapters/07_implicit_contact/pressing_mass.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 
 namespace enduring {
 namespace {
@@ -88,6 +90,9 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     record.pairs = static_cast<int>(step.problem.rows.size());
     const double least = least_speed(world, island, dt);
     AndersonMixing mixing(settings.mixing_rounds);
+    const std::vector<DeformableBody*> soft = soft_bodies(world, island);
+    double missing = soft.empty() ? 0 : std::numeric_limits<double>::infinity();  // of elastic forces
+    bool looked = false;  // at them, since the last round of contact
     for (;; ++record.rounds) {
         update_kinematics(world, step);
         const ProblemSolution begin = unchanged(step.problem);
@@ -95,6 +100,16 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
         record.converged = record.residual <= settings.tolerance;
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
+        // a later response that finds everything solved changes nothing, so that no island depends on another one's
+        const bool is_new = first || record.rounds > 0;
+        if (is_new && missing > small_imbalance && (!looked || record.converged) && steps_left > 0) {
+            missing = std::max(approach_ends(soft, dt),
+                               record.residual);  // contact will change them by as much
+            mixing = AndersonMixing(settings.mixing_rounds);
+            looked = true;
+            continue;
+        }
+        looked = false;
         if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness)) {
             mixing = AndersonMixing(settings.mixing_rounds);
             continue;
@@ -108,7 +123,8 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
         record.newton_steps += solution.newton_steps;
         apply_impulses(world, step, mixing.next(begin.impulses, solution.impulses));
     }
-    if (!(record.residual <= settings.kept_residual))
+    const bool ends_follow = record.rounds == 0 || missing <= small_imbalance;
+    if (!(record.residual <= settings.kept_residual && ends_follow))
         outcome.trouble = StepTrouble::unsolved;
     else if (largest_compression(world, step) > settings.kept_depth)
         outcome.trouble = StepTrouble::too_deep;

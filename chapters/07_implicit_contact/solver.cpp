@@ -1,9 +1,11 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 
 #include "chapters/06_redefinition/solver.hpp"
+#include "chapters/07_implicit_contact/elastic_ends.hpp"
 #include "chapters/07_implicit_contact/restitution.hpp"
 
 #include <memory>
+#include <string>
 
 namespace enduring {
 
@@ -18,6 +20,9 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     Solver solver = chapter06_solver(frictionless);
     solver.name = "chapter 7";
     solver.max_halvings = max_halvings;
+    const std::string first = solver.passes(StepStage::refresh).front().name;
+    solver.insert_before(first, "settle soft bodies",
+                         [](World& world, Contacts&, double dt) { settle_soft_bodies(world, dt); });
     solver.replace("impulses", "solve contacts",
                    [settings, matrices = std::make_shared<IslandMatrices>()](World& world, Contacts& contacts,
                                                                              double dt) {

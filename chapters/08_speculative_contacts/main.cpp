@@ -43,6 +43,8 @@ int main(int argc, char** argv)
                 {"tops", "tops that spin on their tips: how fast their axes go round", chapter08::tops},
                 {"soft_piles", "sheets of soft elements over a ball, and stacks of soft blocks",
                  chapter08::soft_piles},
+                {"soft_contact", "soft bodies that meet: angular momentum, inverted elements, links, heights",
+                 chapter08::soft_contact},
                 {"turntable", "what rides on a table that turns: how far it creeps in a turn",
                  chapter08::turntable},
                 {"spinning", "boxes that turn far in a step land: with whole steps, and with steps in parts",

@@ -1,5 +1,6 @@
 #include "chapters/08_speculative_contacts/solver.hpp"
 
+#include "chapters/07_implicit_contact/elastic_ends.hpp"
 #include "chapters/07_implicit_contact/restitution.hpp"
 #include "chapters/08_speculative_contacts/contact_memory.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -47,6 +48,8 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
     solver.max_halvings = max_halvings;
     solver.finds_stiffness = true;
     solver.can_resume = true;
+    solver.append(StepStage::refresh, "settle soft bodies",
+                  [](World& world, Contacts&, double dt) { settle_soft_bodies(world, dt); });
     solver.append(StepStage::refresh, "find pairs", [search](World& world, Contacts& contacts, double dt) {
         renew_pairs(*search, world, dt, contacts);
     });

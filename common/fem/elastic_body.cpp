@@ -19,6 +19,19 @@ const ElasticMaterial& checked(const ElasticMaterial& material)
     return material;
 }
 
+/// How a step comes to the forces of its end.
+struct Approach {
+    int steps = 30;  ///< until a body settles, at most
+    /// Error of a change, over what the step changes. A tenth: the same motion. Ten times: a run that is resumed, whose first factor
+    /// is fresh, goes on 10^-4 apart.
+    double error = 1e-9;
+    int halvings = 8;      ///< of the length of a change, at most, until ...
+    double descent = 0.1;  ///< ... it takes away this share of what Newton's method promises
+    /// of the body's length, in a step: what counts as a motion without gravity. Rounding makes less
+    double least_change = 1e-7;
+};
+constexpr Approach approach;
+
 }  // namespace
 
 ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, const ElasticOptions& options)
@@ -33,6 +46,7 @@ ElasticBody::ElasticBody(ElasticMesh mesh, const ElasticMaterial& material, cons
       mended_impulses_(NodalVectors::Zero(3, mesh_.node_count())),
       mended_response_(NodalVectors::Zero(3, mesh_.node_count())),
       rotations_(mesh_.elements().size(), Mat3::Identity()),
+      length_((mesh_.rest().rowwise().maxCoeff() - mesh_.rest().rowwise().minCoeff()).norm()),
       solver_(mesh_, mass_matrix_, options.solver_tolerance, options.linear_solver)
 {
     if (options.freeze_rotations && has_point_law())
@@ -79,10 +93,14 @@ void ElasticBody::linearise(const NodalVectors& positions)
     if (!options_.freeze_rotations)
         find_rotations(mesh_, positions, rotations_);
     elasticity_->linearise(positions);
-    const bool is_free = std::find(fixed_.begin(), fixed_.end(), 1) == fixed_.end();
+}
+
+/// From K, where no node is fixed: what it holds against a turn of the whole body.
+void ElasticBody::take_out_turn()
+{
     whole_turn_.reset();
-    if (has_point_law() && is_free)
-        whole_turn_.emplace(positions, mass_matrix_);
+    if (std::find(fixed_.begin(), fixed_.end(), 1) == fixed_.end())
+        whole_turn_.emplace(positions_, mass_matrix_);
 }
 
 //! [predict]
@@ -91,94 +109,112 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
     if (!(dt > 0 && std::isfinite(dt)))
         throw InputError("dt (length of the step, s) must be positive and finite, not " + std::to_string(dt));
     linearise(positions_);
+    whole_turn_.reset();
+    if (has_point_law())
+        take_out_turn();
 
-    const NodalVectors outside = external_forces_ + gravity * masses_.transpose();
-    NodalVectors forces = outside;
+    NodalVectors forces = external_forces_ + gravity * masses_.transpose();
+    start_velocities_ = velocities_;
+    loads_ = momenta() + dt * forces;
     elasticity_->add_forces(positions_, forces);
     const NodalVectors rhs = momenta() + dt * forces;
 
-    const NodalVectors before = velocities_;
     // the first guess: the same change again, right for a free fall and for a body at rest
     velocities_ += last_prediction_;
-    solver_.solve(*elasticity_, fixed_, 1 + dt * material_.mass_damping,
-                  dt * (dt + material_.stiffness_damping), rhs, velocities_, 0, turn());
-    if (has_point_law())
-        follow_forces(before, outside, dt);
-    last_prediction_ = velocities_ - before;
+    solver_.solve(*elasticity_, fixed_, mass_scale(dt), stiffness_scale(dt), rhs, velocities_, 0, turn());
     mended_impulses_.setZero();
     mended_response_.setZero();
+    least_change_ = std::sqrt(mass()) * std::max(gravity.norm() * dt, approach.least_change * length_ / dt);
+    if (has_point_law())
+        settle(dt);
+    approaches_ = false;
+    last_prediction_ = velocities_ - start_velocities_;
 }
 //! [predict]
 
-namespace {
-
-/// How a step that gains energy is mended.
-struct Mending {
-    double gain = 1e-3;     ///< of the energy, from which on it counts: a turn of 0.05 in a step gains less
-    double enough = 1e-3;   ///< change of the velocities at which it ends, relative
-    int steps = 30;         ///< of Newton's method, each with at most ...
-    int halvings = 12;      ///< ... as many of its length
-    double descent = 1e-4;  ///< Armijo's share of the slope
-};
-constexpr Mending mending;
-
-}  // namespace
-
-//! [follow_forces]
-/// Phi(v) = v.Mv/2 - v.(M v0 + dt f_ext) + E(x + dt v) is least where the forces are those of the step's end. The linear step is
-/// the first of Newton's method; K keeps its scale, so that the factor serves on. No stiffness damping.
-void ElasticBody::follow_forces(const NodalVectors& before, const NodalVectors& outside, double dt)
+/// Fixed nodes count as at rest, also where something moves them.
+NodalVectors ElasticBody::free_velocities() const
 {
-    const double mass_scale = 1 + dt * material_.mass_damping;
-    const NodalVectors pushed = before * mass_matrix_ + dt * outside;
-    const auto elastic = [&](const NodalVectors& v) { return elasticity_->energy(positions_ + dt * v); };
-    const auto phi = [&](const NodalVectors& v) {
-        return 0.5 * mass_scale * v.cwiseProduct(v * mass_matrix_).sum() - v.cwiseProduct(pushed).sum() +
-               elastic(v);
-    };
-    const double had = 0.5 * before.cwiseProduct(before * mass_matrix_).sum() +
-                       elasticity_->energy(positions_);
-    const double has = kinetic_energy() + elastic(velocities_) - dt * velocities_.cwiseProduct(outside).sum();
-    if (has <= had * (1 + mending.gain) || !velocities_.allFinite())
-        return;
-
-    const auto start_of_turn = whole_turn_;
-    NodalVectors v = before, change = velocities_ - before;
-    double least = phi(v), slope = 0;  // the first change may lead uphill, since it is damped
-    for (int step = 0; step < mending.steps; ++step) {
-        double share = 1;
-        for (int i = 0; i < mending.halvings && !(phi(v + share * change) <= least - share * slope); ++i)
-            share /= 2;
-        v += share * change;
-        least = phi(v);
-        if (step > 0 && change.norm() <= mending.enough * v.norm())
-            break;
-        linearise(positions_ + dt * v);
-        NodalVectors residual = pushed - mass_scale * (v * mass_matrix_), forces = 0 * v;
-        elasticity_->add_forces(positions_ + dt * v, forces);
-        residual += dt * forces;
-        change = NodalVectors::Zero(3, node_count());
-        solver_.solve(*elasticity_, fixed_, mass_scale, dt * (dt + material_.stiffness_damping), residual,
-                      change);
-        slope = mending.descent * change.cwiseProduct(residual).sum();
-    }
-    velocities_ = v;
-    whole_turn_ = start_of_turn;
-    if (whole_turn_)
-        whole_turn_->add_turn(
-            whole_turn_->torque(pushed) / mass_scale - whole_turn_->angular_momentum(velocities_),
-            velocities_);
+    NodalVectors velocities = velocities_;
+    for (int node = 0; node < node_count(); ++node)
+        if (fixed_[node])
+            velocities.col(node).setZero();
+    return velocities;
 }
-//! [follow_forces]
+
+//! [missing]
+/// Frames, forces and K are those of where the step ends with the present velocities.
+ElasticBody::Missing ElasticBody::find_missing(double dt)
+{
+    const NodalVectors v = free_velocities(), end = positions_ + dt * v,
+                       momenta = mass_scale(dt) * (v * mass_matrix_);
+    linearise(end);
+    NodalVectors strains = v, forces = NodalVectors::Zero(3, node_count());
+    if (turn())
+        turn()->remove_turn(strains);
+    if (material_.stiffness_damping > 0)
+        elasticity_->add_stiffness_times(strains, -material_.stiffness_damping, forces);
+    elasticity_->add_forces(end, forces);
+    if (turn())
+        turn()->remove_torque(forces);
+    return {loads_ + dt * forces - momenta,
+            0.5 * v.cwiseProduct(momenta).sum() - v.cwiseProduct(loads_).sum() + elasticity_->energy(end)};
+}
+//! [missing]
+
+//! [approach_end]
+double ElasticBody::approach_end(double dt)
+{
+    if (!std::exchange(approaches_, true))
+        take_out_turn();
+    const Missing begin = find_missing(dt);
+    const NodalVectors start = velocities_, made = free_velocities() - start_velocities_;
+    const double made_speed = std::hypot(std::sqrt(made.cwiseProduct(made * mass_matrix_).sum()),
+                                         least_change_);
+
+    NodalVectors change = NodalVectors::Zero(3, node_count());
+    solver_.solve(*elasticity_, fixed_, mass_scale(dt), stiffness_scale(dt), begin.impulses, change,
+                  std::pow(made_speed * approach.error / options_.solver_tolerance, 2), turn());
+    velocities_ += change;
+    const double slope = change.cwiseProduct(begin.impulses).sum(), speed = std::sqrt(std::abs(slope));
+    if (speed > small_imbalance * made_speed)
+        cut_change(start, change, begin.potential, slope, dt);
+    return speed / made_speed;
+}
+
+/// Halves a change until Phi falls as its slope says, or less is missing.
+void ElasticBody::cut_change(const NodalVectors& start, const NodalVectors& change, double potential,
+                             double slope, double dt)
+{
+    double share = 1;
+    for (int i = 0; i < approach.halvings; ++i, share /= 2) {
+        velocities_ = start + share * change;
+        const Missing end = find_missing(dt);
+        if (end.potential <= potential - approach.descent * share * slope)
+            return;
+        const double left = std::abs(end.impulses.cwiseProduct(near_response(end.impulses)).sum());
+        if (left <= std::pow(1 - approach.descent * share, 2) * std::abs(slope))
+            return;
+    }
+}
+//! [approach_end]
+
+double ElasticBody::settle(double dt)
+{
+    double found = approach_end(dt);
+    for (int i = 1; i < approach.steps && found > small_imbalance; ++i)
+        found = approach_end(dt);
+    return found;
+}
 
 //! [respond]
 void ElasticBody::respond(const NodalVectors& impulses, double dt)
 {
     // the first guess; the solver takes its best multiple, so that it cannot harm
     NodalVectors change = last_response_;
-    solver_.solve(*elasticity_, fixed_, 1 + dt * material_.mass_damping,
-                  dt * (dt + material_.stiffness_damping), impulses, change, 0, turn());
+    solver_.solve(*elasticity_, fixed_, mass_scale(dt), stiffness_scale(dt), impulses, change, 0, turn());
     velocities_ += change;
+    loads_ += impulses;
     last_response_ = change;
 }
 //! [respond]
@@ -188,16 +224,21 @@ void ElasticBody::mend_response(const NodalVectors& impulses, double dt)
 {
     const double given = std::abs(mended_impulses_.cwiseProduct(mended_response_).sum());
     NodalVectors change = given > 0 ? NodalVectors(NodalVectors::Zero(3, node_count())) : last_response_;
-    solver_.solve(*elasticity_, fixed_, 1 + dt * material_.mass_damping,
-                  dt * (dt + material_.stiffness_damping), impulses, change, given, turn());
+    solver_.solve(*elasticity_, fixed_, mass_scale(dt), stiffness_scale(dt), impulses, change, given, turn());
     velocities_ += change;
+    loads_ += impulses;
     mended_impulses_ += impulses;
     mended_response_ += change;
     last_response_ = mended_response_;
 }
 //! [mend_response]
 
-void ElasticBody::commit(double dt) { positions_ += dt * velocities_; }
+void ElasticBody::commit(double dt)
+{
+    positions_ += dt * velocities_;
+    if (approaches_)
+        take_out_turn();
+}
 
 /// The rotations are those of the last prediction; a law with one frame an element takes its frames anew.
 template <class Work>

@@ -19,6 +19,10 @@ struct ElasticOptions {
     LinearSolverKind linear_solver = LinearSolverKind::supernodal;
 };
 
+/// Imbalance (ElasticBody::approach_end()) up to which a change is taken whole, and is the last one: it leaves about the square. A
+/// tenth: a third more time where soft bodies meet, and the same motion. Ten times: nothing is cut, and a pressed block gains energy.
+inline constexpr double small_imbalance = 0.1;
+
 /// A deformable body: a mass that is spread over elements as their basis says, held together by their
 /// corotated stiffness. It knows nothing of surfaces or contact.
 ///
@@ -63,7 +67,7 @@ public:
     ///   (M + dt C + dt^2 K_R) v_new = M v + dt (f_ext + M g + f_el(x)),  C = alpha M + beta K_R.
     /// A law at points has its own stiffness in place of K_R; of a body without fixed nodes, without what it
     /// holds against turning as a whole, so that angular momentum is kept.
-    /// Where this would gain energy, Newton's method goes on to the forces at the end of the step.
+    /// A law at points then settles, so that it gains no energy.
     /// @param gravity  [m/s^2]
     /// @param dt       [s]
     /// @throws InputError  dt is not positive and finite
@@ -72,9 +76,25 @@ public:
     /// system of the last predict gives for them, so that the elements pass them on to their
     /// neighbours within the step. Call after predict(.., dt).
     void respond(const NodalVectors& impulses, double dt);
+
     /// The same where a step gives impulses again and again, each time to mend those before: an error that is
     /// small for all of them together is small enough, so the last ones cost little.
     void mend_response(const NodalVectors& impulses, double dt);
+
+    /// One step of Newton's method on the equation of the step with elastic forces where it *ends*,
+    ///   (M + dt alpha M + dt beta K) v_new = M v + dt (f_ext + M g + f_el(x + dt v_new)) + impulses,
+    /// from the present velocities, with all impulses since the prediction. Later responses take frames and K of where it began.
+    /// Without fixed nodes what f_el turns the body as a whole is left out, so angular momentum is kept to rounding.
+    /// Call after predict(.., dt).
+    /// @return  the imbalance that there was [1]: the change of the velocities, in the norm of the matrix, over what the step has
+    ///          changed them, or gravity could
+    double approach_end(double dt);
+    /// Does so until there was a small_imbalance, or thirty times.
+    /// @return  the last imbalance
+    double settle(double dt);
+    /// Whether one of both was called since the last predict(): only then do elastic forces follow the end of the step.
+    bool approaches_end() const { return approaches_; }
+
     /// What respond() would add to the velocities, up to what the elements have turned against each other
     /// since the system was last factored: one pass through that factor. Zero before the first predict().
     NodalVectors near_response(const NodalVectors& impulses) const
@@ -121,7 +141,18 @@ private:
     bool has_point_law() const { return material_.law != ElasticLaw::corotated; }
     const WholeTurn* turn() const { return whole_turn_ ? &*whole_turn_ : nullptr; }
     void linearise(const NodalVectors& positions);
-    void follow_forces(const NodalVectors& before, const NodalVectors& outside, double dt);
+    void take_out_turn();
+    double mass_scale(double dt) const { return 1 + dt * material_.mass_damping; }
+    double stiffness_scale(double dt) const { return dt * (dt + material_.stiffness_damping); }
+    /// What is missing in the equation of the step at the present velocities.
+    struct Missing {
+        NodalVectors impulses;  ///< [N s]
+        double potential;       ///< that is least where nothing is missing, but for damping and turns [J]
+    };
+    Missing find_missing(double dt);
+    NodalVectors free_velocities() const;
+    void cut_change(const NodalVectors& start, const NodalVectors& change, double potential, double slope,
+                    double dt);
     template <class Work>
     auto with_present_elasticity(const Work& work) const;
 
@@ -136,9 +167,14 @@ private:
     NodalVectors last_prediction_, last_response_;  ///< changes of the velocities [m/s]
     /// since the last predict(), by mend_response(): impulses [N s], and what they changed [m/s]
     NodalVectors mended_impulses_, mended_response_;
+    /// since the last predict(): velocities when it began [m/s]; momenta then, with all that acts but elastic forces [N s]
+    NodalVectors start_velocities_, loads_;
+    bool approaches_ = false;  ///< since the last predict()
+    double least_change_ = 0;  ///< of the velocities, that counts at all [sqrt(kg) m/s]
     ElementRotations rotations_;
     std::unique_ptr<Elasticity> elasticity_;  ///< linear about the start of the last prediction
     std::optional<WholeTurn> whole_turn_;     ///< at that start, where K is taken without it
+    double length_;                           ///< diagonal of the box around the rest shape [m]
     ImplicitSolver solver_;
 };
 

@@ -2,8 +2,6 @@
 
 #include "common/geometry/surface_extraction.hpp"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <utility>
 
@@ -249,15 +247,33 @@ void DeformableBody::predict(const Vec3& gravity, double dt)
     update_prediction(dt);
 }
 
+/// Changes the velocities by `work`. What grips a node meets the momentum that this gives to its neighbours.
+template <class Work>
+void DeformableBody::change_velocities(const Work& work)
+{
+    const auto momentum_met = [&] { return grip_velocity_.cwiseProduct(elastic_.momenta()).sum(); };
+    const double before = grips_.empty() ? 0 : momentum_met();
+    work();
+    if (!grips_.empty())
+        grip_work_ += momentum_met() - before;
+}
+
 void DeformableBody::update_prediction(double dt)
 {
     if (!waiting_impulses_.isZero(0)) {
-        if (mends_)
-            elastic_.mend_response(waiting_impulses_, dt);
-        else
-            elastic_.respond(waiting_impulses_, dt);
+        change_velocities([&] {
+            if (mends_)
+                elastic_.mend_response(waiting_impulses_, dt);
+            else
+                elastic_.respond(waiting_impulses_, dt);
+        });
         waiting_impulses_.setZero();
     }
+    update_positions(dt);
+}
+
+void DeformableBody::update_positions(double dt)
+{
     for (std::size_t vertex = 0; vertex < positions_t1_.size(); ++vertex)
         positions_t1_[vertex] = positions_t0_[vertex] + dt * velocity(static_cast<int>(vertex));
 }
@@ -272,15 +288,40 @@ void DeformableBody::commit(double dt)
     positions_t0_ = positions_t1_;
 }
 
-void DeformableBody::apply_impulse(int vertex, const Vec3& impulse)
+double DeformableBody::approach_end(double dt)
+{
+    double missing = 0;
+    change_velocities([&] { missing = elastic_.approach_end(dt); });
+    update_positions(dt);
+    return missing;
+}
+
+double DeformableBody::settle(double dt)
+{
+    impulse_response_ = ImpulseResponse::implicit;
+    double missing = 0;
+    change_velocities([&] { missing = elastic_.settle(dt); });
+    update_positions(dt);
+    return missing;
+}
+
+void DeformableBody::push_elements(int vertex, const Vec3& impulse)
 {
     if (!grips_.empty())  // what holds a node takes its share
         grip_work_ -= impulse.dot(embedding_.at(vertex, grip_velocity_));
-    if (impulse_response_ == ImpulseResponse::implicit)
-        embedding_.apply_impulse(vertex, impulse, Eigen::VectorXd::Ones(elastic_.node_count()),
-                                 waiting_impulses_);
-    else
-        embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), elastic_.velocities());
+    embedding_.apply_impulse(vertex, impulse, Eigen::VectorXd::Ones(elastic_.node_count()),
+                             waiting_impulses_);
+}
+
+void DeformableBody::apply_impulse(int vertex, const Vec3& impulse)
+{
+    if (impulse_response_ == ImpulseResponse::implicit) {
+        push_elements(vertex, impulse);
+        return;
+    }
+    if (!grips_.empty())
+        grip_work_ -= impulse.dot(embedding_.at(vertex, grip_velocity_));
+    embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), elastic_.velocities());
 }
 
 Mat3 DeformableBody::inverse_mass(int vertex) const
@@ -290,38 +331,9 @@ Mat3 DeformableBody::inverse_mass(int vertex) const
     return embedding_.inverse_mass(vertex, elastic_.inverse_masses()) * Mat3::Identity();
 }
 
-/// Velocity change at u per impulse at v [1/kg], by the nodes that both have.
-double DeformableBody::shared_response(int u, int v) const
-{
-    double shared = 0;
-    for (const auto& [node, weight] : embedding_.nodes_of(u))
-        for (const auto& [other, other_weight] : embedding_.nodes_of(v))
-            shared += node == other ? weight * other_weight * elastic_.inverse_masses()[node] : 0;
-    return shared;
-}
-
 ContactMass DeformableBody::contact_mass(std::span<const int> touched) const
 {
-    if (impulse_response_ == ImpulseResponse::implicit)
-        return vertex_response_.mass_of(touched);
-    // Where there are more vertices than nodes, only a part of the diagonal on top makes it positive.
-    constexpr double softening = 0.05;
-    const auto count = static_cast<Eigen::Index>(touched.size());
-    Eigen::MatrixXd along_axis(count, count);  // the response, the same along every axis
-    for (Eigen::Index i = 0; i < count; ++i)
-        for (Eigen::Index j = 0; j < count; ++j)
-            along_axis(i, j) = shared_response(touched[static_cast<std::size_t>(i)],
-                                               touched[static_cast<std::size_t>(j)]);
-    along_axis.diagonal() *= 1 + softening;
-    const auto along_all = [count](const Eigen::MatrixXd& along) {
-        Eigen::MatrixXd all = Eigen::MatrixXd::Zero(3 * count, 3 * count);
-        for (Eigen::Index i = 0; i < count; ++i)
-            for (Eigen::Index j = 0; j < count; ++j)
-                all.block<3, 3>(3 * i, 3 * j).diagonal().setConstant(along(i, j));
-        return all;
-    };
-    return {along_all(along_axis.llt().solve(Eigen::MatrixXd::Identity(count, count))),
-            along_all(along_axis)};
+    return vertex_response_.mass_of(touched);
 }
 
 VertexMotion DeformableBody::contact_motion(std::span<const int>, std::size_t index, double) const
@@ -335,7 +347,7 @@ VertexMotion DeformableBody::contact_motion(std::span<const int>, std::size_t in
 void DeformableBody::apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse)
 {
     for (std::size_t i = 0; i < touched.size(); ++i)
-        apply_impulse(touched[i], impulse.segment<3>(static_cast<Eigen::Index>(3 * i)));
+        push_elements(touched[i], impulse.segment<3>(static_cast<Eigen::Index>(3 * i)));
     mends_ = true;
 }
 

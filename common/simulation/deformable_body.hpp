@@ -13,7 +13,8 @@
 
 namespace enduring {
 
-/// How contact impulses change a deformable body's velocities.
+/// How contact impulses change a deformable body's velocities, for a solver that gives them pair by pair. One that solves for the
+/// velocities of all vertices in touch (contact_mass()) always takes the implicit response.
 enum class ImpulseResponse {
     /// At once, each node by its row sum of the mass matrix alone, as the thesis does. The linear momentum is
     /// exact. The body between the nodes lags behind them, though: it gains less than the lever's angular
@@ -74,7 +75,7 @@ public:
     /// together; else of the vertex's nodes alone.
     Mat3 inverse_mass(int vertex) const override;
 
-    /// One coordinate for each component of the velocity of each touched vertex. The implicit response's
+    /// One coordinate for each component of the velocity of each touched vertex. The
     /// blocks are the learned ones, turned with their elements, so the mass is an approximation, made stiffer
     /// than it is nowhere: a solver has to look at what its impulses really did.
     ContactMass contact_mass(std::span<const int> touched) const override;
@@ -96,6 +97,13 @@ public:
     Vec3 linear_momentum() const override { return elastic_.linear_momentum(); }
     Vec3 angular_momentum(const Vec3& about) const override { return elastic_.angular_momentum(about); }
     int inverted_elements() const override { return elastic_.inverted_elements(); }
+
+    /// Brings elastic forces nearer to those where the step ends now (ElasticBody::approach_end()).
+    /// @return  the imbalance that there was [1]
+    double approach_end(double dt);
+    /// Does so until the imbalance is small (ElasticBody::settle()). All impulses take the implicit response from here on.
+    /// @return  what is left [1]
+    double settle(double dt);
 
     const ElasticBody& elastic() const { return elastic_; }
     const SurfaceEmbedding& embedding() const { return embedding_; }
@@ -121,7 +129,10 @@ private:
     void spread_forces(double dt);
     void move_grips(const Vec3& weight, double dt);
 
-    double shared_response(int u, int v) const;
+    void push_elements(int vertex, const Vec3& impulse);
+    void update_positions(double dt);
+    template <class Work>
+    void change_velocities(const Work& work);
 
     struct SharedForce {
         TimedVector force;
@@ -134,10 +145,10 @@ private:
     ElasticBody elastic_;
     SurfaceEmbedding embedding_;
     ImpulseResponse impulse_response_;
-    /// on the nodes, until the next update_prediction; only for the implicit response
+    /// on the nodes, until the next update_prediction; of the implicit response
     NodalVectors waiting_impulses_;
     bool mends_ = false;  ///< whether the step's impulses mend each other (apply_contact_impulse)
-    mutable VertexResponse vertex_response_;  ///< filled when asked; only for the implicit response
+    mutable VertexResponse vertex_response_;  ///< filled when asked; of the implicit response
     std::unique_ptr<const MassParts> parts_;
     std::unique_ptr<const RestNeighbours> rest_neighbours_;  ///< only if it meets itself
 };

@@ -20,6 +20,7 @@ void frictionless(const RunOptions& options, Report& report);
 void screw(const RunOptions& options, Report& report);
 void tops(const RunOptions& options, Report& report);
 void soft_piles(const RunOptions& options, Report& report);
+void soft_contact(const RunOptions& options, Report& report);
 void turntable(const RunOptions& options, Report& report);
 void spinning(const RunOptions& options, Report& report);
 void launch(const RunOptions& options, Report& report);

@@ -1,0 +1,70 @@
+#include "chapters/07_implicit_contact/elastic_ends.hpp"
+#include "chapters/07_implicit_contact/solver.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/simulation/deformable_body.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace enduring;
+
+namespace {
+
+constexpr double dt = 0.01;
+
+/// Three soft bars, the middle one of which a push has bent since all have settled.
+World bars_of_which_one_is_pushed()
+{
+    World world;
+    for (int i = 0; i < 3; ++i) {
+        DeformableSettings settings;
+        settings.material = {.young = 1e5, .poisson = 0.3};
+        settings.position = Vec3(0, 0, i);
+        world.bodies.push_back(std::make_unique<DeformableBody>("bar " + std::to_string(i + 1),
+                                                                bar({1, 0.2, 0.2}, {4, 1, 1}), settings));
+        world.bodies.back()->predict(Vec3::Zero(), dt);
+    }
+    settle_soft_bodies(world, dt);
+    Body& body = *world.bodies[1];
+    const std::vector<int> end{0};
+    body.apply_contact_impulse(end, Vec3(0, 50, 0));
+    body.update_prediction(dt);
+    return world;
+}
+
+}  // namespace
+
+TEST_CASE("elastic ends: of several bodies the one counts that misses most, whichever place it has")
+{
+    for (const std::vector<int>& order : {std::vector{0, 1}, std::vector{1, 2}}) {
+        World world = bars_of_which_one_is_pushed();
+        Island island;
+        island.bodies = order;
+        const std::vector<DeformableBody*> soft = soft_bodies(world, island);
+        CHECK(soft.size() == 2);
+        CHECK(approach_ends(soft, dt) > small_imbalance);
+    }
+}
+
+TEST_CASE("elastic ends: soft bodies settle before chapter 7's solver looks for pairs")
+{
+    World world = bars_of_which_one_is_pushed();
+    Contacts contacts;
+    bool has_settled = false;
+    advance(world, contacts, chapter07_solver({}), dt, [&](const std::string& pass) {
+        has_settled = has_settled || pass == "settle soft bodies";
+        for (const auto& body : world.bodies)
+            if (pass != "commit")
+                CHECK(dynamic_cast<const DeformableBody&>(*body).elastic().approaches_end() == has_settled);
+    });
+    CHECK(has_settled);
+}
+
+TEST_CASE("elastic ends: bodies of an island that have not settled in this step are left alone")
+{
+    World world = bars_of_which_one_is_pushed();
+    world.bodies[0]->predict(Vec3::Zero(), dt);
+    Island island;
+    island.bodies = {0, 1, 2};
+    CHECK(soft_bodies(world, island).size() == 2);
+    CHECK(world.attempt.trouble == StepTrouble::none);
+}

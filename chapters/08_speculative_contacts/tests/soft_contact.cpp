@@ -1,0 +1,115 @@
+#include "chapters/08_speculative_contacts/experiments/soft_contact_scenes.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
+#include "common/simulation/deformable_body.hpp"
+#include "common/simulation/energy.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace enduring;
+using namespace enduring::chapter08;
+
+namespace {
+
+double energy_with_springs(const World& world, const Contacts& contacts)
+{
+    return total_energy(world).total() + spring_energy(contacts);
+}
+
+Vec3 turning_of(const World& world)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const auto& body : world.bodies)
+        sum += body->angular_momentum(Vec3::Zero());
+    return sum;
+}
+
+/// Runs a scene in which energy can only fall, and checks that it does, and that no step is halved.
+void run_and_check(Scene& scene, double duration, bool is_linear = false)
+{
+    Solver solver = chapter08_solver(scene.contact);
+    if (is_linear)
+        solver.remove("settle soft bodies");
+    Contacts contacts;
+    World& world = scene.world;
+    double before = energy_with_springs(world, contacts);
+    const double moving = 1e-3 * std::max(1.0, std::abs(before));
+    while (world.time < duration) {
+        advance(world, contacts, solver, scene.dt);
+        const double after = energy_with_springs(world, contacts);
+        CHECK(after <= before + moving);
+        before = after;
+    }
+    CHECK(world.thrown_away == 0);
+}
+
+/// Angular momentum that a collision loses, over what the bodies have.
+double lost_by(Basis basis, double dt, bool is_linear = false)
+{
+    Scene scene = soft_collision({basis, 1e5, dt, 1});
+    const Vec3 first = turning_of(scene.world);
+    double all = 0;
+    for (const auto& body : scene.world.bodies)
+        all += body->angular_momentum(Vec3::Zero()).norm();
+    run_and_check(scene, 0.4, is_linear);
+    return (turning_of(scene.world) - first).norm() / all;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "soft contact: two soft cubes that strike without friction lose less angular momentum with a shorter step" *
+    doctest::test_suite("long simulation"))
+{
+    for (const Basis basis : {Basis::linear, Basis::quadratic}) {
+        const double at_10_ms = lost_by(basis, 0.01), at_2_ms = lost_by(basis, 0.0025);
+        CAPTURE(at_10_ms);
+        CHECK(at_10_ms < 0.02);
+        CHECK(at_2_ms < 0.5 * at_10_ms + 1e-4);
+    }
+}
+
+TEST_CASE("soft contact: where contact is solved, elastic forces are those of the end of the step")
+{
+    for (const Basis basis : {Basis::linear, Basis::quadratic}) {
+        Scene scene = soft_collision({basis, 1e5, 0.01, 1});
+        const Solver solver = chapter08_solver(scene.contact);
+        Contacts contacts;
+        int solves = 0;
+        for (int step = 0; step < 25; ++step)
+            advance(scene.world, contacts, solver, scene.dt, [&](const std::string& pass) {
+                if (pass != "update prediction")
+                    return;
+                ++solves;
+                for (const auto& body : scene.world.bodies)
+                    CHECK(dynamic_cast<DeformableBody&>(*body).approach_end(scene.dt) <= small_imbalance);
+            });
+        CHECK(solves > 5);
+        CHECK(scene.world.thrown_away == 0);
+    }
+}
+
+TEST_CASE(
+    "soft contact: without the pass that settles, elastic forces are those of one linear step, and more turning is lost")
+{
+    CHECK(lost_by(Basis::linear, 0.005, true) > 5 * lost_by(Basis::linear, 0.005));
+}
+
+TEST_CASE("soft contact: a twisted stiff bar that is let go gains no energy, and no step is halved for it")
+{
+    Scene scene = twisted_soft_bar(Basis::linear, 1e6, 0.01);
+    run_and_check(scene, 0.2);
+}
+
+TEST_CASE("soft contact: three soft rings that hang in each other stay linked" *
+          doctest::test_suite("long simulation"))
+{
+    Scene scene = soft_chain({3, 1e5, 0.02});
+    const int first = linking_number(scene, 1, 0), second = linking_number(scene, 2, 1);
+    CHECK(std::abs(first) == 1);
+    CHECK(std::abs(second) == 1);
+    run_and_check(scene, 0.5);
+    CHECK(linking_number(scene, 1, 0) == first);
+    CHECK(linking_number(scene, 2, 1) == second);
+}
