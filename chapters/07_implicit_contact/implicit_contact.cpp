@@ -2,6 +2,7 @@
 
 #include "chapters/04_friction/surface_turn.hpp"
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
+#include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/pressing_mass.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
@@ -103,8 +104,11 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             break;
         const double of_round = residual_of(step.problem, begin.change, least);
         const double sharp = sharp_enough(record.residual, of_round, settings.tolerance);
-        const ProblemSolution solution = solve_convex(step.problem, matrix, begin, sharp, least,
-                                                      std::min(steps_left, max_convex_steps));
+        const ProblemSolution solution = record.rounds < settings.rounds_before_search
+                                             ? solve_convex(step.problem, matrix, begin, sharp, least,
+                                                            std::min(steps_left, max_convex_steps))
+                                             : solve_with_limit_search(step.problem, matrix, begin, sharp,
+                                                                       least, steps_left);
         record.newton_steps += solution.newton_steps;
         apply_impulses(world, step, mixing.next(begin.impulses, solution.impulses));
     }
