@@ -4,27 +4,14 @@
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
 #include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/pressing_mass.hpp"
+#include "chapters/07_implicit_contact/solve_accuracy.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 namespace enduring {
 namespace {
-
-/// What counts as a momentum at all: what gravity gives to all bodies of an island in a step, or if that is more, what
-/// the rounding of their coordinates does [sqrt(kg) m/s].
-double least_speed(const World& world, const Island& island, double dt)
-{
-    double mass = 0, largest = 0;
-    for (const int place : island.bodies) {
-        const Body& body = *world.bodies[static_cast<std::size_t>(place)];
-        mass += body.mass();
-        largest = std::max(largest, body.size());
-    }
-    return std::sqrt(mass) * std::max(scale_parts.least_answer * largest / dt, world.gravity.norm() * dt);
-}
 
 bool first_of_the_step(const Contacts& contacts)
 {
@@ -56,16 +43,6 @@ double largest_compression(const World& world, const StepProblem& step)
     return most;
 }
 
-/// Residual to which the convex problem of a round is solved. Its normals, its limits and its soft masses are those of the last
-/// motion, so a round seldom takes away more than a thousandth of what is left on the bodies. In a jam the limits are wrong by
-/// more than the convex problem is: then a tenth of its own residual is taken away.
-/// @param on_bodies  with the limits that the motion makes
-/// @param of_round   with those of the round, where it begins
-double sharp_enough(double on_bodies, double of_round, double tolerance)
-{
-    return std::max(1e-3 * tolerance, std::min(std::max(0.1 * tolerance, 1e-3 * on_bodies), 0.1 * of_round));
-}
-
 /// What is found out about an island, beside its impulses.
 struct IslandOutcome {
     SolveRecord record{};
@@ -93,7 +70,8 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
         update_kinematics(world, step);
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
-        record.converged = record.residual <= settings.tolerance;
+        record.converged = record.residual <= settings.tolerance ||
+                           record.residual <= rounding_residual(world, step, least);
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
         if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness)) {

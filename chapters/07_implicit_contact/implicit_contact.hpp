@@ -33,8 +33,10 @@ inline constexpr int max_halvings = 5;
 struct ImplicitSettings {
     StiffnessChoice stiffness;
     FrictionCoefficients friction;
-    double centre = 1;        ///< of the weight over the step
-    double tolerance = 1e-6;  ///< of the residual
+    double centre = 1;  ///< of the weight over the step
+    /// Of the residual, or what the rounding of coordinates leaves (rounding_residual()). A tenth: a round more for what nobody sees. Ten times: bodies
+    /// at rest creep.
+    double tolerance = 1e-6;
     /// The largest residual with which a step is kept; else it is taken in halves. A tenth: landing soft bodies are halved for
     /// an error that nobody sees. Ten times: impulses that do not belong to their motion gain energy.
     double kept_residual = 1e-2;
