@@ -74,10 +74,8 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
                            record.residual <= rounding_residual(world, step, least);
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
-        if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness)) {
-            mixing = AndersonMixing(settings.mixing_rounds);
+        if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness))
             continue;
-        }
         if (record.converged || steps_left <= 0)
             break;
         const double of_round = residual_of(step.problem, begin.change, least);

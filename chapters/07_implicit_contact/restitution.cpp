@@ -101,6 +101,7 @@ struct SendingBack {
     std::vector<Vec3> friction;  ///< [N s]
     VectorXd momentum;           ///< of both
     double slope = 0;            ///< impulses . velocities before [J]
+    double fall = 0;             ///< g . p of these impulses [J/s]
     double driven = 0;           ///< work of bodies that move as given, and of surfaces that run [J]
 };
 
@@ -108,6 +109,7 @@ void add_push(const IslandImpact& island, std::size_t pair, const Vec3& impulse,
 {
     island.step.problem.rows[pair].add_impulse(impulse, back.momentum);
     back.slope += impulse.dot(island.pairs[pair].velocity);
+    back.fall += impulse.dot(island.pairs[pair].acceleration);
     back.driven -= impulse.dot(island.pairs[pair].velocity_driven);
 }
 
@@ -157,8 +159,7 @@ void send_back(World& world, IslandImpact& island, const Bounce& bounce, double 
         add_push(island, i, back.impulses[static_cast<Eigen::Index>(i)] * island.pairs[i].normal, back);
     rub(island, bounce, back);
     // What steps keep in a fall is E + dt / 2 g . p, with the momentum p: of this nothing is gained.
-    const double of_step = dt / 2 * island.gravity.dot(island.momentum),
-                 of_this = dt / 2 * island.gravity.dot(back.momentum);
+    const double of_step = dt / 2 * island.fall, of_this = dt / 2 * back.fall;
     const double curvature = back.momentum.dot(times_response(island.step.problem, back.momentum));
     const double part = allowed_part(back.slope + of_this, curvature, island.lost + of_step);
     for (std::size_t i = 0; i < island.pairs.size(); ++i) {
