@@ -65,25 +65,19 @@ Bounce bounce_of(const IslandImpact& island)
 /// smallest ones that do.
 VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
 {
+    VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
     if (bounce.pairs.empty())
-        return VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
-    const auto count = static_cast<Eigen::Index>(bounce.pairs.size());
-    MatrixXd response(count, count);
-    VectorXd missing(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const Struck& pair = island.pairs[static_cast<std::size_t>(bounce.pairs[at])];
-        missing[i] = bounce.speeds[i] - pair.normal.dot(pair.velocity);
-        for (Eigen::Index j = 0; j < count; ++j)
-            response(i, j) = island.response(bounce.pairs[at], bounce.pairs[static_cast<std::size_t>(j)]);
+        return all;
+    VectorXd missing = bounce.speeds;
+    for (Eigen::Index i = 0; i < missing.size(); ++i) {
+        const Struck& pair =
+            island.pairs[static_cast<std::size_t>(bounce.pairs[static_cast<std::size_t>(i)])];
+        missing[i] -= pair.normal.dot(pair.velocity);
     }
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor;
     factor.setThreshold(1e-6);  // of the largest response; where masses differ more, the lighter body decides
-    factor.compute(response);
-    const VectorXd solved = factor.solve(missing);
-    VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
-    for (Eigen::Index i = 0; i < count; ++i)
-        all[bounce.pairs[static_cast<std::size_t>(i)]] = solved[i];
+    factor.compute(island.response(bounce.pairs, bounce.pairs));
+    all(bounce.pairs) = VectorXd(factor.solve(missing));
     return all;
 }
 
