@@ -22,11 +22,10 @@ Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::Vect
     if (last_error_.size() > 0) {
         images_.push_back(image - last_image_);
         errors_.push_back(error - last_error_);
-        // An error that doubles: other pairs are in touch or slip now, or a jam sends it back enlarged. What was learned before
-        // leads astray, and the newest change alone finds the middle of a jam.
+        // What was learned while other pairs were in touch, or slipped, leads astray.
         if (error.norm() > 2 * last_error_.norm()) {
-            images_.erase(images_.begin(), images_.end() - 1);
-            errors_.erase(errors_.begin(), errors_.end() - 1);
+            images_.clear();
+            errors_.clear();
         }
     }
     if (images_.size() > rounds_) {

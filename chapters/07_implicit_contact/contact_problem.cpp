@@ -57,15 +57,10 @@ Answers answers_to(const ContactProblem& problem, const VectorXd& change)
     return answers_by(problem, change, [](const PairRow& row, const Vec3&) { return row.law; });
 }
 
-namespace {
-
-/// Its length in the norm of A^-1.
 double speed_of(const ContactProblem& problem, const VectorXd& momentum)
 {
     return std::sqrt(std::max(0.0, momentum.dot(times_response(problem, momentum))));
 }
-
-}  // namespace
 
 double residual_from(const ContactProblem& problem, const VectorXd& gradient, const VectorXd& total,
                      double least_speed)

@@ -83,6 +83,9 @@ Eigen::VectorXd times_mass(const ContactProblem& problem, const Eigen::VectorXd&
 /// A^-1 times a momentum.
 Eigen::VectorXd times_response(const ContactProblem& problem, const Eigen::VectorXd& momentum);
 
+/// The length of a momentum in the norm of A^-1 [sqrt(kg) m/s].
+double speed_of(const ContactProblem& problem, const Eigen::VectorXd& momentum);
+
 /// What the pairs answer to a change.
 struct Answers {
     Eigen::VectorXd impulses;           ///< three numbers for each pair

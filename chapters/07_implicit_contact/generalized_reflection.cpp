@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace enduring {
@@ -67,10 +68,8 @@ std::vector<Eigen::Index> approaching(const VectorXd& velocities, double still)
 
 VectorXd stopping_impulses(const MatrixXd& response, const VectorXd& velocities)
 {
-    std::vector<Eigen::Index> all;
-    all.reserve(static_cast<std::size_t>(velocities.size()));
-    for (Eigen::Index i = 0; i < velocities.size(); ++i)
-        all.push_back(i);
+    std::vector<Eigen::Index> all(static_cast<std::size_t>(velocities.size()));
+    std::iota(all.begin(), all.end(), 0);
     return impulses_that_stop(all, response, velocities, 1e-2 * stillness(velocities));
 }
 

@@ -3,29 +3,17 @@
 #include "chapters/04_friction/surface_turn.hpp"
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
 #include "chapters/07_implicit_contact/elastic_ends.hpp"
+#include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/pressing_mass.hpp"
+#include "chapters/07_implicit_contact/solve_accuracy.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <limits>
 
 namespace enduring {
 namespace {
-
-/// What counts as a momentum at all: what gravity gives to all bodies of an island in a step, or if that is more, what
-/// the rounding of their coordinates does [sqrt(kg) m/s].
-double least_speed(const World& world, const Island& island, double dt)
-{
-    double mass = 0, largest = 0;
-    for (const int place : island.bodies) {
-        const Body& body = *world.bodies[static_cast<std::size_t>(place)];
-        mass += body.mass();
-        largest = std::max(largest, body.size());
-    }
-    return std::sqrt(mass) * std::max(scale_parts.least_answer * largest / dt, world.gravity.norm() * dt);
-}
 
 bool first_of_the_step(const Contacts& contacts)
 {
@@ -55,16 +43,6 @@ double largest_compression(const World& world, const StepProblem& step)
         most = std::max(most, -depth / natural_length(world, *step.of_row[i]));
     }
     return most;
-}
-
-/// Residual to which the convex problem of a round is solved. Its normals, its limits and its soft masses are those of the last
-/// motion, so a round seldom takes away more than a thousandth of what is left on the bodies. In a jam the limits are wrong by
-/// more than the convex problem is: then a tenth of its own residual is taken away.
-/// @param on_bodies  with the limits that the motion makes
-/// @param of_round   with those of the round, where it begins
-double sharp_enough(double on_bodies, double of_round, double tolerance)
-{
-    return std::max(1e-3 * tolerance, std::min(std::max(0.1 * tolerance, 1e-3 * on_bodies), 0.1 * of_round));
 }
 
 /// What is found out about an island, beside its impulses.
@@ -97,7 +75,8 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
         update_kinematics(world, step);
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
-        record.converged = record.residual <= settings.tolerance;
+        record.converged = record.residual <= settings.tolerance ||
+                           record.residual <= rounding_residual(world, step, least);
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
         // a later response that finds everything solved changes nothing, so that no island depends on another one's
@@ -110,16 +89,17 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             continue;
         }
         looked = false;
-        if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness)) {
-            mixing = AndersonMixing(settings.mixing_rounds);
+        if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness))
             continue;
-        }
         if (record.converged || steps_left <= 0)
             break;
         const double of_round = residual_of(step.problem, begin.change, least);
         const double sharp = sharp_enough(record.residual, of_round, settings.tolerance);
-        const ProblemSolution solution = solve_convex(step.problem, matrix, begin, sharp, least,
-                                                      std::min(steps_left, max_convex_steps));
+        const ProblemSolution solution = record.rounds < settings.rounds_before_search
+                                             ? solve_convex(step.problem, matrix, begin, sharp, least,
+                                                            std::min(steps_left, max_convex_steps))
+                                             : solve_with_limit_search(step.problem, matrix, begin, sharp,
+                                                                       least, steps_left);
         record.newton_steps += solution.newton_steps;
         apply_impulses(world, step, mixing.next(begin.impulses, solution.impulses));
     }

@@ -33,8 +33,10 @@ inline constexpr int max_halvings = 5;
 struct ImplicitSettings {
     StiffnessChoice stiffness;
     FrictionCoefficients friction;
-    double centre = 1;        ///< of the weight over the step
-    double tolerance = 1e-6;  ///< of the residual
+    double centre = 1;  ///< of the weight over the step
+    /// Of the residual, or what the rounding of coordinates leaves (rounding_residual()). A tenth: a round more for what nobody sees. Ten times: bodies
+    /// at rest creep.
+    double tolerance = 1e-6;
     /// The largest residual with which a step is kept; else it is taken in halves. A tenth: landing soft bodies are halved for
     /// an error that nobody sees. Ten times: impulses that do not belong to their motion gain energy.
     double kept_residual = 1e-2;
@@ -47,6 +49,10 @@ struct ImplicitSettings {
     /// Changes from round to round that are combined (AndersonMixing). None: a jam takes some times the steps of Newton's method.
     /// Ten times: changes of rounds in which other pairs slipped lead astray.
     int mixing_rounds = 8;
+    /// Where bodies jam, limits that are taken from the last round come back enlarged: from this round on, each round looks for
+    /// its limits (LimitSearch). A tenth: the search is tried where the rounds would have ended by themselves. Ten times:
+    /// jams take most of the steps of Newton's method that there are.
+    int rounds_before_search = 40;
     int threads = allowed_threads();  ///< that solve islands side by side
     /// Of all islands together: the pairs from which on a second thread is woken. Waking it takes as long as ten pairs. A tenth: two
     /// cubes are solved no sooner, by twice the processor time. Ten times: twenty stacks leave a core without work.

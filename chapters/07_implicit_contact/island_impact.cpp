@@ -2,7 +2,6 @@
 
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/natural_units.hpp"
-#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,6 +47,7 @@ Struck struck(const World& world, const Contact& contact, double dt)
         const double weight = contact.kind == ContactKind::vertex_plane ? 1 : contact.weights[vertex];
         const Vec3 velocity = weight * body.velocity(contact.vertices[vertex]);
         one.velocity += velocity;
+        one.acceleration += weight * body.acceleration(contact.vertices[vertex], world.gravity);
         if (body.is_static())
             one.velocity_driven += velocity;
     }
@@ -61,28 +61,6 @@ Struck struck(const World& world, const Contact& contact, double dt)
 bool was_open(const World& world, const Contact& contact, const Struck& pair)
 {
     return pair.impact.gap_t0 > -restitution_limits.least_length * natural_length(world, contact);
-}
-
-/// What gravity does to each coordinate.
-VectorXd gravity_on(const World& world, const StepProblem& step)
-{
-    VectorXd all = VectorXd::Zero(step.problem.size);
-    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
-        if (step.block[place] < 0)
-            continue;
-        const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
-        const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[place])];
-        const Vec3 gravity = body.gravity_on(world.gravity);
-        if (body.contact_motion(step.vertices[place], 0, 0).rate.cols() == 6) {  // of a rigid body
-            all.segment<3>(block.first) = gravity;
-            if (const auto* const rigid = dynamic_cast<const RigidBody*>(&body))
-                all.segment<3>(block.first + 3) = rigid->motion().angular_acceleration(gravity);
-        } else {
-            for (int i = 0; i < block.size(); i += 3)
-                all.segment<3>(block.first + i) = gravity;
-        }
-    }
-    return all;
 }
 
 MatrixXd response_of(const IslandImpact& island)
@@ -131,7 +109,6 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
     IslandImpact island;
     island.step = set_up(world, part, {}, friction, {0, dt}, false);
     const StepProblem& step = island.step;
-    island.gravity = gravity_on(world, step);
     island.momentum = VectorXd::Zero(step.problem.size);
     double work = 0;
     for (std::size_t i = 0; i < step.of_row.size(); ++i) {
@@ -143,6 +120,7 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
         const Vec3 impulse = contact.impulse + contact.friction;
         step.problem.rows[i].add_impulse(impulse, island.momentum);
         work += impulse.dot(island.pairs.back().velocity);
+        island.fall += impulse.dot(island.pairs.back().acceleration);
     }
     const VectorXd change = times_response(step.problem, island.momentum);
     island.lost = island.momentum.dot(change) / 2 - work;
@@ -150,7 +128,7 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
         Struck& pair = island.pairs[i];
         const PairRow& row = step.problem.rows[i];
         pair.impact.free_speed = pair.normal.dot(pair.velocity - row.rate_of(change));
-        pair.impact.acceleration = pair.normal.dot(row.rate_of(island.gravity));
+        pair.impact.acceleration = pair.normal.dot(pair.acceleration);
         const double least = std::max(restitution_limits.least_speed * world.gravity.norm() * dt,
                                       scale_parts.least_answer * natural_length(world, *step.of_row[i]) / dt);
         pair.meets = pair.restitution > 0 && was_open(world, *step.of_row[i], pair) &&

@@ -45,6 +45,7 @@ struct Struck {
     Vec3 velocity = Vec3::Zero();         ///< of p against q, behind the commit [m/s]
     Vec3 velocity_driven = Vec3::Zero();  ///< the part of bodies that do not answer
     Vec3 running = Vec3::Zero();          ///< of the surfaces [m/s]
+    Vec3 acceleration = Vec3::Zero();     ///< of p against q by gravity [m/s^2]
     double restitution = 0, mu = 0;
     bool meets = false;  ///< was open at the start, and met faster than what rests does
 };
@@ -53,9 +54,9 @@ struct Struck {
 struct IslandImpact {
     StepProblem step;
     std::vector<Struck> pairs;  ///< of each row
-    Eigen::VectorXd gravity;    ///< as acceleration of the coordinates
     Eigen::VectorXd momentum;   ///< of all impulses of the step
     double lost = 0;            ///< kinetic energy that these impulses took away [J]
+    double fall = 0;            ///< g . p of these impulses [J/s]
     Eigen::MatrixXd response;   ///< W, of velocities along the normals
 };
 

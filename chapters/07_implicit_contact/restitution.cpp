@@ -65,25 +65,19 @@ Bounce bounce_of(const IslandImpact& island)
 /// smallest ones that do.
 VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
 {
+    VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
     if (bounce.pairs.empty())
-        return VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
-    const auto count = static_cast<Eigen::Index>(bounce.pairs.size());
-    MatrixXd response(count, count);
-    VectorXd missing(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const Struck& pair = island.pairs[static_cast<std::size_t>(bounce.pairs[at])];
-        missing[i] = bounce.speeds[i] - pair.normal.dot(pair.velocity);
-        for (Eigen::Index j = 0; j < count; ++j)
-            response(i, j) = island.response(bounce.pairs[at], bounce.pairs[static_cast<std::size_t>(j)]);
+        return all;
+    VectorXd missing = bounce.speeds;
+    for (Eigen::Index i = 0; i < missing.size(); ++i) {
+        const Struck& pair =
+            island.pairs[static_cast<std::size_t>(bounce.pairs[static_cast<std::size_t>(i)])];
+        missing[i] -= pair.normal.dot(pair.velocity);
     }
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor;
     factor.setThreshold(1e-6);  // of the largest response; where masses differ more, the lighter body decides
-    factor.compute(response);
-    const VectorXd solved = factor.solve(missing);
-    VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
-    for (Eigen::Index i = 0; i < count; ++i)
-        all[bounce.pairs[static_cast<std::size_t>(i)]] = solved[i];
+    factor.compute(island.response(bounce.pairs, bounce.pairs));
+    all(bounce.pairs) = VectorXd(factor.solve(missing));
     return all;
 }
 
@@ -101,6 +95,7 @@ struct SendingBack {
     std::vector<Vec3> friction;  ///< [N s]
     VectorXd momentum;           ///< of both
     double slope = 0;            ///< impulses . velocities before [J]
+    double fall = 0;             ///< g . p of these impulses [J/s]
     double driven = 0;           ///< work of bodies that move as given, and of surfaces that run [J]
 };
 
@@ -108,6 +103,7 @@ void add_push(const IslandImpact& island, std::size_t pair, const Vec3& impulse,
 {
     island.step.problem.rows[pair].add_impulse(impulse, back.momentum);
     back.slope += impulse.dot(island.pairs[pair].velocity);
+    back.fall += impulse.dot(island.pairs[pair].acceleration);
     back.driven -= impulse.dot(island.pairs[pair].velocity_driven);
 }
 
@@ -157,8 +153,7 @@ void send_back(World& world, IslandImpact& island, const Bounce& bounce, double 
         add_push(island, i, back.impulses[static_cast<Eigen::Index>(i)] * island.pairs[i].normal, back);
     rub(island, bounce, back);
     // What steps keep in a fall is E + dt / 2 g . p, with the momentum p: of this nothing is gained.
-    const double of_step = dt / 2 * island.gravity.dot(island.momentum),
-                 of_this = dt / 2 * island.gravity.dot(back.momentum);
+    const double of_step = dt / 2 * island.fall, of_this = dt / 2 * back.fall;
     const double curvature = back.momentum.dot(times_response(island.step.problem, back.momentum));
     const double part = allowed_part(back.slope + of_this, curvature, island.lost + of_step);
     for (std::size_t i = 0; i < island.pairs.size(); ++i) {

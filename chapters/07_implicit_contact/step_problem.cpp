@@ -1,6 +1,6 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
-#include "common/simulation/contact_geometry.hpp"
+#include "chapters/07_implicit_contact/pair_motion.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -72,68 +72,6 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
         row.parts[static_cast<std::size_t>(row.part_count++)] = part;
     }
 }
-
-//! [pair_motion]
-/// A pair's normal where its force acts; zero where its features have none.
-Vec3 normal_of(const PairStep& step, double tau)
-{
-    if (step.plane_normal)
-        return *step.plane_normal;
-    return lerp(step.t0.side_1, step.t1.side_1, tau)
-        .cross(lerp(step.t0.side_2, step.t1.side_2, tau))
-        .stableNormalized();
-}
-
-/// p - q at tau, for a plane from any of its points [m].
-Vec3 relative_position(const World& world, const Contact& contact, double tau)
-{
-    if (contact.kind == ContactKind::vertex_plane)
-        return contact_vertex(world, contact, 0, tau) -
-               world.planes[static_cast<std::size_t>(contact.body_b)].point;
-    Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < contact.vertex_count(); ++i)
-        sum += contact.weights[static_cast<std::size_t>(i)] * contact_vertex(world, contact, i, tau);
-    return sum;
-}
-
-//! [push_between_paths]
-/// Of the normals between two, the one along which nothing moves; or the nearer one of the two.
-Vec3 normal_of_path(const Vec3& one, const Vec3& other, const Vec3& velocity)
-{
-    const double a = one.dot(velocity), b = other.dot(velocity);
-    return a == b ? other : Vec3((one + std::clamp(a / (a - b), 0.0, 1.0) * (other - one)).normalized());
-}
-
-/// A vertex that slides along a surface which bends is pushed along the mean of two normals: that of the path on which it came,
-/// and that of this step's path. So what it loses in speed along the first it gains along the second. Its depth at the end stays
-/// that below the surface.
-void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& row)
-{
-    const double depth_t1 = row.law.depth_t0 + step.dt * row.law.normal.dot(row.velocity);
-    const Vec3 path = normal_of_path(contact.sliding_normal, row.law.normal, row.velocity);
-    row.law.normal = (contact.sliding_normal + path).normalized();
-    row.law.depth_t0 = depth_t1 - step.dt * row.law.normal.dot(row.velocity);
-}
-//! [push_between_paths]
-
-/// Sets a row to where the bodies move now.
-/// @return  the pair's depth at the start of the step [m]
-double update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
-{
-    row.law.normal = normal_of(pair_step(world, contact), step.centre);
-    const Vec3 start = relative_position(world, contact, 0), end = relative_position(world, contact, 1);
-    const double depth_t0 = row.law.normal.dot(start);
-    row.law.depth_t0 = depth_t0 - contact.rest_offset;
-    row.velocity = (end - start) / step.dt;
-    row.acting = contact.impulse + contact.friction;
-    if (!contact.sliding_normal.isZero(0))
-        push_between_paths(contact, step, row);
-    const Vec3 running = running_of_surfaces(world, contact);
-    if (!running.isZero(0))  // along the surface: friction feels it, and the depth does not
-        row.velocity += running - row.law.normal.dot(running) * row.law.normal;
-    return depth_t0;
-}
-//! [pair_motion]
 
 //! [slides_on]
 /// Whether a pair slips too fast for friction to stop it in this step; else it may hold again.

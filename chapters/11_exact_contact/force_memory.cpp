@@ -1,7 +1,7 @@
 #include "chapters/11_exact_contact/force_memory.hpp"
 
+#include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/newton_matrix.hpp"
-#include "chapters/11_exact_contact/limit_search.hpp"
 #include "chapters/11_exact_contact/natural_map.hpp"
 #include "chapters/11_exact_contact/springs_of_problem.hpp"
 

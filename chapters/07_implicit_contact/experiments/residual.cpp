@@ -25,7 +25,7 @@ struct Point {
     double residual;
 };
 
-/// The rounds of one island, as solve_contacts() has them.
+/// The rounds of one island, as solve_contacts() has them, without a search for limits.
 std::vector<Point> rounds_of(World& world, const Island& island, const ImplicitSettings& settings,
                              const Help& help, double dt)
 {

@@ -1,4 +1,5 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
+#include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/energy.hpp"
@@ -83,4 +84,22 @@ TEST_CASE(
     CHECK(bounded.most() <= 20);
     CHECK(bounded.unconverged > unbounded.unconverged);
     CHECK(bounded.gained <= 1e-6);
+}
+
+TEST_CASE(
+    "implicit contact: a cube that comes into a steep wedge is solved in whole steps, for its limits are searched")
+{
+    long thrown_away = 0;
+    for (const double half_angle_deg : {5.0, 10.0})
+        for (const double mu : {0.3, 0.5, 1.0, 1.5}) {
+            Scene scene = cube_between_planes(half_angle_deg, mu, 0.01);
+            ImplicitSettings settings;
+            settings.record = [](const SolveRecord&) {};
+            const Solver solver = chapter07_solver(scene.contact, settings);
+            Contacts contacts;
+            for (int i = 0; i < 100; ++i)
+                advance(scene.world, contacts, solver, scene.dt);
+            thrown_away += scene.world.thrown_away;
+        }
+    CHECK(thrown_away <= 5);
 }

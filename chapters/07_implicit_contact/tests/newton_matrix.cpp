@@ -158,6 +158,27 @@ TEST_CASE("newton matrix: of rigid bodies or soft ones, it solves with A + J^T S
         }
 }
 
+TEST_CASE("newton matrix: a factor is kept while its hessians change by a thousandth, and no longer")
+{
+    RandomProblem ring = ring_of_rigid_bodies(3, 20);
+    const ContactProblem& problem = ring.problem();
+    const std::vector<Mat3> hessians = ring.hessians();
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(problem.size, -1, 1);
+    for (const double change : {5e-4, 2e-3, 0.03, 0.3}) {
+        NewtonMatrix matrix;
+        const Eigen::VectorXd first = matrix.solve(problem, hessians, b);
+        std::vector<Mat3> changed = hessians;
+        for (Mat3& hessian : changed)
+            hessian *= 1 + change;
+        const Eigen::VectorXd x = matrix.solve(problem, changed, b);
+        CAPTURE(change);
+        if (change < 1e-3)
+            CHECK(x == first);
+        else
+            CHECK((reference(problem, changed) * x - b).norm() <= 1e-9 * b.norm());
+    }
+}
+
 TEST_CASE("newton matrix: in a new step other bodies may touch, or the same ones with other masses")
 {
     NewtonMatrix matrix;

@@ -3,8 +3,10 @@
 
 #include "chapters/07_implicit_contact/generalized_reflection.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/simulation/contact_state.hpp"
+#include "common/simulation/rigid_body.hpp"
 #include "common/simulation/state_archive.hpp"
 
 #include <doctest/doctest.h>
@@ -62,7 +64,62 @@ std::vector<double> numbers_after(Scene scene, const Solver& solver, int steps)
     return archive.numbers();
 }
 
+/// A cube of 10 kg on the corners of whose lower side the ground has pushed, behind the commit of this step.
+struct StruckCube {
+    static constexpr double dt = 0.01, pressed = 1e-4, impulse = 2.5;  ///< each corner's [s], [m], [N s]
+    World world;
+    Contacts contacts;
+
+    explicit StruckCube(const Vec3& velocity)
+    {
+        world.planes.push_back({"ground"});
+        world.restitution.between = {0.5};
+        SurfaceMesh mesh = box(Vec3::Ones());
+        for (Vec3& x : mesh.vertices)
+            x.y() += 0.5 - pressed;
+        world.bodies.push_back(
+            std::make_unique<RigidBody>("cube", mesh, with_mass(mass_properties(mesh, 1000), 10), velocity));
+        world.bodies[0]->update_prediction(dt);
+        for (int vertex = 0; vertex < 8; ++vertex) {
+            if (mesh.vertices[static_cast<std::size_t>(vertex)].y() > 0.5)
+                continue;
+            Contact& corner = contacts.emplace_back();
+            corner = {ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}};
+            corner.state = ContactState::answered;
+            corner.impulse = impulse * Vec3::UnitY();
+            corner.friction = 0.2 * impulse * Vec3::UnitX();
+            corner.stiffness = impulse / (pressed * dt);
+        }
+    }
+    Island struck() { return struck_part(world, find_islands(world, contacts).at(0), dt); }
+};
+
 }  // namespace
+
+TEST_CASE("restitution: what was pressed when the step began bounces no more")
+{
+    // It comes with 1 m/s and is stopped in this step, or was stopped before: the surfaces were open or not.
+    StruckCube open(Vec3(0, -0.02, 0)), closed(Vec3(0, 0.02, 0));
+    const Island island = open.struck();
+    REQUIRE(island.contacts.size() == 4);
+    for (const Struck& pair : impact_of(open.world, island, {}, StruckCube::dt).pairs)
+        CHECK(pair.meets);
+    CHECK(closed.struck().contacts.empty());
+    const Island all = find_islands(closed.world, closed.contacts).at(0);
+    for (const Struck& pair : impact_of(closed.world, all, {}, StruckCube::dt).pairs)
+        CHECK_FALSE(pair.meets);
+}
+
+TEST_CASE("restitution: an impact may give back what its impulses took, and no more")
+{
+    const Vec3 after(-0.3, -0.02, 0), before = after - 4 * StruckCube::impulse * Vec3(0.2, 1, 0) / 10;
+    StruckCube cube(after);
+    const IslandImpact impact = impact_of(cube.world, cube.struck(), {}, StruckCube::dt);
+    // friction acts at the corners, half a metre below the centre, and turns the cube, which does not turn behind the step
+    const double torque = 4 * 0.2 * StruckCube::impulse * (0.5), inertia = 10 / 6.0;
+    CHECK(impact.lost ==
+          doctest::Approx(5 * (before.squaredNorm() - after.squaredNorm()) + torque * torque / inertia / 2));
+}
 
 TEST_CASE("reflections: a line of balls hands its momentum on, ball by ball")
 {

@@ -45,6 +45,8 @@ std::vector<Constant> constants_of_settings()
          [count](auto& s, double by) { s.max_newton_steps = count(s.max_newton_steps, by); }},
         {"rounds that mixing combines",
          [count](auto& s, double by) { s.mixing_rounds = count(s.mixing_rounds, by); }},
+        {"rounds before the limits are searched",
+         [count](auto& s, double by) { s.rounds_before_search = count(s.rounds_before_search, by); }},
     };
 }
 

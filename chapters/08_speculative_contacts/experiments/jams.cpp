@@ -28,6 +28,8 @@ struct Without {
 constexpr std::array withouts{
     Without{"nothing left out", [](ImplicitSettings&) {}},
     Without{"no mixing", [](ImplicitSettings& settings) { settings.mixing_rounds = 0; }},
+    Without{"no search for limits",
+            [](ImplicitSettings& settings) { settings.rounds_before_search = settings.max_newton_steps; }},
     Without{"no stiffness at once", [](ImplicitSettings& settings) {
                 settings.stiffness.at_once = std::numeric_limits<double>::infinity();
             }}};

@@ -54,7 +54,7 @@ const ElasticBody& bar_of(const Scene& scene)
 }  // namespace
 
 TEST_CASE(
-    "scene: a group of the mesh file chooses nodes, with the middles of its edges; beside a box those in both")
+    "scene: a group of the mesh file chooses nodes, with the middles of its edges, and beside a box those in both")
 {
     for (const std::string basis : {"linear", "quadratic"}) {
         CAPTURE(basis);

@@ -154,7 +154,7 @@ TEST_CASE("freed nodes: a bar that was held and is free answers impulses as one 
 }
 
 TEST_CASE(
-    "freed nodes: what is held takes a force on it, and so does nothing else; a force at a point turns the body")
+    "freed nodes: what is held takes a force on it, and so does nothing else, and a force at a point turns the body")
 {
     World world = gripped_bar(-0.49, 0.49, GivenMotion::steady({0.1, 0, 0}, Vec3::Zero()));
     auto& body = dynamic_cast<DeformableBody&>(*world.bodies[0]);

@@ -1,4 +1,4 @@
-#include "chapters/11_exact_contact/limit_search.hpp"
+#include "chapters/07_implicit_contact/limit_search.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,59 @@
+#include "chapters/07_implicit_contact/solve_accuracy.hpp"
+
+#include "common/simulation/contact_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace enduring {
+
+double least_speed(const World& world, const Island& island, double dt)
+{
+    double mass = 0, largest = 0;
+    for (const int place : island.bodies) {
+        const Body& body = *world.bodies[static_cast<std::size_t>(place)];
+        mass += body.mass();
+        largest = std::max(largest, body.size());
+    }
+    return std::sqrt(mass) * std::max(scale_parts.least_answer * largest / dt, world.gravity.norm() * dt);
+}
+
+double sharp_enough(double on_bodies, double of_round, double tolerance)
+{
+    return std::max(1e-3 * tolerance, std::min(std::max(0.1 * tolerance, 1e-3 * on_bodies), 0.1 * of_round));
+}
+
+namespace {
+
+/// Of a pair's vertices at the start of the step [m].
+double largest_coordinate(const World& world, const Contact& contact)
+{
+    double largest = 0;
+    for (int i = 0; i < contact.vertex_count(); ++i)
+        largest = std::max(largest, contact_vertex(world, contact, i, 0).cwiseAbs().maxCoeff());
+    return largest;
+}
+
+}  // namespace
+
+//! [rounding_residual]
+double rounding_residual(const World& world, const StepProblem& step, double least_speed)
+{
+    Eigen::VectorXd total = Eigen::VectorXd::Zero(step.problem.size);
+    double sum = 0;  // of squares, for no pair's rounding depends on another one's
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        const PairRow& row = step.problem.rows[i];
+        if (row.acting.isZero(0))
+            continue;
+        row.add_impulse(row.acting, total);
+        const double last_digit = std::numeric_limits<double>::epsilon() *
+                                  largest_coordinate(world, *step.of_row[i]),
+                     impulse = row.law.stiffness * step.problem.step.dt * last_digit;
+        sum += impulse * impulse / mass_of(row, step.problem);
+    }
+    return std::sqrt(sum) / std::max(least_speed, speed_of(step.problem, total));
+}
+//! [rounding_residual]
+
+}  // namespace enduring
