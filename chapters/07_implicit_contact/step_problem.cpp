@@ -117,13 +117,11 @@ void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& ro
 //! [push_between_paths]
 
 /// Sets a row to where the bodies move now.
-/// @return  the pair's depth at the start of the step [m]
-double update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
+void update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
 {
     row.law.normal = normal_of(pair_step(world, contact), step.centre);
     const Vec3 start = relative_position(world, contact, 0), end = relative_position(world, contact, 1);
-    const double depth_t0 = row.law.normal.dot(start);
-    row.law.depth_t0 = depth_t0 - contact.rest_offset;
+    row.law.depth_t0 = row.law.normal.dot(start) - contact.rest_offset;
     row.velocity = (end - start) / step.dt;
     row.acting = contact.impulse + contact.friction;
     if (!contact.sliding_normal.isZero(0))
@@ -131,7 +129,6 @@ double update_row(const World& world, const Contact& contact, const StepLaw& ste
     const Vec3 running = running_of_surfaces(world, contact);
     if (!running.isZero(0))  // along the surface: friction feels it, and the depth does not
         row.velocity += running - row.law.normal.dot(running) * row.law.normal;
-    return depth_t0;
 }
 //! [pair_motion]
 
@@ -174,6 +171,11 @@ bool rubs(const Contact& contact, const PairRow& row, const ContactProblem& prob
 //! [rubs]
 
 }  // namespace
+
+double depth_at_start(const World& world, const Contact& contact)
+{
+    return contact_geometry(world, contact, contact.start).depth;
+}
 
 double mass_of(const PairRow& row, const ContactProblem& problem)
 {
@@ -223,7 +225,8 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         Contact& contact = *of_row;
         PairRow row;
         add_parts(world, contact, step, row);
-        const double depth_t0 = update_row(world, contact, step_law, row);
+        update_row(world, contact, step_law, row);
+        const double depth_t0 = depth_at_start(world, contact);
         if (row.law.normal.isZero(0) || !gives_way(row))
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
