@@ -33,11 +33,15 @@ std::optional<double> beyond_rim(const SurfaceMoment& surface, int face, const T
 }
 //! [beyond_rim]
 
-/// How far a vertex moves along a face in the step, seen from the face [m].
-double path_length(const SurfaceStep& a, int vertex, const SurfaceStep& b, int face)
+/// How far a vertex and its foot on a face move against each other in the step [m].
+double path_length(const SurfaceStep& a, int vertex, const SurfaceStep& b, int face, const TriangleFoot& foot)
 {
-    const int corner = b.face(face)[0];
-    return ((a.end(vertex) - a.start(vertex)) - (b.end(corner) - b.start(corner))).norm();
+    Vec3 path = a.end(vertex) - a.start(vertex);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int corner = b.face(face)[i];
+        path -= foot.weights[i] * (b.end(corner) - b.start(corner));
+    }
+    return path.norm();
 }
 
 /// A vertex and a face, and what is asked of them at a moment.
@@ -61,7 +65,7 @@ struct VertexAndFace {
     /// Whether they are nearest to each other at a moment when they are near.
     std::optional<Meeting> near_at(double tau, const TriangleFoot& foot) const
     {
-        const double furthest = reach.beyond_border(foot.depth, path_length(a, vertex, b, face));
+        const double furthest = reach.beyond_border(foot.depth, path_length(a, vertex, b, face, foot));
         const auto beyond = beyond_rim({b, tau}, face, foot, furthest,
                                        known ? search_parts.hysteresis : 1e-9);
         if (!beyond || !in_cone(tau))
