@@ -49,12 +49,11 @@ void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& ro
 
 }  // namespace
 
-double update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
+void update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
 {
     row.law.normal = normal_of(pair_step(world, contact), step.centre);
     const Vec3 start = relative_position(world, contact, 0), end = relative_position(world, contact, 1);
-    const double depth_t0 = row.law.normal.dot(start);
-    row.law.depth_t0 = depth_t0 - contact.rest_offset;
+    row.law.depth_t0 = row.law.normal.dot(start) - contact.rest_offset;
     row.velocity = (end - start) / step.dt;
     row.acting = contact.impulse + contact.friction;
     if (!contact.sliding_normal.isZero(0))
@@ -62,7 +61,6 @@ double update_row(const World& world, const Contact& contact, const StepLaw& ste
     const Vec3 running = running_of_surfaces(world, contact);
     if (!running.isZero(0))  // along the surface: friction feels it, and the depth does not
         row.velocity += running - row.law.normal.dot(running) * row.law.normal;
-    return depth_t0;
 }
 
 }  // namespace enduring

@@ -10,7 +10,6 @@ namespace enduring {
 Vec3 normal_of(const PairStep& step, double tau);
 
 /// Sets a row to where the bodies move now: normal, depth, velocity, and what acts.
-/// @return  the pair's depth at the start of the step [m]
-double update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row);
+void update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row);
 
 }  // namespace enduring

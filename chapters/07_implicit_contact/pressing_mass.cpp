@@ -40,7 +40,7 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         const double most = choice.max_k_dt2_over_m * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
         if (most < choice.at_once * contact.stiffness)
             continue;
-        stiffen(contact, law.depth_t0 + contact.rest_offset, std::min(wanted, most));
+        stiffen(contact, depth_at_start(world, contact), std::min(wanted, most));
         law.stiffness = contact.stiffness;
         law.stretch = contact.stretch;
         any = true;

@@ -113,6 +113,11 @@ bool rubs(const Contact& contact, const PairRow& row, const ContactProblem& prob
 
 }  // namespace
 
+double depth_at_start(const World& world, const Contact& contact)
+{
+    return contact_geometry(world, contact, contact.start).depth;
+}
+
 double mass_of(const PairRow& row, const ContactProblem& problem)
 {
     const double response = row.law.normal.dot(row.response(problem.blocks) * row.law.normal);
@@ -161,7 +166,8 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         Contact& contact = *of_row;
         PairRow row;
         add_parts(world, contact, step, row);
-        const double depth_t0 = update_row(world, contact, step_law, row);
+        update_row(world, contact, step_law, row);
+        const double depth_t0 = depth_at_start(world, contact);
         if (row.law.normal.isZero(0) || !gives_way(row))
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));

@@ -23,6 +23,10 @@ struct StepProblem {
 StepProblem set_up(const World& world, const Island& island, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step, bool first);
 
+/// Depth of a pair at the moment from which it pushes in this step (Contact::start) [m]: what lies behind a plane before, and
+/// beyond its feature, is not inside.
+double depth_at_start(const World& world, const Contact& contact);
+
 /// The mass that a pair feels along its normal: 1 / (n . W n), with W the change of its velocity per impulse; 0 for one
 /// that nothing moves [kg].
 double mass_of(const PairRow& row, const ContactProblem& problem);

@@ -33,7 +33,7 @@ VertexKey vertex_key(const Contact& contact) { return {contact.body_a, contact.f
 bool hand_on(const World& world, const Contact& last, Contact& contact)
 {
     const ContactGeometry before = contact_geometry(world, last, 0),
-                          now = contact_geometry(world, contact, 0);
+                          now = contact_geometry(world, contact, contact.start);
     if (before.normal.dot(now.normal) < search_parts.hand_on)
         return false;
     take_over(last, contact);

@@ -27,7 +27,9 @@ std::vector<std::array<int, 4>> vertex_candidates(const CandidateSearch& search)
 /// How near the features of two bodies have to be, for all pairs of bodies of a world.
 class Reaches {
 public:
-    Reaches(const World& world, double margin) : world_(world), margin_(margin)
+    /// @param depths  of each body, how deep it may be inside another one
+    Reaches(const World& world, double margin, const std::vector<double>& depths)
+        : world_(world), margin_(margin), depths_(depths)
     {
         for (const auto& body : world.bodies)
             faces_tell_.push_back(body->inverted_elements() == 0);
@@ -36,12 +38,14 @@ public:
     {
         const auto a = static_cast<std::size_t>(body_a), b = static_cast<std::size_t>(body_b);
         const double size = std::min(world_.bodies[a]->size(), world_.bodies[b]->size());
-        return {margin_, search_parts.inside * size, search_parts.still_held * size, faces_tell_[a]};
+        return {margin_, std::min(search_parts.inside * size, std::max(depths_[a], depths_[b])),
+                search_parts.still_held * size, faces_tell_[a]};
     }
 
 private:
     const World& world_;
     double margin_;
+    const std::vector<double>& depths_;
     std::vector<bool> faces_tell_;
 };
 
@@ -86,6 +90,7 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
             pair.feature_b = chosen.face;
             pair.vertices = {vertex, f0, f1, f2};
             pair.weights = chosen.meeting.weights;
+            pair.start = chosen.meeting.tau;
             const Vec3 start = contact_geometry(world, pair, 0).normal,
                        end = contact_geometry(world, pair, 1).normal,
                        motion = motion_without_gravity(world, pair, dt);
@@ -113,6 +118,7 @@ void append_edge_pairs(const World& world, const CandidateSearch& search, const 
         const auto [b0, b1] = b.edge(edge_b);
         pair.vertices = {a0, a1, b0, b1};
         pair.weights = meeting->weights;
+        pair.start = meeting->tau;
         pair.orientation = meeting->orientation;
         contacts.push_back(pair);
     };
@@ -153,18 +159,18 @@ void append_plane_pairs(const World& world, double margin, Contacts& contacts)
 
 namespace {
 
-/// How far the features of each body are looked around [m]. What an impact has left inside may move on inwards, to a neighbour
-/// of the feature that it is pushed by: so as far as the body's deepest pair.
-std::vector<double> margins_of(const World& world, const Contacts& known, double margin)
+/// How deep each body may be inside others at the start of the step, as its deepest pair tells; no less than the margin. A
+/// feature without a pair that is behind a face by more is not inside: it is beyond an edge of the face.
+std::vector<double> depths_of(const World& world, const Contacts& known, double margin)
 {
-    std::vector<double> margins(world.bodies.size(), margin);
+    std::vector<double> depths(world.bodies.size(), margin);
     for (const Contact& contact : known) {
         const Body& body = *world.bodies[static_cast<std::size_t>(contact.body_a)];
-        double& of_body = margins[static_cast<std::size_t>(contact.body_a)];
-        of_body = std::max(
-            of_body, std::min(-contact_geometry(world, contact, 0).depth, search_parts.inside * body.size()));
+        double& of_body = depths[static_cast<std::size_t>(contact.body_a)];
+        of_body = std::max(of_body, std::min(-search_parts.deeper * contact_geometry(world, contact, 0).depth,
+                                             search_parts.inside * body.size()));
     }
-    return margins;
+    return depths;
 }
 
 }  // namespace
@@ -173,7 +179,8 @@ std::vector<double> margins_of(const World& world, const Contacts& known, double
 Contacts ContactSearch::find(const World& world, const Contacts& known, double dt)
 {
     margin_ = search_margin(world, dt);
-    find_candidates(world, margins_of(world, known, margin_));
+    const std::vector<double> depths = depths_of(world, known, margin_);
+    find_candidates(world, depths);
     seen_t1_.clear();
     for (const auto& body : world.bodies)
         seen_t1_.emplace_back(body->positions_t1().begin(), body->positions_t1().end());
@@ -181,7 +188,7 @@ Contacts ContactSearch::find(const World& world, const Contacts& known, double d
     const KnownPairs known_pairs(known);
     Contacts found;
     append_plane_pairs(world, margin_, found);
-    const Reaches reaches(world, margin_);
+    const Reaches reaches(world, margin_, depths);
     append_vertex_pairs(world, *this, known_pairs, reaches, dt, found);
     append_edge_pairs(world, *this, known_pairs, reaches, found);
     for (Contact& contact : found)

@@ -1,15 +1,35 @@
 #include "chapters/08_speculative_contacts/feature_cones.hpp"
 #include "chapters/08_speculative_contacts/meeting.hpp"
 
+#include <algorithm>
+
 namespace enduring {
 namespace {
 
-bool is_on_edge(double weight, double tolerance) { return weight >= -tolerance && weight <= 1 + tolerance; }
+//! [beyond_end]
+/// Whether a foot is an edge's. Beyond its end another feature takes over; not where a concave edge ends in the same vertex,
+/// which has no cone then: there the edge goes on, as a face does below its neighbour at a concave edge.
+/// @param weight    of the edge's second end
+/// @param furthest  that it may go on [m]
+bool is_on_edge(const SurfaceMoment& surface, int edge, double weight, double furthest, double tolerance)
+{
+    const double beyond = std::max(-weight, weight - 1);
+    if (beyond <= tolerance)
+        return true;
+    const auto [from, to] = surface.step.edge(edge);
+    if (beyond * (surface.position(to) - surface.position(from)).norm() > furthest)
+        return false;
+    const auto edges = surface.step.topology.edges_around_vertex(weight < 0 ? from : to);
+    return std::any_of(edges.begin(), edges.end(),
+                       [&](int other) { return fold_at_edge(surface, other) > search_parts.least_fold; });
+}
+//! [beyond_end]
 
 /// Two edges, and what is asked of them at a moment.
 struct TwoEdges {
     const SurfaceStep &a, &b;
     int edge_a, edge_b;
+    const Reach& reach;
     bool known;
 
     PairVertices vertices_at(double tau) const
@@ -41,22 +61,38 @@ struct TwoEdges {
         const double sign = in_cones(feet->normal, tau) ? 1 : in_cones(-feet->normal, tau) ? -1 : 0;
         if (sign == 0)
             return std::nullopt;
-        const double tolerance = known ? search_parts.hysteresis : 0;
-        if (!is_on_edge(feet->s, tolerance) || !is_on_edge(feet->t, tolerance))
+        const PairWeights weights{1 - feet->s, feet->s, feet->t - 1, -feet->t};
+        const double furthest = reach.beyond_border(feet->depth, path_length(weights)),
+                     tolerance = known ? search_parts.hysteresis : 0;
+        if (!is_on_edge({a, tau}, edge_a, feet->s, furthest, tolerance) ||
+            !is_on_edge({b, tau}, edge_b, feet->t, furthest, tolerance))
             return std::nullopt;
-        return Meeting{tau, 0, 0, sign, {1 - feet->s, feet->s, feet->t - 1, -feet->t}};
+        return Meeting{tau, 0, 0, sign, weights};
     }
-    /// Where an edge passes the other.
-    /// @param sign  of the normal that makes their depth positive at the start
+    /// How far two of their points move against each other in the step [m].
+    double path_length(const PairWeights& weights) const
+    {
+        const PairVertices t0 = vertices_at(0), t1 = vertices_at(1);
+        Vec3 path = Vec3::Zero();
+        for (std::size_t i = 0; i < 4; ++i)
+            path += weights[i] * (t1[i] - t0[i]);
+        return path.norm();
+    }
+    /// Where an edge passes the other, or the line on which it goes on.
+    /// @param sign  of the normal that makes the depth of their lines positive at the start
     std::optional<Meeting> crossing(double sign) const
     {
         const auto entry = find_entry(edge_edge_step(a, edge_a, b, edge_b), [&](const Crossing& crossing) {
             const auto feet = feet_at(crossing.time);
-            return feet && crossing.orientation == sign && in_cones(sign * feet->normal, crossing.time);
+            return feet && in_cones(crossing.orientation * feet->normal, crossing.time);
         });
-        if (!entry)
-            return std::nullopt;
-        return Meeting{entry->time, 0, 0, entry->orientation, entry->weights};
+        if (entry)
+            return Meeting{entry->time, 0, 0, entry->orientation, entry->weights};
+        const PairStep pair{edge_edge_instant(vertices_at(0), sign), edge_edge_instant(vertices_at(1), sign)};
+        for (const Interval& below : penetration_intervals(penetration_depth(contact_normal(pair), pair)))
+            if (const auto meeting = near_at(below.from); meeting && meeting->orientation == sign)
+                return meeting;
+        return std::nullopt;
     }
 };
 
@@ -66,7 +102,7 @@ struct TwoEdges {
 std::optional<Meeting> find_edge_meeting(const SurfaceStep& a, int edge_a, const SurfaceStep& b, int edge_b,
                                          const Reach& reach, bool known)
 {
-    const TwoEdges pair{a, b, edge_a, edge_b, known};
+    const TwoEdges pair{a, b, edge_a, edge_b, reach, known};
     const auto feet_t0 = pair.feet_at(0), feet_t1 = pair.feet_at(1);
     if (!feet_t0 || !feet_t1)
         return std::nullopt;

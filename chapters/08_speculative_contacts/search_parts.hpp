@@ -16,6 +16,9 @@ struct SearchParts {
     /// of the smaller body's size [1]: how deep a pair may be at the start of a step. Deeper, geometry does not tell
     /// on which side a feature came in.
     double inside = 0.1;
+    /// of the depth of a body's deepest pair [1]: how deep its other features may be that have no pair yet, since it turns. Once as
+    /// much loses corners to rounding; ten times takes for inside what lies behind a face beyond an edge.
+    double deeper = 2;
     /// of the smaller body's size [1]: how deep behind a face lies what the face still holds. As long as it does, other faces
     /// that the vertex passes count as well; deeper, they are the far side of the same wall. With none, a heap swallows a
     /// body whose corner is pressed into one wall and passes another.

@@ -28,10 +28,14 @@ void append_pairs_brought_inside(ContactSearch& search, const World& world, doub
     if (!search.has_moved(world))
         return;
     const KnownPairs known(contacts);
-    for (const Contact& contact : search.find(world, {}, dt))
-        if (!known.contain(contact) && contact_geometry(world, contact, 1).depth <
-                                           -scale_parts.wanted_depth * natural_length(world, contact))
-            contacts.push_back(contact);
+    Contacts more = search.find(world, contacts, dt);
+    std::erase_if(more, [&](const Contact& contact) { return known.contain(contact); });
+    const bool any_inside = std::any_of(more.begin(), more.end(), [&](const Contact& contact) {
+        return contact_geometry(world, contact, 1).depth <
+               -scale_parts.wanted_depth * natural_length(world, contact);
+    });
+    if (any_inside)  // all of them: the next answer may bring in what is near
+        contacts.insert(contacts.end(), more.begin(), more.end());
 }
 //! [append]
 

@@ -33,11 +33,15 @@ std::optional<double> beyond_rim(const SurfaceMoment& surface, int face, const T
 }
 //! [beyond_rim]
 
-/// How far a vertex moves along a face in the step, seen from the face [m].
-double path_length(const SurfaceStep& a, int vertex, const SurfaceStep& b, int face)
+/// How far a vertex and its foot on a face move against each other in the step [m].
+double path_length(const SurfaceStep& a, int vertex, const SurfaceStep& b, int face, const TriangleFoot& foot)
 {
-    const int corner = b.face(face)[0];
-    return ((a.end(vertex) - a.start(vertex)) - (b.end(corner) - b.start(corner))).norm();
+    Vec3 path = a.end(vertex) - a.start(vertex);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int corner = b.face(face)[i];
+        path -= foot.weights[i] * (b.end(corner) - b.start(corner));
+    }
+    return path.norm();
 }
 
 /// A vertex and a face, and what is asked of them at a moment.
@@ -61,7 +65,7 @@ struct VertexAndFace {
     /// Whether they are nearest to each other at a moment when they are near.
     std::optional<Meeting> near_at(double tau, const TriangleFoot& foot) const
     {
-        const double furthest = reach.beyond_border(foot.depth, path_length(a, vertex, b, face));
+        const double furthest = reach.beyond_border(foot.depth, path_length(a, vertex, b, face, foot));
         const auto beyond = beyond_rim({b, tau}, face, foot, furthest,
                                        known ? search_parts.hysteresis : 1e-9);
         if (!beyond || !in_cone(tau))
@@ -69,12 +73,18 @@ struct VertexAndFace {
         const auto [w0, w1, w2] = foot.weights;
         return Meeting{tau, tau > 0 ? tau : std::abs(foot.depth) + *beyond, 0, 1, {1, -w0, -w1, -w2}};
     }
-    /// Where the vertex passes the face; or, if it slides down a wall into a corner, the face's plane below that wall.
+    /// Where the vertex passes the face, though it may begin behind its plane, beyond an edge.
     std::optional<Meeting> crossing() const
     {
+        const auto entry = find_entry(vertex_face_step(a, vertex, b, face), enters_face);
+        if (!entry || !in_cone(entry->time))
+            return std::nullopt;
+        return Meeting{entry->time, entry->time, 0, 1, entry->weights};
+    }
+    /// Where the vertex slides down a wall into a corner, and passes the face's plane below that wall.
+    std::optional<Meeting> crossing_below_a_wall() const
+    {
         const VertexFaceStep step = vertex_face_step(a, vertex, b, face);
-        if (const auto entry = find_entry(step, enters_face); entry && in_cone(entry->time))
-            return Meeting{entry->time, entry->time, 0, 1, entry->weights};
         const PairStep pair{vertex_face_instant({step.v_t0, step.f0_t0, step.f1_t0, step.f2_t0}),
                             vertex_face_instant({step.v_t1, step.f0_t1, step.f1_t1, step.f2_t1})};
         for (const Interval& below : penetration_intervals(penetration_depth(contact_normal(pair), pair))) {
@@ -99,8 +109,10 @@ std::optional<Meeting> find_meeting(const SurfaceStep& a, int vertex, const Surf
     std::optional<Meeting> meeting;
     if (near_at_start(foot_t0->depth, reach, known))
         meeting = pair.near_at(0, *foot_t0);
-    if (!meeting && foot_t0->depth > 0)
+    if (!meeting)
         meeting = pair.crossing();
+    if (!meeting && foot_t0->depth > 0)
+        meeting = pair.crossing_below_a_wall();
     if (!meeting && foot_t0->depth > 0 && foot_t1->depth > 0 && foot_t1->depth <= reach.margin)
         meeting = pair.near_at(1, *foot_t1);
     if (meeting)

@@ -22,6 +22,8 @@ struct HeavyOnLight {
         const SurfaceMesh cube = box(size * Vec3::Ones());
         world.bodies.push_back(std::make_unique<StaticBody>(
             "cube", SurfaceTopology(static_cast<int>(cube.vertices.size()), cube.faces), cube.vertices));
+        world.planes.push_back(
+            {"ground", world.bodies[0]->positions_t0()[0] + (2e-3 + 5e-4) * Vec3::UnitY()});
         step.problem.step.dt = dt;
         step.problem.size = 6;
         for (const double mass : {light, heavy})
@@ -31,7 +33,8 @@ struct HeavyOnLight {
         for (const int i : {0, 1}) {
             Contact& contact = contacts[static_cast<std::size_t>(i)];
             contact.kind = ContactKind::vertex_plane;
-            contact.body_a = 0;
+            contact.body_a = contact.body_b = 0;
+            contact.vertices[0] = 0;
             contact.rest_offset = -2e-3;
             contact.stretch = Vec3(1e-5, 0, -3e-5);
             PairRow row;

@@ -33,7 +33,8 @@ struct StoppedPoints {
     {
         PairRow row;
         contacts[below].kind = ContactKind::vertex_plane;
-        contacts[below].body_a = 0;
+        contacts[below].body_a = contacts[below].body_b = 0;
+        contacts[below].vertices[0] = 0;
         row.law.stiffness = contacts[below].stiffness = 1;
         row.acting = mass * speed * Vec3::UnitY();
         row.parts[0] = {3 * static_cast<int>(below), Mat3::Identity()};
@@ -46,13 +47,14 @@ struct StoppedPoints {
     }
 };
 
-/// Which tells how large the points' bodies are: a metre.
+/// Which tells how large the points' bodies are: a metre. A corner of its cube touches a plane.
 World world_of_a_metre()
 {
     World world;
     const SurfaceMesh cube = box(Vec3::Ones());
     world.bodies.push_back(std::make_unique<StaticBody>(
         "cube", SurfaceTopology(static_cast<int>(cube.vertices.size()), cube.faces), cube.vertices));
+    world.planes.push_back({"ground", cube.vertices[0]});
     return world;
 }
 

@@ -29,7 +29,17 @@ TEST_CASE(
     "families: with long steps and spin, too, what ends near another body has a pair, and one that spins pushes as its face lies at the end")
 {
     for (const HeapPlan& plan : {HeapPlan{0, 8, 0.02, 0, 44, 30}, HeapPlan{7, 8, 0.02, 0.4, 54, 30},
-                                 HeapPlan{8, 8, 0.02, 0.1, 19, 0}, HeapPlan{8, 8, 0.01, 0.1, 63, 0}}) {
+                                 HeapPlan{8, 8, 0.02, 0.1, 19, 0}, HeapPlan{8, 8, 0.01, 0.1, 63, 0},
+                                 // behind a face, beyond its edge
+                                 HeapPlan{0, 8, 0.01, 0, 198, 30},
+                                 // what an answer lifts, the next one lets down
+                                 HeapPlan{1, 8, 0.02, 0.8, 9, 0},
+                                 // a face turns towards a vertex that flies along it
+                                 HeapPlan{1, 8, 0.01, 0.8, 163, 0},
+                                 // an edge slides through the corner of a notch, from edge to edge
+                                 HeapPlan{4, 8, 0.01, 0.5, 73, 0},
+                                 // from behind a face round its edge, and then through it
+                                 HeapPlan{4, 8, 0.02, 0.1, 74, 30}}) {
         CAPTURE(family_name(plan.family));
         Scene scene = random_heap(plan);
         const chapter07::DepthOutcome outcome = chapter07::measure_depths(scene, 1, chapter08_solver);

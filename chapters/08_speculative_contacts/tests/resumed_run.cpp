@@ -36,6 +36,19 @@ TEST_CASE("resumed run: rigid bodies go on with the same numbers, to the last bi
         }
 }
 
+TEST_CASE("resumed run: what spins and lands in halved steps goes on with the same numbers, too")
+{
+    const HeapPlan notches{4, 8, 0.02, 0.1, 74, 30}, tetrahedra{0, 8, 0.01, 0, 198, 30},
+        lumps{6, 6, 0.02, 0.5, 4, 30};
+    for (const HeapPlan& plan : {notches, tetrahedra, lumps})
+        for (const double saved_at : {0.4, 0.6}) {
+            CAPTURE(family_name(plan.family));
+            CAPTURE(saved_at);
+            CHECK(apart([&] { return random_heap(plan); }, static_cast<int>(std::lround(saved_at / plan.dt)),
+                        static_cast<int>(std::lround(0.8 / plan.dt))) == 0);
+        }
+}
+
 TEST_CASE(
     "resumed run: a soft body goes on as it did, but for what its linear solver and the tolerance of contact leave")
 {

@@ -43,6 +43,22 @@ void predict(World& world, double dt)
         body->predict(world.gravity, dt);
 }
 
+/// A pair of the lowest vertex of A with the first face of B that looks up.
+Contact lowest_in_top(const World& world, int body_a, int body_b)
+{
+    const SurfaceMoment a = surface_at(*world.bodies[static_cast<std::size_t>(body_a)], 0),
+                        b = surface_at(*world.bodies[static_cast<std::size_t>(body_b)], 0);
+    Contact pair{ContactKind::vertex_face, body_a, body_b, 0, 0, {}, {1, -1, 0, 0}};
+    while (b.face_normal(pair.feature_b).normalized().y() < 0.9)
+        ++pair.feature_b;
+    for (int vertex = 1; vertex < a.step.topology.vertex_count(); ++vertex)
+        if (a.position(vertex).y() < a.position(pair.feature_a).y())
+            pair.feature_a = vertex;
+    const auto [p, q, r] = b.step.face(pair.feature_b);
+    pair.vertices = {pair.feature_a, p, q, r};
+    return pair;
+}
+
 bool has_kind(const Contacts& contacts, ContactKind kind)
 {
     return std::any_of(contacts.begin(), contacts.end(),
@@ -71,8 +87,39 @@ TEST_CASE(
             predict(world, 0.01);
             CAPTURE(small_first);
             CAPTURE(parts);
-            CHECK(has_kind(ContactSearch().find(world, {}, 0.01), ContactKind::vertex_face) == (parts < 1));
+            const int of_small = small_first ? 0 : 1;
+            const Contact known = lowest_in_top(world, of_small, 1 - of_small);
+            const Contacts found = ContactSearch().find(world, {known}, 0.01);
+            const auto corners = std::count_if(found.begin(), found.end(), [](const Contact& contact) {
+                return contact.kind == ContactKind::vertex_face;
+            });
+            CHECK(corners == (parts < 1 ? 4 : 1));  // those of the known one's body, or itself
         }
+}
+
+TEST_CASE(
+    "contact search: what lies outside beyond a sharp edge, and so behind a face, is not inside that face, unless a pair is as deep")
+{
+    // A wedge of 45 degrees along z with its edge in the origin: below y = 0, above the plane x = -y.
+    SurfaceMesh wedge;
+    wedge.vertices = {{0, 0, -1}, {0, 0, 1}, {1, 0, -1}, {1, 0, 1}, {1, -1, -1}, {1, -1, 1}};
+    wedge.faces = {{0, 1, 3}, {0, 3, 2}, {0, 4, 5}, {0, 5, 1}, {2, 3, 5}, {2, 5, 4}, {0, 2, 4}, {1, 5, 3}};
+    SurfaceMesh spike = placed(tetrahedron(1), 1,
+                               Quaternion::FromTwoVectors(tetrahedron(1).vertices[0], Vec3(1, -1, 0)));
+    const Vec3 tip = Vec3(0.012, -0.02, 0) - spike.vertices[0];  // 20 mm below the top, 6 mm before the slope
+    World world;
+    add_static(world, wedge);
+    add_rigid(world, placed(spike, 1, Quaternion::Identity(), tip));
+    predict(world, 1e-3);
+    const auto meets_top = [&](const Contacts& known) {
+        const Contacts found = ContactSearch().find(world, known, 1e-3);
+        return std::any_of(found.begin(), found.end(), [](const Contact& contact) {
+            return contact.kind == ContactKind::vertex_face && contact.body_a == 1 && contact.feature_b < 2;
+        });
+    };
+    CHECK(!meets_top({}));
+    Contact as_deep{ContactKind::vertex_face, 1, 0, 1, 0, {0, 0, 1, 3}, {1, -1, 0, 0}};  // of another vertex
+    CHECK(meets_top({as_deep}));
 }
 
 TEST_CASE(

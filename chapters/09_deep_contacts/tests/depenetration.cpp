@@ -265,3 +265,20 @@ TEST_CASE("depenetration: half-way between two directions, to a rounding, a body
             CHECK(deepest_inside(scene.world) < 1e-3);
         }
 }
+
+TEST_CASE("depenetration: a rest offset fades under ten weights of all bodies, and not under more")
+{
+    const double weight = 20 * 9.81;
+    for (const double weights : {0.0, 0.5, 5.0, 9.9, 10.1, 50.0}) {
+        World world = block_in_floor(0.01);
+        const Solver solver = chapter09_solver({});
+        Contact pressed{ContactKind::vertex_face, 1, 0, 0, 0, {0, 0, 1, 2}, {1, -1, 0, 0}};
+        pressed.stiffness = 1e6;
+        pressed.rest_offset = -0.01;
+        pressed.load = weights * weight;
+        Contacts contacts{pressed};
+        solver.pass("fade rest offsets").run(world, contacts, 0.01);
+        CAPTURE(weights);
+        CHECK((contacts[0].rest_offset > -0.01) == (weights < 10));
+    }
+}
