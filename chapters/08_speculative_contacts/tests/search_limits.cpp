@@ -106,10 +106,13 @@ TEST_CASE(
     wedge.faces = {{0, 1, 3}, {0, 3, 2}, {0, 4, 5}, {0, 5, 1}, {2, 3, 5}, {2, 5, 4}, {0, 2, 4}, {1, 5, 3}};
     SurfaceMesh spike = placed(tetrahedron(1), 1,
                                Quaternion::FromTwoVectors(tetrahedron(1).vertices[0], Vec3(1, -1, 0)));
-    const Vec3 tip = Vec3(0.012, -0.02, 0) - spike.vertices[0];  // 20 mm below the top, 6 mm before the slope
+    const Vec3 tip = Vec3(0.018, -0.02, 0) -
+                     spike.vertices[0];  // 20 mm below the top, 1.4 mm before the slope
     World world;
-    add_static(world, wedge);
-    add_rigid(world, placed(spike, 1, Quaternion::Identity(), tip));
+    const Quaternion tilt(
+        Eigen::AngleAxisd(-0.7, Vec3::UnitZ()));  // so that the box around the top holds the tip
+    add_static(world, placed(wedge, 1, tilt));
+    add_rigid(world, placed(placed(spike, 1, Quaternion::Identity(), tip), 1, tilt));
     predict(world, 1e-3);
     const auto meets_top = [&](const Contacts& known) {
         const Contacts found = ContactSearch().find(world, known, 1e-3);

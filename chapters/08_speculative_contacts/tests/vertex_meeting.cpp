@@ -24,15 +24,6 @@ std::optional<Meeting> meeting_of(const MovingSurface& a, int vertex, const Movi
     return find_meeting(a.step(), vertex, b.step(), face, reach, known);
 }
 
-/// The first edge with two faces.
-int inner_edge(const SurfaceTopology& surface)
-{
-    int edge = 0;
-    while (surface.faces_at_edge(edge)[1] < 0)
-        ++edge;
-    return edge;
-}
-
 /// A particle that moves from one place to another one in the step, and a triangle at rest.
 std::optional<Meeting> over_triangle(const Vec3& from, const Vec3& to, const Reach& reach, double size = 1,
                                      bool known = false)
@@ -181,26 +172,6 @@ TEST_CASE(
         CHECK_FALSE(moves(-0.7, 0.004));
         CHECK_FALSE(moves(0.02, 0.7));
         CHECK_FALSE(moves(-0.7, -0.005));
-    }
-}
-
-TEST_CASE(
-    "vertex meeting: over the edge of two triangles a vertex meets one of them, however its feet are rounded")
-{
-    Draw draw(3);
-    const SurfaceMesh plane = plane_grid(4, 4, {1, 1});
-    for (int trial = 0; trial < 200; ++trial) {
-        const Mat3 turn = draw.turn().toRotationMatrix();
-        SurfaceMesh turned = plane;
-        for (Vec3& x : turned.vertices)
-            x = turn * x;
-        const MovingSurface floor(turned);
-        const auto [p, q] = floor.topology.edges()[static_cast<std::size_t>(inner_edge(floor.topology))];
-        const Vec3 on_edge = lerp(turned.vertices[static_cast<std::size_t>(p)],
-                                  turned.vertices[static_cast<std::size_t>(q)], draw.between(0.1, 0.9));
-        const MovingSurface above(particle(on_edge + 0.001 * turn.col(1)));
-        CAPTURE(trial);
-        CHECK((meeting_of(above, 0, floor, 0, {0.01, 0.1}) || meeting_of(above, 0, floor, 1, {0.01, 0.1})));
     }
 }
 
