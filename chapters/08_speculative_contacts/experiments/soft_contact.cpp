@@ -118,8 +118,8 @@ std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
 {
     const std::vector<double> steps = options.quick ? std::vector{0.02, 0.01}
                                                     : std::vector{0.04, 0.02, 0.01, 0.005, 0.001};
-    const std::vector<double> youngs = options.quick ? std::vector{1e5} : std::vector{1e4, 1e5, 1e6, 1e7};
-    const unsigned seeds = options.quick ? 2 : 3;
+    const std::vector<double> youngs = options.quick ? std::vector{1e5} : std::vector{1e4, 1e5, 1e7};
+    const unsigned seeds = 2;
     std::vector<SoftCollision> runs;
     for (const Basis basis : {Basis::linear, Basis::quadratic})
         for (const double young : youngs)
