@@ -4,7 +4,7 @@ import sys
 
 LETTERS = {"alpha": "α", "delta": "δ", "varepsilon": "ε", "epsilon": "ε", "varphi": "φ", "zeta": "ζ", "mu": "μ", "pi": "π", "sigma": "σ", "tau": "τ", "omega": "ω", "Omega": "Ω"}
 SIGNS = {"cdot": "·", "times": "×", "le": "≤", "ge": "≥", "in": "∈", "sim": "~", "pm": "±", "mp": "∓", "int": "∫", "oint": "∮", "sum": "Σ", "dots": "…",
-         "parallel": "∥", "perp": "⊥"}
+         "parallel": "∥", "perp": "⊥", "min": "min", "max": "max"}
 IN_ASCII = {"·": "*", "×": "x", "≤": "<=", "≥": ">=", "∈": "in", "±": "+-", "∓": "-+", "∫": "integral", "∮": "integral", "Σ": "sum", "∥": "par", "⊥": "perp", "√": "sqrt", "…": "...",
             "²": "^2", "³": "^3"} | {sign: name for name, sign in LETTERS.items()} | {"Δ": "Delta "}
 SPACES = {",": " ", ";": " ", "!": "", "quad": "   ", "qquad": "   ", "left": "", "right": "", "big": "", "Big": "", "{": "{", "}": "}"}
@@ -72,7 +72,7 @@ def of_command(command, tokens):
         return f"binom({argument(tokens)}, {argument(tokens)})"
     if command == "dot":
         return f"{argument(tokens)}'"
-    if command in ("hat", "text", "mathtt"):
+    if command in ("hat", "text", "mathtt", "mathrm"):
         return argument(tokens)
     if command == "Delta":
         return "Δ" + argument(tokens)
