@@ -1,6 +1,7 @@
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
 #include "chapters/engines/bullet/bullet_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/experiments/run/processor_clock.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace enduring::solvers {
 namespace {
@@ -44,13 +46,16 @@ StepTimes time_scene(Scene& scene, const Solver& solver, double falls, double re
     return times;
 }
 
-Solver chapter_7(Scene& scene)
+ImplicitSettings one_thread()
 {
     ImplicitSettings settings;
     settings.record = [](const SolveRecord&) {};
     settings.threads = threads;
-    return chapter07_solver(scene.contact, settings);
+    return settings;
 }
+
+Solver chapter_7(Scene& scene) { return chapter07_solver(scene.contact, one_thread()); }
+Solver chapter_8(Scene& scene) { return chapter08_solver(scene.contact, one_thread()); }
 
 struct Pile {
     std::string name;
@@ -66,21 +71,26 @@ StepTimes time_pile(const Pile& pile, Solver (*make)(Scene&))
     return time_scene(scene, solver, pile.falls, pile.rests);
 }
 
-/// Piles under chapter 7's solver and under Bullet, with its defaults.
+/// Piles under the solvers of chapters 7 and 8, over Bullet's with its defaults.
 void against_bullet(bool quick, Report& report)
 {
-    Table table({"pile", "chapter 7, falling [ms]", "chapter 7, at rest [ms]", "Bullet, falling [ms]",
+    Table table({"pile", "chapter", "falling [ms]", "at rest [ms]", "Bullet, falling [ms]",
                  "Bullet, at rest [ms]", "ratio, falling", "ratio, at rest"});
     std::vector<Pile> piles{{"stack of 10", stack_of(10), 0.5, 2}};
     if (!quick)
         piles.insert(piles.end(), {{"heap of 20", loose_cubes(20, 3, 1), 1.5, 6},
                                    {"heap of 100", loose_cubes(100, 5, 1), 3, 8}});
-    double worst = 0;
+    double worst = 0;  // of chapter 7
     for (const Pile& pile : piles) {
-        const StepTimes ours = time_pile(pile, chapter_7), bullet = time_pile(pile, bullet_solver);
-        const double falling = ours.falling / bullet.falling, at_rest = ours.at_rest / bullet.at_rest;
-        table.add({pile.name, ours.falling, ours.at_rest, bullet.falling, bullet.at_rest, falling, at_rest});
-        worst = std::max({worst, falling, at_rest});
+        const StepTimes bullet = time_pile(pile, bullet_solver);
+        for (const auto& [chapter, make] : {std::pair{7L, &chapter_7}, std::pair{8L, &chapter_8}}) {
+            const StepTimes ours = time_pile(pile, make);
+            const double falling = ours.falling / bullet.falling, at_rest = ours.at_rest / bullet.at_rest;
+            table.add({pile.name, chapter, ours.falling, ours.at_rest, bullet.falling, bullet.at_rest,
+                       falling, at_rest});
+            if (chapter == 7)
+                worst = std::max({worst, falling, at_rest});
+        }
     }
     report.table("speed_bullet", table);
     report.page_table("speed_bullet", table, 2);
@@ -138,13 +148,12 @@ void time_bunny(const BunnyRun& way, bool quick, Table& table, Report& report)
                                  R"(", "/bodies/bunny/linear_solver": ")" + way.linear_solver + R"("})");
     SolveStatistics solves;
     long rounds = 0, newton_steps = 0;
-    ImplicitSettings settings;
+    ImplicitSettings settings = one_thread();
     settings.record = [&](const SolveRecord& record) {
         solves.add(record);
         rounds += record.rounds;
         newton_steps += record.newton_steps;
     };
-    settings.threads = threads;
     const Solver solver = way.chapter == "7" ? chapter07_solver(scene.contact, settings)
                                              : chapter06_solver(scene.contact);
     const double falls = quick ? 0.2 : 2, rests = quick ? 0.2 : 1, step_ms = 1000 * scene.dt;
@@ -177,7 +186,7 @@ void bunnies(bool quick, Report& report)
 
 }  // namespace
 
-/// How long chapter 7's steps take, as ratios where this is possible.
+/// How long the steps of chapters 7 and 8 take, as ratios where this is possible.
 void speed(const RunOptions& options, Report& report)
 {
     against_bullet(options.quick, report);
