@@ -45,10 +45,13 @@ class WrongVersion:
 
     @property
     def targets(self):
-        """The layer's tests and the libraries that they are of, as CMake calls them; a chapter has one for its experiments."""
+        """The layer's tests and the libraries that they are of, as CMake calls them, and that of the file, which may stand in a layer
+        below; a chapter has one for its experiments."""
         chapter = f"chapter{self.layer[:2]}"
-        return (f"test_{chapter}", f"{chapter}_layer", f"{chapter}_experiments") if self.number else \
+        own = (f"test_{chapter}", f"{chapter}_layer", f"{chapter}_experiments") if self.number else \
             (f"test_{self.layer}", f"enduring_{self.layer}")
+        folder = self.source.parent.name
+        return (*own, f"chapter{folder[:2]}_layer" if folder[:2].isdigit() else f"enduring_{folder}")
 
 
 def read(patch):

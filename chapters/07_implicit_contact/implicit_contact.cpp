@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <limits>
 
 namespace enduring {
 namespace {
@@ -68,9 +67,12 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     const double least = least_speed(world, island, dt);
     AndersonMixing mixing(settings.mixing_rounds);
     const std::vector<DeformableBody*> soft = soft_bodies(world, island);
-    double missing = soft.empty() ? 0 : std::numeric_limits<double>::infinity();  // of elastic forces
-    bool looked = false;  // at them, since the last round of contact
+    double missing = 0;  // of elastic forces, as a part of what the step changes
     for (;; ++record.rounds) {
+        if (missing > small_imbalance) {
+            missing = approach_ends(soft, dt);
+            mixing = AndersonMixing(settings.mixing_rounds);
+        }
         update_kinematics(world, step);
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
@@ -78,19 +80,10 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
                            record.residual <= rounding_residual(world, step, least);
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
-        // a later response that finds everything solved changes nothing, so that no island depends on another one's
-        const bool is_new = first || record.rounds > 0;
-        if (is_new && missing > small_imbalance && (!looked || record.converged) && steps_left > 0) {
-            missing = std::max(approach_ends(soft, dt),
-                               record.residual);  // contact will change them by as much
-            mixing = AndersonMixing(settings.mixing_rounds);
-            looked = true;
+        const bool ended = record.converged && missing <= small_imbalance;
+        if (ended && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness))
             continue;
-        }
-        looked = false;
-        if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness))
-            continue;
-        if (record.converged || steps_left <= 0)
+        if (ended || steps_left <= 0)
             break;
         const double of_round = residual_of(step.problem, begin.change, least);
         const double sharp = sharp_enough(record.residual, of_round, settings.tolerance);
@@ -101,9 +94,10 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
                                                                        least, steps_left);
         record.newton_steps += solution.newton_steps;
         apply_impulses(world, step, mixing.next(begin.impulses, solution.impulses));
+        if (!soft.empty())
+            missing = std::max(missing, record.residual);  // contact has changed them by as much
     }
-    const bool ends_follow = record.rounds == 0 || missing <= small_imbalance;
-    if (!(record.residual <= settings.kept_residual && ends_follow))
+    if (!(record.residual <= settings.kept_residual && missing <= small_imbalance))
         outcome.trouble = StepTrouble::unsolved;
     else if (largest_compression(world, step) > settings.kept_depth)
         outcome.trouble = StepTrouble::too_deep;
