@@ -80,10 +80,9 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
                            record.residual <= rounding_residual(world, step, least);
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
-        const bool ended = record.converged && missing <= small_imbalance;
-        if (ended && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness))
+        if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness))
             continue;
-        if (ended || steps_left <= 0)
+        if (record.converged || steps_left <= 0)
             break;
         const double of_round = residual_of(step.problem, begin.change, least);
         const double sharp = sharp_enough(record.residual, of_round, settings.tolerance);

@@ -72,8 +72,11 @@ TEST_CASE(
 
 TEST_CASE("soft contact: where contact is solved, elastic forces are those of the end of the step")
 {
-    for (const Basis basis : {Basis::linear, Basis::quadratic}) {
-        Scene scene = soft_collision({basis, 1e5, 0.01, 1});
+    for (const SoftCollision& collision : {SoftCollision{Basis::linear, 1e5, 0.01, 1},
+                                           {Basis::quadratic, 1e5, 0.01, 1},
+                                           {Basis::quadratic, 1e4, 0.005, 1},
+                                           {Basis::linear, 1e6, 0.02, 1}}) {
+        Scene scene = soft_collision(collision);
         const Solver solver = chapter08_solver(scene.contact);
         Contacts contacts;
         int solves = 0;
