@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <numbers>
 
 using namespace enduring;
@@ -274,4 +275,32 @@ TEST_CASE("vertex meeting: a face without area has no pair")
 {
     const MovingSurface flat({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}});
     CHECK_FALSE(meeting_of(MovingSurface(particle({1, 0.001, 0})), 0, flat, 0, {0.01, 0.1}));
+}
+
+TEST_CASE("vertex meeting: how far a face goes on below its neighbour does not depend on its first corner")
+{
+    Draw draw(3);
+    int met = 0, missed = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        SurfaceMesh valley = hinge(draw.between(0.1, 1));
+        const Vec3 beside(-draw.between(0, 0.3), -draw.between(0, 0.1), draw.between(0.3, 0.7));
+        const MovingSurface vertex(particle(beside), draw.between(0, 0.1) * draw.direction());
+        std::vector<Vec3> paths;
+        for (std::size_t i = 0; i < valley.vertices.size(); ++i)
+            paths.emplace_back(draw.between(0, 0.3) * draw.direction());
+        std::array<bool, 3> found{};
+        for (bool& one : found) {
+            MovingSurface surface(valley);
+            for (std::size_t i = 0; i < paths.size(); ++i)
+                surface.t1[i] += paths[i];
+            one = meeting_of(vertex, 0, surface, 0, {0.01, 0.1}).has_value();
+            std::rotate(valley.faces[0].begin(), valley.faces[0].begin() + 1, valley.faces[0].end());
+        }
+        CAPTURE(trial);
+        CHECK(found[0] == found[1]);
+        CHECK(found[0] == found[2]);
+        ++(found[0] ? met : missed);
+    }
+    CHECK(met > 200);
+    CHECK(missed > 200);
 }
