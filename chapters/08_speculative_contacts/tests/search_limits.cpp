@@ -89,7 +89,12 @@ TEST_CASE(
             CAPTURE(parts);
             const int of_small = small_first ? 0 : 1;
             const Contact known = lowest_in_top(world, of_small, 1 - of_small);
-            const Contacts found = ContactSearch().find(world, {known}, 0.01);
+            // The large body is deep in something else: this says nothing about the small one.
+            world.planes.emplace_back();
+            world.planes.back().point = Vec3(0, -0.95, 0);
+            const Contact of_large{ContactKind::vertex_plane, 1 - of_small, 0, 0, -1,
+                                   {0, -1, -1, -1},           {1, 0, 0, 0}};
+            const Contacts found = ContactSearch().find(world, {known, of_large}, 0.01);
             const auto corners = std::count_if(found.begin(), found.end(), [](const Contact& contact) {
                 return contact.kind == ContactKind::vertex_face;
             });
