@@ -1,5 +1,7 @@
 #include "common/geometry/gmsh_groups.hpp"
 
+#include "common/geometry/sort_once.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -23,13 +25,6 @@ std::string name_on(const TextLines& lines)
     if (first == last)
         lines.fail("the name of a group stands between quotation marks");
     return std::string(line.substr(first + 1, last - first - 1));
-}
-
-template <class Item>
-void sort_once(std::vector<Item>& items)
-{
-    std::sort(items.begin(), items.end());
-    items.erase(std::unique(items.begin(), items.end()), items.end());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "common/geometry/quadratic.hpp"
 
+#include "common/geometry/sort_once.hpp"
+
 #include <algorithm>
 
 namespace enduring {
@@ -14,8 +16,7 @@ std::vector<Edge> distinct_edges(const TetrahedralMesh& mesh)
     for (const auto& element : mesh.elements)
         for (const auto& [i, j] : tetrahedron_edges)
             edges.push_back(edge_between(element[i], element[j]));
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    sort_once(edges);
     return edges;
 }
 

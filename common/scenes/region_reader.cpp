@@ -1,5 +1,7 @@
 #include "common/scenes/region_reader.hpp"
 
+#include "common/geometry/sort_once.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -69,8 +71,7 @@ NamedNodes NamedNodes::of(const QuadraticTetrahedralMesh& mesh, const NodeGroups
                 if (std::binary_search(group.edges.begin(), group.edges.end(), Edge{a, b}))
                     group.nodes.push_back(element[4 + e]);
             }
-        std::sort(group.nodes.begin(), group.nodes.end());
-        group.nodes.erase(std::unique(group.nodes.begin(), group.nodes.end()), group.nodes.end());
+        sort_once(group.nodes);
     }
     return named;
 }

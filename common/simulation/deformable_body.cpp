@@ -305,10 +305,16 @@ double DeformableBody::settle(double dt)
     return missing;
 }
 
+/// What holds a node takes its share of an impulse.
+void DeformableBody::push_grips(int vertex, const Vec3& impulse)
+{
+    if (!grips_.empty())
+        grip_work_ -= impulse.dot(embedding_.at(vertex, grip_velocity_));
+}
+
 void DeformableBody::push_elements(int vertex, const Vec3& impulse)
 {
-    if (!grips_.empty())  // what holds a node takes its share
-        grip_work_ -= impulse.dot(embedding_.at(vertex, grip_velocity_));
+    push_grips(vertex, impulse);
     embedding_.apply_impulse(vertex, impulse, Eigen::VectorXd::Ones(elastic_.node_count()),
                              waiting_impulses_);
 }
@@ -319,8 +325,7 @@ void DeformableBody::apply_impulse(int vertex, const Vec3& impulse)
         push_elements(vertex, impulse);
         return;
     }
-    if (!grips_.empty())
-        grip_work_ -= impulse.dot(embedding_.at(vertex, grip_velocity_));
+    push_grips(vertex, impulse);
     embedding_.apply_impulse(vertex, impulse, elastic_.inverse_masses(), elastic_.velocities());
 }
 

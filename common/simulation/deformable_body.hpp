@@ -129,6 +129,7 @@ private:
     void spread_forces(double dt);
     void move_grips(const Vec3& weight, double dt);
 
+    void push_grips(int vertex, const Vec3& impulse);
     void push_elements(int vertex, const Vec3& impulse);
     void update_positions(double dt);
     template <class Work>

@@ -40,6 +40,21 @@ double enough(const Wedge& wedge)
     return spring * std::cos(wedge.angle) * wedge.mass * wedge.free_speed / (wedge.mass + 2 * spring);
 }
 
+struct Round {
+    Wedge wedge;
+    double limit;  ///< [N s]
+    WedgeMotion motion;
+};
+
+/// With a limit that holds the cube, or does not.
+Round random_round(RandomInputs& random)
+{
+    const Wedge wedge = random_wedge(random);
+    const double limit = random.number(0, 1.5) * enough(wedge);
+    given(told(wedge), ", limit ", limit, " N s");
+    return {wedge, limit, solved_with(wedge, limit)};
+}
+
 }  // namespace
 
 TEST_CASE("round: held, sliding without friction, and sliding against a limit, by hand")
@@ -65,10 +80,7 @@ TEST_CASE("round: both walls take the momentum that the cube loses, whatever the
 {
     RandomInputs random(76);
     for (int trial = 0; trial < 200; ++trial) {
-        const Wedge wedge = random_wedge(random);
-        const double limit = random.number(0, 1.5) * enough(wedge);
-        given(told(wedge), ", limit ", limit, " N s");
-        const WedgeMotion motion = solved_with(wedge, limit);
+        const auto [wedge, limit, motion] = random_round(random);
         const double momentum = wedge.mass * wedge.free_speed;
         expect(
             "momentum that the walls take",
@@ -81,10 +93,7 @@ TEST_CASE("round: springs push with k dt^2 times the speed along them, friction 
 {
     RandomInputs random(77);
     for (int trial = 0; trial < 200; ++trial) {
-        const Wedge wedge = random_wedge(random);
-        const double limit = random.number(0, 1.5) * enough(wedge);
-        given(told(wedge), ", limit ", limit, " N s");
-        const WedgeMotion motion = solved_with(wedge, limit);
+        const auto [wedge, limit, motion] = random_round(random);
         const double spring = wedge.stiffness * wedge.dt * wedge.dt, size = enough(wedge);
         expect("normal impulse over that of a held cube", motion.normal / size,
                spring * std::sin(wedge.angle) * motion.speed / size, 1e-9);

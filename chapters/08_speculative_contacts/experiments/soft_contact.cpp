@@ -32,23 +32,6 @@ struct SoftContact {
     int torn = 0;        ///< links of a chain that have come apart at the end
 };
 
-Vec3 angular_momentum(const World& world)
-{
-    Vec3 sum = Vec3::Zero();
-    for (const auto& body : world.bodies)
-        sum += body->angular_momentum(Vec3::Zero());
-    return sum;
-}
-
-/// Of the bodies about the middle of all, the sum of their lengths [kg m^2/s].
-double turning(const World& world)
-{
-    double sum = 0;
-    for (const auto& body : world.bodies)
-        sum += body->angular_momentum(Vec3::Zero()).norm();
-    return sum;
-}
-
 enum class ElasticForces { linear_step, of_the_end };
 
 SoftContact run_soft_contact(Scene& scene, double duration, ElasticForces forces = ElasticForces::of_the_end)
@@ -111,7 +94,13 @@ const std::vector<std::string> total_columns{"runs",         "elements inverted"
                                              "steps halved", "ended badly",       "unsolved",
                                              "solves"};
 
-using SoftFound = std::vector<SoftContact>;
+SoftTotals totals_of(const std::vector<SoftContact>& runs)
+{
+    SoftTotals all;
+    for (const SoftContact& run : runs)
+        all.add(run);
+    return all;
+}
 
 /// Loses of angular momentum, over the step.
 std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
@@ -136,7 +125,6 @@ std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
     for (const double dt : steps)
         columns.push_back("lost at " + readable(1000 * dt, 2) + " ms [%]");
     Table table(columns);
-    SoftTotals all;
     std::vector<double> worst(steps.size(), 0.0);
     auto run = found->begin();
     for (const Basis basis : {Basis::linear, Basis::quadratic})
@@ -144,10 +132,8 @@ std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
             std::vector<Cell> row{std::string(basis == Basis::linear ? "linear" : "quadratic"), young};
             for (double& worst_at : worst) {
                 double lost = 0;
-                for (unsigned seed = 1; seed <= seeds; ++seed, ++run) {
+                for (unsigned seed = 1; seed <= seeds; ++seed, ++run)
                     lost = std::max(lost, 100 * run->turned_away);
-                    all.add(*run);
-                }
                 row.emplace_back(lost);
                 worst_at = std::max(worst_at, lost);
             }
@@ -157,7 +143,7 @@ std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
     report.page_table("soft_collisions", table, 2);
     report.fact("soft_contact", "lost_percent_longest", worst.front(), 2);
     report.fact("soft_contact", "lost_percent_shortest", worst.back(), 2);
-    return all;
+    return totals_of(*found);
 }
 
 /// Counts the links, too, that have come apart.
@@ -189,14 +175,11 @@ std::optional<SoftTotals> chains(const RunOptions& options, Report& report)
     });
     if (!found)
         return std::nullopt;
-    SoftTotals all;
     long torn = 0;
-    for (const SoftContact& run : *found) {
-        all.add(run);
+    for (const SoftContact& run : *found)
         torn += run.torn;
-    }
     report.fact("soft_contact", "torn", static_cast<double>(torn));
-    return all;
+    return totals_of(*found);
 }
 
 /// What a cube of the base of 1 m^2 is pressed by its load [m].
@@ -225,7 +208,6 @@ std::optional<SoftTotals> soft_loads(const RunOptions& options, Report& report)
     if (!found)
         return std::nullopt;
     Table table({"load", "young_pa", "dt_s", "sunk [mm]", "of a column [mm]", "speed_m_per_s"});
-    SoftTotals all;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const Case& of = cases[i];
         const SoftContact& run = (*found)[i];
@@ -236,11 +218,10 @@ std::optional<SoftTotals> soft_loads(const RunOptions& options, Report& report)
         table.add({std::string(of.soft_on_top ? "soft cube of 1 t" : "rigid cube of 1 t"), of.young, of.dt,
                    1000 * (start - run.height), 1000 * (1 + 0.5 * own) * pressed_by(1000, of.young),
                    run.speed});
-        all.add(run);
     }
     report.table("soft_loads", table);
     report.page_table("soft_loads", table, 2);
-    return all;
+    return totals_of(*found);
 }
 
 std::optional<SoftTotals> bunnies(const RunOptions& options)
@@ -255,10 +236,7 @@ std::optional<SoftTotals> bunnies(const RunOptions& options)
     });
     if (!found)
         return std::nullopt;
-    SoftTotals all;
-    for (const SoftContact& run : *found)
-        all.add(run);
-    return all;
+    return totals_of(*found);
 }
 
 std::optional<SoftTotals> twisted_bars(const RunOptions& options)
@@ -271,10 +249,7 @@ std::optional<SoftTotals> twisted_bars(const RunOptions& options)
     });
     if (!found)
         return std::nullopt;
-    SoftTotals all;
-    for (const SoftContact& run : *found)
-        all.add(run);
-    return all;
+    return totals_of(*found);
 }
 
 /// The same scenes with one linear step of the elastic forces, and with those of the step's end.

@@ -180,4 +180,20 @@ Scene twisted_soft_bar(Basis basis, double young, double dt)
     return scene;
 }
 
+Vec3 angular_momentum(const World& world)
+{
+    Vec3 sum = Vec3::Zero();
+    for (const auto& body : world.bodies)
+        sum += body->angular_momentum(Vec3::Zero());
+    return sum;
+}
+
+double turning(const World& world)
+{
+    double sum = 0;
+    for (const auto& body : world.bodies)
+        sum += body->angular_momentum(Vec3::Zero()).norm();
+    return sum;
+}
+
 }  // namespace enduring::chapter08

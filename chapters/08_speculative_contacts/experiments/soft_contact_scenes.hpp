@@ -30,4 +30,9 @@ Scene cube_on_light_cube(double young, double dt);
 /// A bar of 1 m by 0.2 m that is twisted by a whole turn, held at one end and let go.
 Scene twisted_soft_bar(Basis basis, double young, double dt);
 
+/// Of all bodies about the origin [kg m^2/s].
+Vec3 angular_momentum(const World& world);
+/// The sum of the lengths of what each body has of it.
+double turning(const World& world);
+
 }  // namespace enduring::chapter08

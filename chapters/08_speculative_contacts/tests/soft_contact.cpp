@@ -17,14 +17,6 @@ double energy_with_springs(const World& world, const Contacts& contacts)
     return total_energy(world).total() + spring_energy(contacts);
 }
 
-Vec3 turning_of(const World& world)
-{
-    Vec3 sum = Vec3::Zero();
-    for (const auto& body : world.bodies)
-        sum += body->angular_momentum(Vec3::Zero());
-    return sum;
-}
-
 /// Runs a scene in which energy can only fall, and checks that it does, and that no step is halved.
 void run_and_check(Scene& scene, double duration, bool is_linear = false)
 {
@@ -48,12 +40,10 @@ void run_and_check(Scene& scene, double duration, bool is_linear = false)
 double lost_by(Basis basis, double dt, bool is_linear = false)
 {
     Scene scene = soft_collision({basis, 1e5, dt, 1});
-    const Vec3 first = turning_of(scene.world);
-    double all = 0;
-    for (const auto& body : scene.world.bodies)
-        all += body->angular_momentum(Vec3::Zero()).norm();
+    const Vec3 first = angular_momentum(scene.world);
+    const double all = turning(scene.world);
     run_and_check(scene, 0.4, is_linear);
-    return (turning_of(scene.world) - first).norm() / all;
+    return (angular_momentum(scene.world) - first).norm() / all;
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include "common/geometry/solid_checks.hpp"
 #include "common/geometry/surface_checks.hpp"
 #include "common/geometry/surface_extraction.hpp"
+#include "common/geometry/tests/complaint.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
-#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 
@@ -22,20 +22,9 @@ const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const std::string corners = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";
 const std::string one_element = "$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n";
 
-template <class Act>
-std::string complaint(const Act& act)
-{
-    try {
-        act();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no complaint";
-}
-
 std::string gmsh_complaint(const std::string& text)
 {
-    return complaint([&] {
+    return complaint_of([&] {
         std::istringstream stream(text);
         read_gmsh(stream, "m.msh");
     });
@@ -43,7 +32,7 @@ std::string gmsh_complaint(const std::string& text)
 
 std::string obj_complaint(const std::string& text)
 {
-    return complaint([&] {
+    return complaint_of([&] {
         std::istringstream stream(text);
         read_obj(stream, "m.obj");
     });
@@ -148,11 +137,11 @@ TEST_CASE("Gmsh reader: a file of blocks, version 4.1, is refused with file, lin
 
 TEST_CASE("mesh readers: a missing file and a folder are refused by name")
 {
-    CHECK(complaint([] { read_gmsh("/nowhere/bunny.msh"); }) == "/nowhere/bunny.msh: cannot be opened");
-    CHECK(complaint([] { read_obj("/nowhere/bunny.obj"); }) == "/nowhere/bunny.obj: cannot be opened");
+    CHECK(complaint_of([] { read_gmsh("/nowhere/bunny.msh"); }) == "/nowhere/bunny.msh: cannot be opened");
+    CHECK(complaint_of([] { read_obj("/nowhere/bunny.obj"); }) == "/nowhere/bunny.obj: cannot be opened");
     const std::string folder = std::filesystem::temp_directory_path().string();
-    CHECK(complaint([&] { read_gmsh(folder); }) == folder + ": cannot be opened");
-    CHECK(complaint([&] { read_obj(folder); }) == folder + ": cannot be opened");
+    CHECK(complaint_of([&] { read_gmsh(folder); }) == folder + ": cannot be opened");
+    CHECK(complaint_of([&] { read_obj(folder); }) == folder + ": cannot be opened");
 }
 
 TEST_CASE("OBJ reader: each kind of bad file is refused with file, line and reason")
@@ -186,7 +175,7 @@ TEST_CASE("surface checks: what contact cannot live on is refused, with the reas
 {
     const SurfaceMesh cube = box({1, 1, 1});
     const auto refused = [](const SurfaceMesh& mesh, Border border = Border::refused) {
-        return complaint([&] { check_surface(mesh, "cube", border); });
+        return complaint_of([&] { check_surface(mesh, "cube", border); });
     };
     CHECK(refused(cube) == "no complaint");
     CHECK(refused({}) == "cube: the surface has no faces");
@@ -234,7 +223,7 @@ TEST_CASE("surface checks: what contact cannot live on is refused, with the reas
 TEST_CASE("solid checks: inverted elements, stray nodes and solids that touch in an edge only are refused")
 {
     const TetrahedralMesh good = bar({1, 1, 1}, {2, 1, 1});
-    const auto refused = [](const auto& mesh) { return complaint([&] { check_solid(mesh, "bar"); }); };
+    const auto refused = [](const auto& mesh) { return complaint_of([&] { check_solid(mesh, "bar"); }); };
     CHECK(refused(good) == "no complaint");
     CHECK(refused(with_edge_midpoints(good)) == "no complaint");
     CHECK(refused(TetrahedralMesh{}) == "bar: the mesh has no elements");

@@ -1,5 +1,5 @@
 #include "common/geometry/read_gmsh.hpp"
-#include "common/input/input_error.hpp"
+#include "common/geometry/tests/complaint.hpp"
 #include "common/input/source_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -49,12 +49,7 @@ std::string complaint(const std::string& from, const std::string& to)
 {
     std::string text = small;
     text.replace(text.find(from), from.size(), to);
-    try {
-        read(text);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no complaint";
+    return complaint_of([&] { read(text); });
 }
 
 }  // namespace

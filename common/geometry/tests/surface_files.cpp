@@ -2,6 +2,7 @@
 #include "common/geometry/read_surface.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/geometry/surface_checks.hpp"
+#include "common/geometry/tests/complaint.hpp"
 #include "common/geometry/weld.hpp"
 #include "common/input/input_error.hpp"
 
@@ -120,14 +121,11 @@ void check_same(const SurfaceMesh& read, const SurfaceMesh& written)
 
 std::string complaint(const std::string& bytes, const std::string& kind)
 {
-    try {
+    return complaint_of([&] {
         kind == ".off"   ? read_off(bytes, "m.off")
         : kind == ".stl" ? read_stl(bytes, "m.stl")
                          : read_ply(bytes, "m.ply");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no complaint";
+    });
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "common/input/input_error.hpp"
+#include "common/geometry/tests/complaint.hpp"
 #include "common/scenes/scene_reader.hpp"
+#include "common/scenes/tests/steps.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/step.hpp"
 
 #include <doctest/doctest.h>
 
@@ -29,19 +29,7 @@ Scene driven(const std::string& patch = "") { return read_scene(text, patch, "dr
 
 std::string complaint(const std::string& patch)
 {
-    try {
-        driven(patch);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no complaint";
-}
-
-void step(Scene& scene, int steps)
-{
-    Contacts contacts;
-    for (int i = 0; i < steps; ++i)
-        advance(scene.world, contacts, {}, scene.dt);
+    return complaint_of([&] { driven(patch); });
 }
 
 const RigidMotion& brick_of(const Scene& scene)

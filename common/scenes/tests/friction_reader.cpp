@@ -1,3 +1,4 @@
+#include "common/geometry/tests/complaint.hpp"
 #include "common/scenes/scene_reader.hpp"
 
 #include <doctest/doctest.h>
@@ -17,12 +18,7 @@ FrictionParameters friction(const std::string& object)
 
 std::string complaint(const std::string& object)
 {
-    try {
-        friction(object);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no complaint";
+    return complaint_of([&] { friction(object); });
 }
 
 }  // namespace

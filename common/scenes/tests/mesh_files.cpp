@@ -1,5 +1,5 @@
 #include "common/experiments/report/tests/temporary_folder.hpp"
-#include "common/input/input_error.hpp"
+#include "common/geometry/tests/complaint.hpp"
 #include "common/scenes/scene_reader.hpp"
 
 #include <doctest/doctest.h>
@@ -32,12 +32,7 @@ struct MeshFolder : TemporaryFolder {
     }
     std::string complaint(const std::string& shape, const std::string& keys = "") const
     {
-        try {
-            with(shape, keys);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "no complaint";
+        return complaint_of([&] { with(shape, keys); });
     }
 };
 

@@ -1,4 +1,5 @@
 #include "common/scenes/scene.hpp"
+#include "common/geometry/tests/complaint.hpp"
 #include "common/input/input_error.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/simulation/deformable_body.hpp"
@@ -32,12 +33,7 @@ Scene ball(const std::string& patch = "")
 
 std::string complaint(const std::string& patch)
 {
-    try {
-        ball(patch);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no complaint";
+    return complaint_of([&] { ball(patch); });
 }
 
 }  // namespace
@@ -300,12 +296,7 @@ TEST_CASE("scene: shapes that cannot be are refused")
 TEST_CASE("scene: a syntax error is named with its line, and a key that stands twice is one")
 {
     const auto message = [](const std::string& text) {
-        try {
-            read_scene(text, "", "s.json", {});
-        } catch (const InputError& error) {
-            return std::string(error.what());
-        }
-        return std::string("no complaint");
+        return complaint_of([&] { read_scene(text, "", "s.json", {}); });
     };
     CHECK(message("{\n \"dt\": 0.1,\n}").find("s.json: not valid JSON: parse error at line 3, column 1") ==
           0);
@@ -364,12 +355,7 @@ Scene jelly(const std::string& patch) { return read_scene(jelly_text, patch, "je
 
 std::string jelly_complaint(const std::string& patch)
 {
-    try {
-        jelly(patch);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no complaint";
+    return complaint_of([&] { jelly(patch); });
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "common/input/input_error.hpp"
+#include "common/geometry/tests/complaint.hpp"
 #include "common/input/source_directory.hpp"
 #include "common/scenes/scene_reader.hpp"
+#include "common/scenes/tests/steps.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/rigid_body.hpp"
-#include "common/simulation/step.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,19 +31,7 @@ Scene soft(const std::string& patch = "")
 
 std::string complaint(const std::string& patch)
 {
-    try {
-        soft(patch);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no complaint";
-}
-
-void step(Scene& scene, int steps)
-{
-    Contacts contacts;
-    for (int i = 0; i < steps; ++i)
-        advance(scene.world, contacts, {}, scene.dt);
+    return complaint_of([&] { soft(patch); });
 }
 
 const ElasticBody& bar_of(const Scene& scene)

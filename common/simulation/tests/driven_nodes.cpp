@@ -1,7 +1,7 @@
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/energy.hpp"
-#include "common/simulation/step.hpp"
+#include "common/simulation/tests/run_until.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,13 +31,6 @@ World held_bar(const GivenMotion& motion, bool all_driven = false)
     return world;
 }
 
-void run_for(World& world, double time, double dt, const Solver& solver = {})
-{
-    Contacts contacts;
-    while (world.time < time - dt / 2)
-        advance(world, contacts, solver, dt);
-}
-
 /// Elastic forces where the step ends.
 Solver settling()
 {
@@ -60,7 +53,7 @@ TEST_CASE(
     "driven nodes: a bar that is pulled holds E e^2 V / 2, and what pulls has given that and the damping's heat")
 {
     World world = held_bar(pull());
-    run_for(world, 2, 0.01);
+    run_until(world, 2, 0.01);
     const double expected = young * stretch * stretch * 0.04 / 2;
     CHECK(total_energy(world).elastic == doctest::Approx(expected).epsilon(1e-3));
     CHECK(total_energy(world).kinetic < 1e-6 * expected);
@@ -75,8 +68,8 @@ TEST_CASE(
     const GivenMotion motion = GivenMotion::through(
         {{0, Vec3::Zero(), Vec3::Zero()}, {1, stretch * Vec3::UnitX(), 0.2 * Vec3::UnitX()}});
     World linear = held_bar(motion), settled = held_bar(motion);
-    run_for(linear, 1.5, 0.01);
-    run_for(settled, 1.5, 0.01, settling());
+    run_until(linear, 1.5, 0.01);
+    run_until(settled, 1.5, 0.01, settling());
     CHECK(total_energy(settled).elastic == doctest::Approx(total_energy(linear).elastic).epsilon(1e-4));
     CHECK(settled.driven == doctest::Approx(linear.driven).epsilon(1e-2));
 }
@@ -88,7 +81,7 @@ TEST_CASE(
     const Body& body = *world.bodies[0];
     const std::vector<Vec3> start(body.positions_t0().begin(), body.positions_t0().end());
     constexpr double dt = 1e-3;
-    run_for(world, 0.3, dt);
+    run_until(world, 0.3, dt);
     const Mat3 turn = Eigen::AngleAxisd(0.9, Vec3::UnitZ()).toRotationMatrix();
     for (std::size_t v = 0; v < start.size(); ++v) {
         const Vec3 expected = 0.3 * Vec3(1, 2, 0) + turn * start[v];

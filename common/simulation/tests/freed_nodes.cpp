@@ -1,7 +1,7 @@
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/energy.hpp"
-#include "common/simulation/step.hpp"
+#include "common/simulation/tests/run_until.hpp"
 
 #include <doctest/doctest.h>
 
@@ -34,13 +34,6 @@ World gripped_bar(double left, double right, const GivenMotion& motion, double f
     world.gravity.setZero();
     world.bodies.push_back(std::make_unique<DeformableBody>("bar", mesh, settings));
     return world;
-}
-
-void run_until(World& world, double time, double dt, const Solver& solver = {})
-{
-    Contacts contacts;
-    while (world.time < time - dt / 2)
-        advance(world, contacts, solver, dt);
 }
 
 /// Throws each first attempt at a step away.
