@@ -160,7 +160,7 @@ def main():
         sys.exit(f"{options.book} has no exercises in its pages: ./course docs --live brings them, where npm gives what they need")
     exercises = [exercise for exercise in editor.offered() if options.number in (None, exercise.number, exercise.number.split(".")[0])]
     if not exercises:
-        sys.exit(f"{options.number}: the pages offer {', '.join(editor.OFFERED)}")
+        sys.exit(f"{options.number}: the pages offer {', '.join(exercise.number for exercise in editor.offered())}")
     faults, count = prove_page(options.book.resolve(), exercises, options.part, options.known)
     print(*faults, sep="\n")
     print(f"\n{len(faults)} faults in {count} answers" if faults else f"\nProven: {count} answers to {len(exercises)} exercises get in the page what ./course {'prove' if options.known else 'check'} says.")

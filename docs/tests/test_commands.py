@@ -49,7 +49,7 @@ def refusal(words):
     if command == "compare":
         return "" if len(rest) in (1, 2) else "compare takes one or two folders"
     if command == "prove" and "--page" in rest:  # the exercises that the pages offer
-        return "" if {word for word in rest if word != "--page"} <= set(editor.OFFERED) else "not in a page"
+        return "" if {word for word in rest if word != "--page"} <= {exercise.number for exercise in editor.offered()} else "not in a page"
     if command in ("check", "exercise", "hint", "solution", "update", "prove", "grade", "handout"):
         return refusal_of_exercises(words)
     done = subprocess.run(["./course", *words], cwd=ROOT, env=os.environ | {"ENDURING_ONLY_READ": "yes"}, capture_output=True, text=True)

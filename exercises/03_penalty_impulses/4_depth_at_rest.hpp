@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/scenes/scene.hpp"
+#include "common/scenes/scene_reader.hpp"
 
 #include <string>
 
@@ -25,14 +25,14 @@ inline Scene cube_on_floor(const RestingCube& cube)
     const auto text = [](double value) { return std::to_string(value); };
     const std::string cells = std::to_string(cube.cells),
                       method = cube.method == PenaltyMethod::continuous ? "cpf" : "dpf";
-    return load_scene(scene_file("hooked"), R"({"dt": )" + text(cube.dt) +
-                                                R"(, "duration": 10, "contact": {"method": ")" + method +
-                                                R"(", "stiffness": )" + text(cube.stiffness) +
-                                                R"(}, "bodies": [{"name": "floor", "type": "static",
+    return read_scene(R"({"name": "cube_on_floor", "duration": 10, "dt": )" + text(cube.dt) +
+                          R"(, "contact": {"method": ")" + method + R"(", "stiffness": )" +
+                          text(cube.stiffness) + R"(}, "bodies": [{"name": "floor", "type": "static",
                           "shape": {"plane_grid": {"size": [8, 8], "cells": [1, 1]}}, "position": [2, 0, -2]}, {"name": "cube", "type": "rigid",
                           "shape": {"box": {"size": [0.5, 0.5, 0.5], "cells": [)" +
-                                                cells + "," + cells + "," + cells + R"(]}}, "mass": )" +
-                                                text(cube.mass) + R"(, "position": [0, 0.2501, 0]}]})");
+                          cells + "," + cells + "," + cells + R"(]}}, "mass": )" + text(cube.mass) +
+                          R"(, "position": [0, 0.2501, 0]}]})",
+                      "", "cube_on_floor", {});
 }
 
 /// Your prediction, written down before anything is measured: how many times less deep a cube of 4 cells a

@@ -1,9 +1,9 @@
 #include "exercises/11_exact_contact/4_adapter_units.hpp"
 #include "exercises/checking.hpp"
+#include "exercises/random_inputs.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <random>
 
 using namespace enduring;
 
@@ -19,10 +19,11 @@ OurBox brick()
 }
 
 /// Units of any size: of an ant, of a ship, of the tick of a clock.
-EngineUnits random_units(std::mt19937& random)
+EngineUnits random_units(RandomInputs& random)
 {
-    std::normal_distribution<double> normal;
-    return {std::exp(normal(random)), std::exp(normal(random)), std::exp(normal(random))};
+    const double length = std::exp(random.normal()), mass = std::exp(random.normal()),
+                 time = std::exp(random.normal());
+    return {length, mass, time};
 }
 
 std::string told(const EngineUnits& units)
@@ -60,7 +61,7 @@ TEST_CASE("box: a brick in centimetres, grams and seconds")
 
 TEST_CASE("box: its energy is the same, whatever the units")
 {
-    std::mt19937 random(1);
+    RandomInputs random(1);
     for (int i = 0; i < 100; ++i) {
         const EngineUnits units = random_units(random);
         given("units ", told(units));
@@ -77,7 +78,7 @@ TEST_CASE("box: its energy is the same, whatever the units")
 
 TEST_CASE("box: its corners are where they were")
 {
-    std::mt19937 random(2);
+    RandomInputs random(2);
     for (int i = 0; i < 100; ++i) {
         const EngineUnits units = random_units(random);
         given("units ", told(units), ", orientation (w, x, y, z) = (0.5, 0.1, -0.7, 0.5)");
@@ -126,7 +127,7 @@ TEST_CASE("impulse: what the engine tells, in N s")
 
 TEST_CASE("landing: the engine computes the same, whatever its units")
 {
-    std::mt19937 random(3);
+    RandomInputs random(3);
     const WorldSettings ours{{0, -9.81, 0}, 0.02, 1e-4};
     const OurBox box = brick();
     const Vec3 arm(0.08, -0.06, 0.02);

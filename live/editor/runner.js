@@ -1,6 +1,6 @@
 // The worker that runs one program: what it writes to each descriptor is told as it comes, for it may never end.
 onmessage = async ({ data: program }) => {
-    const decoders = {}, failed = 8; // as WASI calls a bad descriptor
+    const decoders = {}, failed = 8, noFile = -44; // as WASI calls a bad descriptor, and a file that is not there
     let memory;
     const view = () => new DataView(memory.buffer);
     const wasi = {
@@ -29,7 +29,7 @@ onmessage = async ({ data: program }) => {
     };
     const module = await WebAssembly.compile(program), imports = {};
     for (const { module: from, name } of WebAssembly.Module.imports(module))
-        (imports[from] ??= {})[name] = wasi[name] ?? (from === "env" ? () => {} : () => failed);
+        (imports[from] ??= {})[name] = wasi[name] ?? (name.startsWith("__syscall") ? () => noFile : from === "env" ? () => {} : () => failed);
     try {
         const instance = await WebAssembly.instantiate(module, imports);
         memory = instance.exports.memory;

@@ -4,17 +4,9 @@
 #include "common/experiments/report/warn_once.hpp"
 #include "common/experiments/run/energy_budget.hpp"
 
-#include <cmath>
 #include <stdexcept>
 
 namespace enduring {
-
-int step_count(const Scene& scene)
-{
-    const double steps = scene.duration / scene.dt;
-    const double whole = std::round(steps);
-    return static_cast<int>(std::abs(steps - whole) < 1e-6 * steps ? whole : std::ceil(steps));
-}
 
 RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& probes, const RunLimits& limits)
 {
