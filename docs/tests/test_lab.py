@@ -26,6 +26,9 @@ LINKS = """import { readLink, writeLink } from LINK;
 const view = { eye: [1.25, -2, 3e-7], target: [0, 0.5, 0] };
 const own = { scene: 'own', solver: 7, beside: 6, step: 40, view, text: '{"name": "Würfel ÷ &=#"}' };
 console.log(JSON.stringify([readLink(writeLink(own)), readLink('scene=tower&eye=1,2&text=%%%'), writeLink(own)]));"""
+AXES = """import { axisOf } from AXIS;
+const log = (...series) => { const axis = axisOf(series, { logarithmic: true }); return [axis.ends, series.map(values => axis.of(values.at(-1)))]; };
+console.log(JSON.stringify([log([0, 1e-15, 5e-3, 2e-4]), log([2e-10, 3e-12, 1e-13], [2e-5, 2e-6, 2e-6]), log([0, 0]), axisOf([[3, 3]], { from: 0 }).ends, axisOf([[7], [9, undefined]]).ends]));"""
 
 
 class Menu(unittest.TestCase):
@@ -61,18 +64,30 @@ class Menu(unittest.TestCase):
                 self.assertEqual("run" in lab.data(path), is_run, text)
 
 
+def said(calls, word, script):
+    """What a few lines say that import one of the laboratory's scripts."""
+    with tempfile.TemporaryDirectory() as folder:
+        copy, program = Path(folder) / f"{script}.mjs", Path(folder) / "test.mjs"
+        shutil.copyfile(ROOT / f"live/lab/{script}.js", copy)
+        program.write_text(calls.replace(word, json.dumps(copy.as_uri())))
+        return json.loads(subprocess.run([NODE, program], capture_output=True, text=True, check=True).stdout)
+
+
 @unittest.skipUnless(NODE, "needs node")
-class Links(unittest.TestCase):
+class Scripts(unittest.TestCase):
     def test_a_link_holds_what_was_written_and_leaves_out_what_cannot_be_read(self):
-        calls = LINKS.replace("LINK", json.dumps((ROOT / "live/lab/link.js").as_uri()))
-        with tempfile.TemporaryDirectory() as folder:
-            script, copy = Path(folder) / "test.mjs", Path(folder) / "link.mjs"
-            shutil.copyfile(ROOT / "live/lab/link.js", copy)
-            script.write_text(calls.replace((ROOT / "live/lab/link.js").as_uri(), copy.as_uri()))
-            read, cut, written = json.loads(subprocess.run([NODE, script], capture_output=True, text=True, check=True).stdout)
+        read, cut, written = said(LINKS, "LINK", "link")
         self.assertEqual(read, {"scene": "own", "solver": 7, "beside": 6, "step": 40, "text": '{"name": "Würfel ÷ &=#"}', "view": {"eye": [1.25, -2, 3e-7], "target": [0, 0.5, 0]}})
         self.assertEqual((cut["scene"], cut["view"], cut["text"]), ("tower", None, None))
         self.assertRegex(written, r"^[\w.,=&-]+$")
+
+    def test_an_axis_of_depths_begins_at_ten_nanometres_or_below_the_curve_of_exact_contact(self):
+        springs, exact, nothing, same, energy = said(AXES, "AXIS", "axis")
+        for (low, high), wanted in ((springs[0], (1e-8, 1e-2)), (exact[0], (1e-13, 1e-4)), (nothing[0], (1e-8, 1e-3))):
+            self.assertAlmostEqual(low / wanted[0], 1)
+            self.assertAlmostEqual(high / wanted[1], 1)
+        self.assertTrue(all(0 <= part <= 1 for part in springs[1] + exact[1]), (springs, exact))
+        self.assertEqual((nothing[1], same, energy), ([None], [0, 3], [7, 9]))
 
 
 @unittest.skipUnless(NODE and MODULE.is_file(), "needs node and the compiled laboratory (./course docs --live)")
