@@ -292,6 +292,13 @@ class Weaver:
             raise Mistake(f"no test is called '{name}'")
         return '<code class="test">' + html.escape(name, quote=False).replace("|", "\\|") + "</code>"
 
+    def wrong(self, page, name):
+        """The test that fails in a wrong version of a layer: of the page's own chapter, else of any other layer."""
+        found = sorted(self.root.glob(f"chapters/{page.folder}/tests/wrong/{name}.patch")) or sorted(self.root.glob(f"c*/**/tests/wrong/{name}.patch"))
+        if len(found) != 1:
+            raise Mistake(f"{len(found)} wrong versions are called '{name}'")
+        return self.test(found[0].read_text(encoding="utf-8").split("\n")[1].removeprefix("fails: "))
+
     def numbers(self, page, text):
         return measured.woven(text, lambda name: self.results.fact(page, name))
 
@@ -300,10 +307,12 @@ class Weaver:
         def replaced(match):
             if match[1] == "test":
                 return self.test(match[2].strip())
+            if match[1] == "wrong":
+                return self.wrong(page, match[2].strip())
             return reference(self.pages, page, match[1], match[2].strip())
         parts = measured.CODE.split(text)
-        parts[::2] = [re.sub(r"@(test|figref|tabref)\{([^}]*)\}", replaced, self.numbers(page, part)) for part in parts[::2]]
-        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|figref|tabref|table|figure|pages|about|concordance|exercises|live|lab|map|api|changes|minutes|goals|local)\b.*|<!--(?:(?:\w+/)?\w+\.\w+)?-->.*", part)),
+        parts[::2] = [re.sub(r"@(test|wrong|figref|tabref)\{([^}]*)\}", replaced, self.numbers(page, part)) for part in parts[::2]]
+        left = next((found for part in parts[::2] for found in re.findall(r"@(?:fact|test|wrong|figref|tabref|table|figure|pages|about|concordance|exercises|live|lab|map|api|changes|minutes|goals|local)\b.*|<!--(?:(?:\w+/)?\w+\.\w+)?-->.*", part)),
                     None)
         if left:
             raise Mistake(f"cannot read {left[:60]}")

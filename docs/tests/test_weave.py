@@ -115,6 +115,11 @@ class WhatArrives(unittest.TestCase):
     def test_a_test_is_named_so_that_a_table_survives_it(self):
         self.assertIn('<code class="test">drop: \\|v\\| &lt; 1</code>', self.woven("@test{drop: |v| < 1}"))
 
+    def test_a_wrong_version_names_the_test_that_fails_in_it(self):
+        book = Book("# The drop\n@wrong{upside_down}")
+        book.write("chapters/01_drop/tests/wrong/upside_down.patch", "It falls up.\nfails: drop: |v| < 1\n\ndiff\n")
+        self.assertEqual((book.weave().returncode, book.page().count('<code class="test">drop: \\|v\\| &lt; 1</code>')), (0, 1))
+
     def test_a_quick_run_is_said(self):
         self.assertIn("quick run", self.woven("Why?", "--quick"))
         self.assertNotIn("quick run", self.woven("Why?"))
@@ -200,6 +205,9 @@ class WhatStopsTheBook(unittest.TestCase):
 
     def test_the_name_of_no_test(self):
         self.refused("# The drop\n@test{drop: v < 1}", "chapter.md:2: no test is called 'drop: v < 1'")
+
+    def test_a_wrong_version_that_nobody_has(self):
+        self.refused("# The drop\n@wrong{upside_down}", "chapter.md:2: 0 wrong versions are called 'upside_down'")
 
     def test_an_empty_snippet(self):
         self.refused("# The drop\n[depth.hpp: nothing](depth.hpp)", "the region [nothing] of chapters/01_drop/depth.hpp is empty")
