@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs the laboratory in headless Chromium, and compares its numbers with those of the program `laboratory`.
 
-Thirteen scenes under the solvers of chapters 2 to 10, 100 steps each; what the page shows, and that nothing is told on the console. Needs Debian's chromium-driver and python3-selenium.
+Fourteen scenes under the solvers of chapters 2 to 10, 100 steps each; what the page shows, and that nothing is told on the console. Needs Debian's chromium-driver and python3-selenium.
 """
 import argparse
 import json
