@@ -2,10 +2,7 @@
 
 #include "chapters/solvers/chapter_solver.hpp"
 #include "common/scenes/scene_reader.hpp"
-#include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/energy.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace enduring::laboratory {
@@ -84,40 +81,14 @@ void Laboratory::note_pairs()
     since_ = std::move(since);
 }
 
-StepNumbers Laboratory::numbers() const
-{
-    const World& world = scene_.world;
-    const Energy energy = total_energy(world);
-    StepNumbers numbers;
-    numbers.time = world.time;
-    numbers.step = world.step;
-    numbers.kinetic = energy.kinetic;
-    numbers.gravitational = energy.gravitational;
-    numbers.elastic = energy.elastic;
-    numbers.springs = spring_energy(contacts_);
-    for (const Contact& contact : contacts_)
-        if (contact.is_spring()) {
-            numbers.depth = std::max(numbers.depth, -contact_geometry(world, contact, 1).depth);
-            numbers.pairs += contact.impulse.isZero() ? 0 : 1;
-        }
-    numbers.rounds = rounds_;
-    numbers.newton_steps = newton_steps_;
-    numbers.thrown_away = world.thrown_away;
-    numbers.ended_badly = world.ended_badly;
-    return numbers;
-}
-
 std::vector<PairNumbers> Laboratory::pairs() const
 {
     std::vector<PairNumbers> pairs;
     pairs.reserve(contacts_.size());
     for (const Contact& contact : contacts_) {
-        const ContactGeometry at = contact_geometry(scene_.world, contact, 1);
         const auto met = since_.find(features_of(contact));
-        pairs.push_back({contact.kind, contact.body_a, contact.body_b, contact.feature_a, contact.feature_b,
-                         at.p, at.normal, at.depth, contact.impulse, contact.friction, contact.stiffness,
-                         contact.rest_offset, contact.load, contact.slip, contact.is_spring(),
-                         met == since_.end() ? scene_.world.step : met->second});
+        pairs.push_back(
+            pair_numbers(scene_.world, contact, met == since_.end() ? scene_.world.step : met->second));
     }
     return pairs;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/scenes/scene.hpp"
+#include "common/scenes/shown_scene.hpp"
 
 #include <map>
 #include <memory>
@@ -10,32 +10,6 @@
 
 /// What the book's laboratory does with the layers: a scene from its text, under the solver of a chapter, step by step.
 namespace enduring::laboratory {
-
-/// What a laboratory has to say about a step that was taken.
-struct StepNumbers {
-    double time = 0;                                                  ///< [s]
-    int step = 0;                                                     ///< committed so far
-    double kinetic = 0, gravitational = 0, elastic = 0, springs = 0;  ///< [J]
-    double depth = 0;                                                 ///< of the deepest pair [m]
-    int pairs = 0;                                                    ///< that push
-    /// of the response: of detection and response together in chapters 1 to 6, of the implicit problem from chapter 7 on
-    int rounds = 0;
-    int newton_steps = 0;  ///< of all parts of the step; from chapter 7 on
-    long thrown_away = 0;  ///< attempts so far that were taken again in halves
-    long ended_badly = 0;  ///< parts of steps so far that could not be halved any more
-};
-
-/// A pair as its table shows it.
-struct PairNumbers {
-    ContactKind kind;
-    int body_a, body_b, feature_a, feature_b;
-    Vec3 point, normal;      ///< of A [m]; out of B
-    double depth;            ///< [m], negative inside
-    Vec3 impulse, friction;  ///< on A in the last step [N s]
-    double stiffness, rest_offset, load, slip;
-    bool pushes;  ///< neither held nor resolved
-    int since;    ///< the step in which these features met
-};
 
 /// A hand that pulls a body by one of its faces with a spring and a damper.
 struct Hand {
@@ -66,8 +40,11 @@ public:
     const Solver& solver() const { return solver_; }
     /// @throws std::runtime_error  what advance() throws
     void step();
-    StepNumbers numbers() const;
+    StepNumbers numbers() const { return step_numbers(scene_.world, contacts_); }
     std::vector<PairNumbers> pairs() const;
+    /// Rounds of the last step's response: of detection and response together in chapters 1 to 6, of the implicit problem from chapter 7 on.
+    int rounds() const { return rounds_; }
+    int newton_steps() const { return newton_steps_; }  ///< of all parts of the last step; from chapter 7 on
     /// The hand's force acts in each step until it lets go.
     void hold(const Hand& hand) { hand_ = hand; }
 

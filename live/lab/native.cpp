@@ -16,7 +16,7 @@ using namespace enduring;
 /// {"energy": ..., "depth": ..., "positions": [...]}, every number with all of its digits.
 void print(const laboratory::Laboratory& lab)
 {
-    const laboratory::StepNumbers numbers = lab.numbers();
+    const StepNumbers numbers = lab.numbers();
     std::printf(R"({"energy": %.17g, "depth": %.17g, "positions": [)",
                 numbers.kinetic + numbers.gravitational + numbers.elastic, numbers.depth);
     const char* comma = "";

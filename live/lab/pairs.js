@@ -1,4 +1,4 @@
-// A pair's numbers, as live/lab/bindings.cpp writes them one behind the other.
+// A pair's numbers, as common/scenes/shown_scene.hpp has them, one pair behind the other.
 export const NUMBERS_A_PAIR = 24;
 const KINDS = ["vertex on plane", "vertex on face", "edge on edge"];
 const FEATURES = [["vertex", "plane"], ["vertex", "face"], ["edge", "edge"]];

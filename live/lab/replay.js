@@ -7,12 +7,12 @@ export function replayed(file) {
   if (file?.replay !== 1) throw new Error("this is no run: a program writes replay.json beside the tables of --scene");
   const bodies = file.scene.bodies.map(body => {
     const points = floats(body.points);
-    return { ...body, points, vertices: points.length / 3, faces: Int32Array.from(floats(body.faces)), still: body.kind === "rests" };
+    return { ...body, points };
   });
   const frames = file.frames.map(({ numbers, motion, pairs }) =>
     ({ numbers, pairs: Float64Array.from(floats(pairs)), positions: positionsOf(bodies, floats(motion)) }));
   if (!frames.length) throw new Error("this run has no frames");
-  return { scene: { warnings: [], ...file.scene, bodies }, frames };
+  return { scene: { ...file.scene, bodies }, frames };
 }
 
 function positionsOf(bodies, motion) {

@@ -1,69 +1,46 @@
 #include "common/experiments/own_scene/replay.hpp"
 
 #include "common/experiments/report/report.hpp"
-#include "common/simulation/contact_geometry.hpp"
-#include "common/simulation/energy.hpp"
+#include "common/scenes/shown_scene.hpp"
 #include "common/simulation/rigid_body.hpp"
 
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstring>
-#include <initializer_list>
+#include <tuple>
 #include <utility>
 
 namespace enduring {
 namespace {
 
-using nlohmann::json;
 using Floats = std::vector<float>;
 
-void append(Floats& list, std::initializer_list<double> numbers)
+void append(Floats& list, const Vec3& v)
 {
-    for (const double number : numbers)
-        list.push_back(static_cast<float>(number));
+    for (const double coordinate : v)
+        list.push_back(static_cast<float>(coordinate));
 }
 
-void append(Floats& list, const Vec3& v) { append(list, {v.x(), v.y(), v.z()}); }
-
-/// https://datatracker.ietf.org/doc/html/rfc4648#section-4
-std::string base64(const Floats& numbers)
+/// Zeros follow up to a multiple of three numbers: 12 bytes are 16 letters, so no letter stands for a part of a byte.
+std::string base64(Floats numbers)
 {
-    constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::vector<unsigned char> bytes(numbers.size() * sizeof(float));
-    if (!bytes.empty())
-        std::memcpy(bytes.data(), numbers.data(), bytes.size());
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        unsigned group = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            group = group << 8U | (i + k < bytes.size() ? bytes[i + k] : 0U);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k <= bytes.size() ? letters[group >> (18 - 6 * k) & 63U] : '=';
-    }
-    return text;
+    using namespace boost::archive::iterators;
+    using Letters = base64_from_binary<transform_width<const char*, 6, 8>>;
+    numbers.resize((numbers.size() + 2) / 3 * 3);
+    const auto* const bytes = reinterpret_cast<const char*>(numbers.data());
+    return {Letters(bytes), Letters(bytes + numbers.size() * sizeof(float))};
 }
 
-bool rests(const Body& body) { return body.is_static() && !body.is_driven(); }
-
-json triple(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
-json described(const Scene& scene, const Body& body)
+/// In its own coordinates, if it is rigid.
+std::string points_of(const Body& body)
 {
-    Floats points, faces;
+    Floats points;
     const auto* const rigid = dynamic_cast<const RigidBody*>(&body);
     for (const Vec3& point : body.positions_t0())
         append(points, rigid ? rigid->motion().pose().to_body(point) : point);
-    for (const Face& face : body.surface().faces())
-        for (const int corner : face)
-            append(faces, {static_cast<double>(corner)});
-    const auto look = scene.looks.find(body.name());
-    const BodyLook shown = look == scene.looks.end() ? BodyLook{} : look->second;
-    return {{"name", body.name()},    {"kind", rests(body) ? "rests" : rigid ? "rigid" : "free"},
-            {"mass", body.mass()},    {"points", base64(points)},
-            {"faces", base64(faces)}, {"colour", triple(shown.color)},
-            {"smooth", shown.smooth}};
+    return base64(std::move(points));
 }
 
 std::string motion_of(const World& world)
@@ -75,57 +52,24 @@ std::string motion_of(const World& world)
         if (const auto* const rigid = dynamic_cast<const RigidBody*>(body.get())) {
             const Pose pose = rigid->motion().pose();
             append(list, pose.position);
-            append(list,
-                   {pose.orientation.x(), pose.orientation.y(), pose.orientation.z(), pose.orientation.w()});
+            append(list, pose.orientation.vec());
+            list.push_back(static_cast<float>(pose.orientation.w()));
         } else {
             for (const Vec3& x : body->positions_t0())
                 append(list, x);
         }
     }
-    return base64(list);
+    return base64(std::move(list));
 }
 
-/// What live/lab/pairs.js reads; -1 where the laboratory has the step in which a pair's features met.
 std::string pairs_of(const World& world, const Contacts& contacts)
 {
     Floats list;
-    for (const Contact& contact : contacts) {
-        const ContactGeometry at = contact_geometry(world, contact, 1);
-        append(list, {static_cast<double>(contact.kind), static_cast<double>(contact.body_a),
-                      static_cast<double>(contact.body_b), static_cast<double>(contact.feature_a),
-                      static_cast<double>(contact.feature_b)});
-        append(list, at.p);
-        append(list, at.normal);
-        append(list, {at.depth});
-        append(list, contact.impulse);
-        append(list, contact.friction);
-        append(list, {contact.stiffness, contact.rest_offset, contact.load, contact.slip,
-                      contact.is_spring() ? 1.0 : 0.0, -1.0});
-    }
-    return base64(list);
-}
-
-std::string numbers_of(const World& world, const Contacts& contacts)
-{
-    const Energy energy = total_energy(world);
-    double depth = 0;
-    int pushing = 0;
+    list.reserve(contacts.size() * std::tuple_size_v<PairNumbers>);
     for (const Contact& contact : contacts)
-        if (contact.is_spring()) {
-            depth = std::max(depth, -contact_geometry(world, contact, 1).depth);
-            pushing += contact.impulse.isZero() ? 0 : 1;
-        }
-    return json{{"time", world.time},
-                {"step", world.step},
-                {"kinetic", energy.kinetic},
-                {"gravitational", energy.gravitational},
-                {"elastic", energy.elastic},
-                {"springs", spring_energy(contacts)},
-                {"depth", depth},
-                {"pairs", pushing},
-                {"thrown_away", world.thrown_away},
-                {"ended_badly", world.ended_badly}}
-        .dump();
+        for (const double number : pair_numbers(world, contact))
+            list.push_back(static_cast<float>(number));
+    return base64(std::move(list));
 }
 
 }  // namespace
@@ -136,25 +80,10 @@ Replay::Replay(const Scene& scene, std::string solver, std::size_t most)
 
 void Replay::begin(const World& world)
 {
-    json bodies = json::array(), planes = json::array();
-    for (const auto& body : world.bodies)
-        bodies.push_back(described(scene_, *body));
-    for (const Plane& plane : world.planes)
-        planes.push_back(
-            {{"name", plane.name}, {"point", triple(plane.point)}, {"normal", triple(plane.normal)}});
-    described_ = json{
-        {"name", scene_.name},
-        {"description", scene_.description},
-        {"dt", scene_.dt},
-        {"duration", scene_.duration},
-        {"bodies", bodies},
-        {"planes", planes},
-        {"camera_given", scene_.camera_given},
-        {"eye", triple(scene_.camera.eye)},
-        {"target", triple(scene_.camera.target)},
-        {"field_of_view", scene_.camera.field_of_view_deg},
-        {"solver",
-         solver_}}.dump(-1, ' ', false, json::error_handler_t::replace);
+    nlohmann::json shown = shown_scene(scene_, world, solver_);
+    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+        shown["bodies"][i]["points"] = points_of(*world.bodies[i]);
+    described_ = line_of(shown);
 }
 
 void Replay::observe(const World& world, const Contacts& contacts, double)
@@ -167,7 +96,8 @@ void Replay::observe(const World& world, const Contacts& contacts, double)
         frames_.pop_back();
     }
     newest_ = seen_++;
-    frames_.push_back({numbers_of(world, contacts), motion_of(world), pairs_of(world, contacts)});
+    frames_.push_back(
+        {line_of(shown_numbers(step_numbers(world, contacts))), motion_of(world), pairs_of(world, contacts)});
     bytes_ += size_of(frames_.back());
     while (bytes_ > most_ && frames_.size() > 2) {
         thin_out();

@@ -11,9 +11,9 @@ namespace enduring {
 
 /// Watches a run and leaves it as one file that the book's laboratory shows again (./course lab replay.json).
 ///
-/// The file is JSON. "scene" has what is drawn: bodies, planes, camera. "frames" have a step's numbers; "motion", the
+/// The file is JSON. "scene" is shown_scene(), and the points of each body. "frames" have shown_numbers(); "motion", the
 /// bodies in their order: nothing of one at rest, position and quaternion (w last) of a rigid one, all vertices of
-/// another; and "pairs", with the numbers of live/lab/bindings.cpp. Lists of numbers are floats of 32 bits in base64.
+/// another; and "pairs", the pair_numbers() of each. These lists are floats of 32 bits in base64; behind the last number there may be zeros.
 class Replay final : public Probe {
 public:
     /// With a tenth of it a bounce of the bunny keeps 50 of its frames; ten times of it, and a phone does not load it.
