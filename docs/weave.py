@@ -293,11 +293,13 @@ class Weaver:
         return '<code class="test">' + html.escape(name, quote=False).replace("|", "\\|") + "</code>"
 
     def wrong(self, page, name):
-        """The test that fails in a wrong version of a layer: of the page's own chapter, else of any other layer."""
+        """The name of a wrong version, of the page's own chapter or else of any other layer, and of the test that fails in it."""
         found = sorted(self.root.glob(f"chapters/{page.folder}/tests/wrong/{name}.patch")) or sorted(self.root.glob(f"c*/**/tests/wrong/{name}.patch"))
         if len(found) != 1:
             raise Mistake(f"{len(found)} wrong versions are called '{name}'")
-        return self.test(found[0].read_text(encoding="utf-8").split("\n")[1].removeprefix("fails: "))
+        fails = found[0].read_text(encoding="utf-8").split("\n")[1].removeprefix("fails: ")
+        self.test(fails)
+        return f'<code class="test" title="fails: {html.escape(fails)}">{name}</code>'
 
     def numbers(self, page, text):
         return measured.woven(text, lambda name: self.results.fact(page, name))
