@@ -28,7 +28,8 @@ const own = { scene: 'own', solver: 7, beside: 6, step: 40, view, text: '{"name"
 console.log(JSON.stringify([readLink(writeLink(own)), readLink('scene=tower&eye=1,2&text=%%%'), writeLink(own)]));"""
 AXES = """import { axisOf } from AXIS;
 const log = (...series) => { const axis = axisOf(series, { logarithmic: true }); return [axis.ends, series.map(values => axis.of(values.at(-1)))]; };
-console.log(JSON.stringify([log([0, 1e-15, 5e-3, 2e-4]), log([2e-10, 3e-12, 1e-13], [2e-5, 2e-6, 2e-6]), log([0, 0]), axisOf([[3, 3]], { from: 0 }).ends, axisOf([[7], [9, undefined]]).ends]));"""
+console.log(JSON.stringify([log([0, 1e-15, 5e-3, 2e-4]), log([2e-10, 3e-12, 1e-13], [2e-5, 2e-6, 2e-6]), log([0, 0]), axisOf([[0, 3]], { from: 0 }).ends, axisOf([[7], [9, undefined]]).ends,
+  axisOf([[0, 0]], { from: 0 }).ends, axisOf([[4e-6, 100]]).ends, axisOf([[5, 5]]).ends]));"""
 
 
 class Menu(unittest.TestCase):
@@ -82,12 +83,12 @@ class Scripts(unittest.TestCase):
         self.assertRegex(written, r"^[\w.,=&-]+$")
 
     def test_an_axis_of_depths_begins_at_ten_nanometres_or_below_the_curve_of_exact_contact(self):
-        springs, exact, nothing, same, energy = said(AXES, "AXIS", "axis")
+        springs, exact, nothing, steps, energy, *ends = said(AXES, "AXIS", "axis")
         for (low, high), wanted in ((springs[0], (1e-8, 1e-2)), (exact[0], (1e-13, 1e-4)), (nothing[0], (1e-8, 1e-3))):
             self.assertAlmostEqual(low / wanted[0], 1)
             self.assertAlmostEqual(high / wanted[1], 1)
         self.assertTrue(all(0 <= part <= 1 for part in springs[1] + exact[1]), (springs, exact))
-        self.assertEqual((nothing[1], same, energy), ([None], [0, 3], [7, 9]))
+        self.assertEqual((nothing[1], steps, energy, ends), ([None], [0, 3], [7, 9], [[0, 1], [0, 100], [4.5, 5.5]]))
 
 
 @unittest.skipUnless(NODE and MODULE.is_file(), "needs node and the compiled laboratory (./course docs --live)")

@@ -12,10 +12,12 @@ function decades(series) {
   return all.length ? { low, high: Math.max(high, low + 1) } : { low: Math.log10(TOUCHING), high: -3 };
 }
 
+// A linear axis; it begins at zero where it nearly does.
 function linear(series, from) {
-  const all = series.flat().filter(Number.isFinite), low = from ?? Math.min(...all), high = Math.max(...all);
+  const all = series.flat().filter(Number.isFinite), high = Math.max(...all);
   if (!all.length) return { low: 0, high: 1 };
-  return high - low < 1e-9 * Math.max(1, Math.abs(high)) ? { low: low - (from === undefined ? 0.5 : 0), high: high + 0.5 } : { low, high };
+  const least = Math.min(...all), low = from ?? (least > 0 && least < 0.05 * high ? 0 : least);
+  return high - low < 1e-9 * Math.max(1, Math.abs(high)) ? { low: from ?? low - 0.5, high: high + (from === undefined ? 0.5 : 1) } : { low, high };
 }
 
 // series: of each curve its values. @return {low, high}, what `of` gives for a value: 0 at the bottom, 1 at the top, null where a value has no place; and the values at the ends
