@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs the laboratory in headless Chromium, and compares its numbers with those of the program `laboratory`.
 
-Fourteen scenes under the solvers of chapters 2 to 10, 100 steps each; what the page shows, and that nothing is told on the console. Needs Debian's chromium-driver and python3-selenium.
+Fifteen scenes under the solvers of chapters 2 to 11, 100 steps each; what the page shows, and that nothing is told on the console. Needs Debian's chromium-driver and python3-selenium.
 """
 import argparse
 import json
@@ -21,7 +21,7 @@ STEPS = 100
 # are pairs, and the program and the page are 2e-5 m apart.)
 TOLERANCE = 1e-9
 CASES = [("tower", 10), ("slope", 4), ("block_on_slope", 7), ("block_on_triangles", 6), ("hooked", 6), ("hooked", 10), ("deep", 8), ("initial_overlap", 9), ("falling_sphere", 3), ("thin", 7),
-         ("through_the_side", 6), ("fast_plate", 2), ("bar_on_cube", 3), ("folded", 10)]
+         ("through_the_side", 6), ("fast_plate", 2), ("bar_on_cube", 3), ("folded", 10), ("block_on_slope", 11)]
 RUN = """const [text, chapter, steps, done] = arguments, lab = window.laboratory, Engine = lab.lanes[0].engine.constructor, engine = new Engine(lab.given.meshes);
 engine.load(text, 'test.json', chapter).then(async loaded => {
   const begun = performance.now();
