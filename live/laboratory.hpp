@@ -29,7 +29,7 @@ public:
     /// @param text     a scene file
     /// @param file     how messages call it
     /// @param meshes   folders where its meshes are searched
-    /// @param chapter  whose solver, 1 to 10
+    /// @param chapter  whose solver, 1 to 11
     /// @throws InputError  a mistake in the text, with its place; no such chapter
     Laboratory(const std::string& text, const std::string& file,
                const std::vector<std::filesystem::path>& meshes, int chapter);
