@@ -44,11 +44,12 @@ struct TwoEdges {
     {
         return feet_of_edges(vertices_at(tau), 1, search_parts.edge_sine);
     }
+    /// A pair that is known stays where elements have bent so far that an edge is not convex any more: in the next step it may be.
     bool in_cones(const Vec3& normal, double tau) const
     {
+        const double least_fold = known ? -search_parts.cone_sine : search_parts.least_fold;
         const auto in_cone = [&](const SurfaceStep& surface, int edge, const Vec3& direction) {
-            return in_cone_of_edge({surface, tau}, edge, direction, search_parts.cone_sine,
-                                   search_parts.least_fold);
+            return in_cone_of_edge({surface, tau}, edge, direction, search_parts.cone_sine, least_fold);
         };
         return in_cone(b, edge_b, normal) && in_cone(a, edge_a, -normal);
     }

@@ -207,3 +207,26 @@ TEST_CASE(
         std::swap(face[0], face[1]);
     CHECK_FALSE(meets(inside_out));
 }
+
+TEST_CASE("edge meeting: a known pair stays where elements have bent an edge inwards by less than a cone may")
+{
+    const MovingSurface above(keel({0, -0.001, 0}));
+    const auto meets = [&](double fall, bool known) {
+        SurfaceMesh mesh = roof();
+        for (const std::size_t i : {2U, 3U})
+            mesh.vertices[i].y() = -fall;
+        const MovingSurface below(mesh);
+        return meeting_of(above, above.edge_between(0, 1), below, below.edge_between(0, 1), {0.01, 0.1},
+                          known)
+                   .has_value() &&
+               meeting_of(below, below.edge_between(0, 1), above, above.edge_between(0, 1), {0.01, 0.1},
+                          known)
+                   .has_value();
+    };
+    for (const double fall : {0.0, -1e-3, -0.05, -0.09}) {  // both sides rise: it folds by twice the angle
+        CAPTURE(fall);
+        CHECK_FALSE(meets(fall, false));
+        CHECK(meets(fall, true));
+    }
+    CHECK_FALSE(meets(-0.12, true));
+}
