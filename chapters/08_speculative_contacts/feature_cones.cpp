@@ -61,10 +61,13 @@ bool in_cone_of_edge(const SurfaceMoment& surface, int edge, const Vec3& directi
                      double least_fold)
 {
     const auto& faces = surface.step.topology.faces_at_edge(edge);
-    for (const int face : faces)
-        if (face >= 0 && into_face(surface, surface.step.edge(edge), face).dot(direction) > sine)
-            return false;
-    return any_faces(surface, faces, direction) && fold_at_edge(surface, edge) < -least_fold;
+    return any_faces(surface, faces, direction) &&
+           std::none_of(faces.begin(), faces.end(),
+                        [&](int face) {
+                            return face >= 0 &&
+                                   into_face(surface, surface.step.edge(edge), face).dot(direction) > sine;
+                        }) &&
+           fold_at_edge(surface, edge) < -least_fold;
 }
 //! [cone_tests]
 
