@@ -101,6 +101,19 @@ const BodyBlock* block_of(const std::vector<BodyBlock>& blocks, int coordinate)
     return &*(next - 1);
 }
 
+/// A product of two matrices so small that the compiler unrolls it.
+template <class One, class Other>
+auto product(const One& one, const Other& other)
+{
+    Eigen::Matrix<double, One::RowsAtCompileTime, Other::ColsAtCompileTime> sum;
+    for (int column = 0; column < sum.cols(); ++column) {
+        sum.col(column) = other(0, column) * one.col(0);
+        for (int i = 1; i < one.cols(); ++i)
+            sum.col(column) += other(i, column) * one.col(i);
+    }
+    return sum;
+}
+
 }  // namespace
 
 Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
@@ -110,10 +123,14 @@ Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
         const BodyBlock* block = block_of(blocks, one.first);
         for (const VertexMotion& other : moving())
             if (block && block_of(blocks, other.first) == block)
-                sum += one.rate *
-                       block->response.block(one.first - block->first, other.first - block->first,
-                                             one.rate.cols(), other.rate.cols()) *
-                       other.rate.transpose();
+                with_fixed_size(one, [&]<class One>(int row, const One& rate) {
+                    with_fixed_size(other, [&]<class Other>(int column, const Other& other_rate) {
+                        const auto own =
+                            block->response.block<One::ColsAtCompileTime, Other::ColsAtCompileTime>(
+                                row - block->first, column - block->first);
+                        sum += product(product(rate, own), other_rate.transpose());
+                    });
+                });
     }
     return sum;
 }
