@@ -3,8 +3,6 @@
 namespace enduring {
 namespace {
 
-using Eigen::VectorXd;
-
 //! [slip_stiffening]
 /// By how much a pair is stiffer than its answer says: the answer takes its direction d twice where the
 /// equation takes d and the guess once each, in both orders so that the sum stays symmetric.
@@ -19,30 +17,29 @@ Mat3 missing_stiffness(const PairRow& row, const Vec3& spring, const Vec3& guess
 
 }  // namespace
 
-std::vector<Mat3> DualFriction::hessians(const VectorXd& change) const
+std::vector<Mat3> DualFriction::hessians(const std::vector<Vec3>& velocities) const
 {
     std::vector<Mat3> all;
+    all.reserve(velocities.size());
     for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
         const PairRow& row = problem_.rows[i];
-        const Vec3 velocity = row.velocity_after(change);
-        const PairAnswer made = answer(row.law, velocity, problem_.step);
+        const PairAnswer made = answer(row.law, velocities[i], problem_.step);
         all.push_back(made.hessian);
         if (made.slips)
-            all.back() += missing_stiffness(row, spring_impulse(row.law, velocity, problem_.step),
+            all.back() += missing_stiffness(row, spring_impulse(row.law, velocities[i], problem_.step),
                                             guesses_[i], problem_.step);
     }
     return all;
 }
 
 //! [follow]
-void DualFriction::follow(const VectorXd& change, const VectorXd& direction)
+void DualFriction::follow(const std::vector<Vec3>& velocities, const std::vector<Vec3>& rates)
 {
     for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
         const PairRow& row = problem_.rows[i];
         const double limit = row.law.mu * row.law.lagged_normal_impulse;
-        const Vec3 velocity = row.velocity_after(change), faster = velocity + row.rate_of(direction);
-        const Vec3 spring = spring_impulse(row.law, velocity, problem_.step),
-                   then = spring_impulse(row.law, faster, problem_.step);
+        const Vec3 spring = spring_impulse(row.law, velocities[i], problem_.step),
+                   then = spring_impulse(row.law, velocities[i] + rates[i], problem_.step);
         const double size = spring.norm();
         Vec3& guess = guesses_[i];
         guess = size > limit ? Vec3((limit * then - spring.dot(then - spring) / size * guess) / size) : then;
