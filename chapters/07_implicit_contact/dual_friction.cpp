@@ -3,6 +3,12 @@
 namespace enduring {
 namespace {
 
+Vec3 within(double limit, const Vec3& friction)
+{
+    const double size = friction.norm();
+    return size > limit ? Vec3(limit / size * friction) : friction;
+}
+
 //! [slip_stiffening]
 /// By how much a pair is stiffer than its answer says: the answer takes its direction d twice where the
 /// equation takes d and the guess once each, in both orders so that the sum stays symmetric.
@@ -16,6 +22,14 @@ Mat3 missing_stiffness(const PairRow& row, const Vec3& spring, const Vec3& guess
 //! [slip_stiffening]
 
 }  // namespace
+
+DualFriction::DualFriction(const ContactProblem& problem) : problem_(problem)
+{
+    guesses_.reserve(problem.rows.size());
+    for (const PairRow& row : problem.rows)
+        guesses_.push_back(within(row.law.mu * row.law.lagged_normal_impulse,
+                                  row.acting - row.law.normal.dot(row.acting) * row.law.normal));
+}
 
 std::vector<Mat3> DualFriction::hessians(const std::vector<Vec3>& velocities) const
 {
@@ -42,9 +56,9 @@ void DualFriction::follow(const std::vector<Vec3>& velocities, const std::vector
                    then = spring_impulse(row.law, velocities[i] + rates[i], problem_.step);
         const double size = spring.norm();
         Vec3& guess = guesses_[i];
-        guess = size > limit ? Vec3((limit * then - spring.dot(then - spring) / size * guess) / size) : then;
-        if (guess.norm() > limit)
-            guess *= limit / guess.norm();
+        guess = within(limit, size > limit
+                                  ? Vec3((limit * then - spring.dot(then - spring) / size * guess) / size)
+                                  : then);
     }
 }
 //! [follow]

@@ -65,6 +65,19 @@ TEST_CASE("dual friction: a guess that fits has the stiffening of the law, and o
     }
 }
 
+TEST_CASE("dual friction: where the impulses that act are the answers, the first guesses fit")
+{
+    ContactProblem problem = slipping_particles();
+    for (PairRow& row : problem.rows)
+        row.acting = pushed(row.law, row.velocity, problem.step).total();
+    const std::vector<Mat3> all =
+        DualFriction(problem).hessians(velocities_after(problem, Eigen::VectorXd::Zero(problem.size)));
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+        const Mat3 own = own_stiffening(problem, i);
+        CHECK((all[i] - own).norm() <= 1e-12 * own.norm());
+    }
+}
+
 TEST_CASE("dual friction: wherever the guesses have been led, the stiffening is symmetric and never negative")
 {
     const ContactProblem problem = slipping_particles();
