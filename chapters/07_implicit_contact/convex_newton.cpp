@@ -29,16 +29,16 @@ double step_length(const ContactProblem& problem, const VectorXd& change, const 
         }
         return slope;
     };
-    const double enough = 0.1 * std::abs(slope_at(0));
-    double low = 0, high = 1, slope_high = slope_at(high);
+    double low = 0, high = 1, slope_low = slope_at(low), slope_high = slope_at(high);
+    const double enough = 0.1 * std::abs(slope_low);
     while (slope_high < -enough && high < 64) {
         low = high;
+        slope_low = slope_high;
         high *= 2;
         slope_high = slope_at(high);
     }
     if (std::abs(slope_high) <= enough)
         return high;
-    double slope_low = slope_at(low);
     for (int i = 0; i < 60; ++i) {
         // The secant's place, kept off the ends, where the slope bends sharply.
         const double secant = low - slope_low * (high - low) / (slope_high - slope_low),
