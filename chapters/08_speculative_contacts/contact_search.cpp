@@ -201,7 +201,6 @@ Contacts ContactSearch::find(const World& world, const Contacts& known, double d
 }
 //! [find]
 
-//! [may_meet]
 /// An edge that is not convex has no normal cone, and one of a rigid body stays what it is. Where the body turns within a step, its
 /// vertices take straight lines, which changes the fold by less than half.
 bool ContactSearch::may_meet(const Body& body, int edge) const
@@ -209,7 +208,6 @@ bool ContactSearch::may_meet(const Body& body, int edge) const
     const bool keeps_shape = body.is_static() || dynamic_cast<const RigidBody*>(&body);
     return !keeps_shape || fold_at_edge(surface_at(body, 0), edge) < -0.5 * search_parts.least_fold;
 }
-//! [may_meet]
 
 bool ContactSearch::has_moved(const World& world) const
 {
