@@ -50,6 +50,8 @@ public:
     }
 
 protected:
+    /// Whether an edge may ever meet another one; asked once, when the trees are shaped.
+    virtual bool may_meet(const Body& /*body*/, int /*edge*/) const { return true; }
     /// For a search that finds more; at the end of find_candidates, with its boxes.
     virtual void find_more(const World& /*world*/) {}
     const FaceTree& tree(int body) const { return trees_[body]; }

@@ -4,7 +4,8 @@
 
 namespace enduring {
 
-FaceTree::FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positions)
+FaceTree::FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positions,
+                   const std::function<bool(int)>& keeps_edge)
     : leaf_of_face_(topology.faces().size()), vertex_boxes_(positions.size()),
       edge_boxes_(topology.edges().size()), owned_vertices_(topology.faces().size()),
       owned_edges_(topology.faces().size())
@@ -17,7 +18,8 @@ FaceTree::FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positi
         if (const auto faces = topology.faces_around_vertex(v); !faces.empty())
             give(owned_vertices_, faces[0], v);
     for (int e = 0; e < static_cast<int>(topology.edges().size()); ++e)
-        give(owned_edges_, topology.faces_at_edge(e)[0], e);
+        if (keeps_edge(e))
+            give(owned_edges_, topology.faces_at_edge(e)[0], e);
 
     std::vector<Vec3> middles;
     std::vector<int> faces;

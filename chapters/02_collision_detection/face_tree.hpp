@@ -2,6 +2,7 @@
 
 #include "chapters/02_collision_detection/swept_box.hpp"
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,11 @@ class FaceTree {
 public:
     FaceTree() = default;
     /// Builds the shape; call refit before the first search.
-    /// @param positions  of the vertices at any one time [m]
-    FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positions);
+    /// @param positions   of the vertices at any one time [m]
+    /// @param keeps_edge  of all edges, those that are looked for
+    FaceTree(
+        const SurfaceTopology& topology, std::span<const Vec3> positions,
+        const std::function<bool(int)>& keeps_edge = [](int) { return true; });
 
     /// Boxes around this step, from the leaves to the root. No memory is taken.
     /// @param margin  by which all boxes are larger on each side [m]

@@ -48,17 +48,15 @@ struct VertexFaceDifferences {
 /// The parallelogram of differences d_ij = ea_i - eb_j: the origin lies in it exactly when the edges meet.
 template <class Real>
 struct EdgeEdgeDifferences {
-    MovingDifference<Real> a, b, d00, d01, d10, d11;  ///< its sides ea1 - ea0 and eb1 - eb0, and its corners
+    const EdgeEdgeStep& step;
+    MovingDifference<Real> a, b, d00;  ///< its sides ea1 - ea0 and eb1 - eb0, and a corner
 
     explicit EdgeEdgeDifferences(const EdgeEdgeStep& s)
-        : a(difference<Real>(s.ea1_t0, s.ea0_t0, s.ea1_t1, s.ea0_t1)),
+        : step(s), a(difference<Real>(s.ea1_t0, s.ea0_t0, s.ea1_t1, s.ea0_t1)),
           b(difference<Real>(s.eb1_t0, s.eb0_t0, s.eb1_t1, s.eb0_t1)),
-          d00(difference<Real>(s.ea0_t0, s.eb0_t0, s.ea0_t1, s.eb0_t1)),
-          d01(difference<Real>(s.ea0_t0, s.eb1_t0, s.ea0_t1, s.eb1_t1)),
-          d10(difference<Real>(s.ea1_t0, s.eb0_t0, s.ea1_t1, s.eb0_t1)),
-          d11(difference<Real>(s.ea1_t0, s.eb1_t0, s.ea1_t1, s.eb1_t1))
+          d00(difference<Real>(s.ea0_t0, s.eb0_t0, s.ea0_t1, s.eb0_t1))
     {}
-    double size() const { return std::max({d00.size, d01.size, d10.size, d11.size}); }
+    double size() const { return std::max({a.size, b.size, d00.size}); }
 };
 //! [polygons]
 
@@ -182,9 +180,13 @@ SeparatingDirections<Real, 3> separating_directions(const VertexFaceDifferences<
 template <class Real>
 SeparatingDirections<Real, 4> separating_directions(const EdgeEdgeDifferences<Real>& d)
 {
+    const EdgeEdgeStep& s = d.step;
+    const auto d01 = difference<Real>(s.ea0_t0, s.eb1_t0, s.ea0_t1, s.eb1_t1),
+               d10 = difference<Real>(s.ea1_t0, s.eb0_t0, s.ea1_t1, s.eb0_t1),
+               d11 = difference<Real>(s.ea1_t0, s.eb1_t0, s.ea1_t1, s.eb1_t1);
     return {height(d),
-            {cross(d.b, d.d00), cross(d.d10, d.b), cross(d.a, d.d00), cross(d.d01, d.a)},
-            {d.d00, d.d01, d.d10, d.d11}};
+            {cross(d.b, d.d00), cross(d10, d.b), cross(d.a, d.d00), cross(d01, d.a)},
+            {d.d00, d01, d10, d11}};
 }
 
 /// The same polynomial, known a little less well, over each half of the interval.

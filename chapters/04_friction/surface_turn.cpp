@@ -11,8 +11,8 @@ namespace {
 /// Orthonormal axes that turn with a pair's two sides, as columns; none where they span no plane.
 std::optional<Mat3> surface_axes(const Vec3& side_1, const Vec3& side_2)
 {
-    const Vec3 normal = side_1.stableNormalized().cross(side_2.stableNormalized()).stableNormalized();
-    const Vec3 along = (side_1.stableNormalized() + side_2.stableNormalized()).stableNormalized();
+    const Vec3 one = side_1.stableNormalized(), other = side_2.stableNormalized();
+    const Vec3 normal = one.cross(other).stableNormalized(), along = (one + other).stableNormalized();
     if (normal.isZero(0) || along.isZero(0))
         return std::nullopt;
     Mat3 axes;

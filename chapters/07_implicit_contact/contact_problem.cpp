@@ -9,13 +9,31 @@ using Eigen::VectorXd;
 
 namespace {
 
+/// A product of two matrices so small that the compiler unrolls it.
+template <class One, class Other>
+auto small_product(const One& one, const Other& other)
+{
+    Eigen::Matrix<double, One::RowsAtCompileTime, Other::ColsAtCompileTime> sum;
+    for (int column = 0; column < sum.cols(); ++column) {
+        sum.col(column) = other(0, column) * one.col(0);
+        for (int i = 1; i < one.cols(); ++i)
+            sum.col(column) += other(i, column) * one.col(i);
+    }
+    return sum;
+}
+
 /// The product of all bodies' blocks, of one kind, with a vector.
 VectorXd times(const ContactProblem& problem, Eigen::MatrixXd BodyBlock::*kind, const VectorXd& x)
 {
     VectorXd product(x.size());
     for (const BodyBlock& block : problem.blocks)
-        product.segment(block.first, block.size()).noalias() = block.*kind *
-                                                               x.segment(block.first, block.size());
+        if (block.size() == 6)  // of a rigid body
+            product.segment<6>(block.first) = small_product(
+                Eigen::Map<const Eigen::Matrix<double, 6, 6>>((block.*kind).data()),
+                x.segment<6>(block.first));
+        else
+            product.segment(block.first, block.size()).noalias() = block.*kind *
+                                                                   x.segment(block.first, block.size());
     return product;
 }
 
@@ -35,13 +53,13 @@ namespace {
 
 /// @param law_of  PairLaw(row, velocity after the change)
 template <class LawOf>
-Answers answers_by(const ContactProblem& problem, const VectorXd& change, const LawOf& law_of)
+Answers answers_by(const ContactProblem& problem, const std::vector<Vec3>& velocities, const LawOf& law_of)
 {
     const auto pairs = static_cast<Eigen::Index>(problem.rows.size());
     Answers answers{VectorXd(3 * pairs), VectorXd::Zero(problem.size), VectorXd::Zero(problem.size)};
     for (Eigen::Index i = 0; i < pairs; ++i) {
         const PairRow& row = problem.rows[static_cast<std::size_t>(i)];
-        const Vec3 velocity = row.velocity_after(change);
+        const Vec3& velocity = velocities[static_cast<std::size_t>(i)];
         const Vec3 impulse = pushed(law_of(row, velocity), velocity, problem.step).total();
         answers.impulses.segment<3>(3 * i) = impulse;
         row.add_impulse(impulse, answers.total);
@@ -52,9 +70,31 @@ Answers answers_by(const ContactProblem& problem, const VectorXd& change, const 
 
 }  // namespace
 
+std::vector<Vec3> rates_of(const ContactProblem& problem, const VectorXd& change)
+{
+    std::vector<Vec3> rates;
+    rates.reserve(problem.rows.size());
+    for (const PairRow& row : problem.rows)
+        rates.push_back(row.rate_of(change));
+    return rates;
+}
+
+std::vector<Vec3> velocities_after(const ContactProblem& problem, const VectorXd& change)
+{
+    std::vector<Vec3> velocities = rates_of(problem, change);
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+        velocities[i] = problem.rows[i].velocity + velocities[i];
+    return velocities;
+}
+
+Answers answers_at(const ContactProblem& problem, const std::vector<Vec3>& velocities)
+{
+    return answers_by(problem, velocities, [](const PairRow& row, const Vec3&) { return row.law; });
+}
+
 Answers answers_to(const ContactProblem& problem, const VectorXd& change)
 {
-    return answers_by(problem, change, [](const PairRow& row, const Vec3&) { return row.law; });
+    return answers_at(problem, velocities_after(problem, change));
 }
 
 double speed_of(const ContactProblem& problem, const VectorXd& momentum)
@@ -110,10 +150,14 @@ Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
         const BodyBlock* block = block_of(blocks, one.first);
         for (const VertexMotion& other : moving())
             if (block && block_of(blocks, other.first) == block)
-                sum += one.rate *
-                       block->response.block(one.first - block->first, other.first - block->first,
-                                             one.rate.cols(), other.rate.cols()) *
-                       other.rate.transpose();
+                with_fixed_size(one, [&]<class One>(int row, const One& rate) {
+                    with_fixed_size(other, [&]<class Other>(int column, const Other& other_rate) {
+                        const auto own =
+                            block->response.block<One::ColsAtCompileTime, Other::ColsAtCompileTime>(
+                                row - block->first, column - block->first);
+                        sum += small_product(small_product(rate, own), other_rate.transpose());
+                    });
+                });
     }
     return sum;
 }
@@ -149,11 +193,12 @@ double residual_of(const ContactProblem& problem, const VectorXd& change, double
 
 double true_residual(const ContactProblem& problem, const VectorXd& change, double least_speed)
 {
-    const Answers answers = answers_by(problem, change, [&](const PairRow& row, const Vec3& velocity) {
+    const auto own_limit = [&](const PairRow& row, const Vec3& velocity) {
         PairLaw law = row.law;
         law.lagged_normal_impulse = normal_impulse(law, velocity, problem.step);
         return law;
-    });
+    };
+    const Answers answers = answers_by(problem, velocities_after(problem, change), own_limit);
     return residual_of(problem, change, answers, least_speed);
 }
 

@@ -86,12 +86,19 @@ Eigen::VectorXd times_response(const ContactProblem& problem, const Eigen::Vecto
 /// The length of a momentum in the norm of A^-1 [sqrt(kg) m/s].
 double speed_of(const ContactProblem& problem, const Eigen::VectorXd& momentum);
 
+/// Of each pair, the velocity after a change.
+std::vector<Vec3> velocities_after(const ContactProblem& problem, const Eigen::VectorXd& change);
+/// Of each pair, how a change changes it.
+std::vector<Vec3> rates_of(const ContactProblem& problem, const Eigen::VectorXd& change);
+
 /// What the pairs answer to a change.
 struct Answers {
     Eigen::VectorXd impulses;           ///< three numbers for each pair
     Eigen::VectorXd total, unbalanced;  ///< all as momentum of the coordinates; without what acts already
 };
 Answers answers_to(const ContactProblem& problem, const Eigen::VectorXd& change);
+/// The same from velocities_after() it.
+Answers answers_at(const ContactProblem& problem, const std::vector<Vec3>& velocities);
 
 /// The part of the pairs' momentum that a change of the velocities does
 /// not account for: |A x - J^T (I - acting)| over

@@ -14,15 +14,12 @@ namespace {
 //! [line_search]
 /// How far to go along a direction: to where the slope of the objective,
 /// which only rises, has nearly reached zero.
-double step_length(const ContactProblem& problem, const VectorXd& change, const VectorXd& direction)
+/// @param velocities, rates  of the pairs after the change and along the direction: they do not bend along the way
+double step_length(const ContactProblem& problem, const VectorXd& change, const VectorXd& direction,
+                   const std::vector<Vec3>& velocities, const std::vector<Vec3>& rates)
 {
     const VectorXd mass_direction = times_mass(problem, direction);
     const double slope_t0 = mass_direction.dot(change), curvature = mass_direction.dot(direction);
-    std::vector<Vec3> velocities, rates;  // of each pair; they do not bend along the way
-    for (const PairRow& row : problem.rows) {
-        velocities.push_back(row.velocity_after(change));
-        rates.push_back(row.rate_of(direction));
-    }
     const auto slope_at = [&](double t) {
         double slope = slope_t0 + t * curvature;
         for (std::size_t i = 0; i < problem.rows.size(); ++i) {
@@ -32,16 +29,16 @@ double step_length(const ContactProblem& problem, const VectorXd& change, const 
         }
         return slope;
     };
-    const double enough = 0.1 * std::abs(slope_at(0));
-    double low = 0, high = 1, slope_high = slope_at(high);
+    double low = 0, high = 1, slope_low = slope_at(low), slope_high = slope_at(high);
+    const double enough = 0.1 * std::abs(slope_low);
     while (slope_high < -enough && high < 64) {
         low = high;
+        slope_low = slope_high;
         high *= 2;
         slope_high = slope_at(high);
     }
     if (std::abs(slope_high) <= enough)
         return high;
-    double slope_low = slope_at(low);
     for (int i = 0; i < 60; ++i) {
         // The secant's place, kept off the ends, where the slope bends sharply.
         const double secant = low - slope_low * (high - low) / (slope_high - slope_low),
@@ -66,18 +63,19 @@ ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix
     ProblemSolution solution{begin.change, begin.impulses};
     DualFriction friction(problem);
     for (;; ++solution.newton_steps) {
-        const Answers answers = answers_to(problem, solution.change);
+        const std::vector<Vec3> velocities = velocities_after(problem, solution.change);
+        const Answers answers = answers_at(problem, velocities);
         const VectorXd gradient = times_mass(problem, solution.change) - answers.unbalanced;
         solution.residual = residual_from(problem, gradient, answers.total, least_speed);
         solution.converged = solution.residual <= tolerance;
         if (solution.converged || solution.newton_steps == max_steps)
             return solution;
-        const VectorXd direction = matrix.solve(problem, friction.hessians(solution.change), -gradient);
-        friction.follow(solution.change, direction);
-        const double part = step_length(problem, solution.change, direction);
+        const VectorXd direction = matrix.solve(problem, friction.hessians(velocities), -gradient);
+        const std::vector<Vec3> rates = rates_of(problem, direction);
+        friction.follow(velocities, rates);
+        const double part = step_length(problem, solution.change, direction, velocities, rates);
         solution.change += part * direction;
-        solution.impulses += part *
-                             (matrix.tangent(problem, answers.impulses, direction) - solution.impulses);
+        solution.impulses += part * (matrix.tangent(answers.impulses, rates) - solution.impulses);
     }
 }
 //! [solve_convex]

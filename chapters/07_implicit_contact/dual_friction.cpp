@@ -3,7 +3,11 @@
 namespace enduring {
 namespace {
 
-using Eigen::VectorXd;
+Vec3 within(double limit, const Vec3& friction)
+{
+    const double size = friction.norm();
+    return size > limit ? Vec3(limit / size * friction) : friction;
+}
 
 //! [slip_stiffening]
 /// By how much a pair is stiffer than its answer says: the answer takes its direction d twice where the
@@ -19,35 +23,42 @@ Mat3 missing_stiffness(const PairRow& row, const Vec3& spring, const Vec3& guess
 
 }  // namespace
 
-std::vector<Mat3> DualFriction::hessians(const VectorXd& change) const
+DualFriction::DualFriction(const ContactProblem& problem) : problem_(problem)
+{
+    guesses_.reserve(problem.rows.size());
+    for (const PairRow& row : problem.rows)
+        guesses_.push_back(within(row.law.mu * row.law.lagged_normal_impulse,
+                                  row.acting - row.law.normal.dot(row.acting) * row.law.normal));
+}
+
+std::vector<Mat3> DualFriction::hessians(const std::vector<Vec3>& velocities) const
 {
     std::vector<Mat3> all;
+    all.reserve(velocities.size());
     for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
         const PairRow& row = problem_.rows[i];
-        const Vec3 velocity = row.velocity_after(change);
-        const PairAnswer made = answer(row.law, velocity, problem_.step);
+        const PairAnswer made = answer(row.law, velocities[i], problem_.step);
         all.push_back(made.hessian);
         if (made.slips)
-            all.back() += missing_stiffness(row, spring_impulse(row.law, velocity, problem_.step),
+            all.back() += missing_stiffness(row, spring_impulse(row.law, velocities[i], problem_.step),
                                             guesses_[i], problem_.step);
     }
     return all;
 }
 
 //! [follow]
-void DualFriction::follow(const VectorXd& change, const VectorXd& direction)
+void DualFriction::follow(const std::vector<Vec3>& velocities, const std::vector<Vec3>& rates)
 {
     for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
         const PairRow& row = problem_.rows[i];
         const double limit = row.law.mu * row.law.lagged_normal_impulse;
-        const Vec3 velocity = row.velocity_after(change), faster = velocity + row.rate_of(direction);
-        const Vec3 spring = spring_impulse(row.law, velocity, problem_.step),
-                   then = spring_impulse(row.law, faster, problem_.step);
+        const Vec3 spring = spring_impulse(row.law, velocities[i], problem_.step),
+                   then = spring_impulse(row.law, velocities[i] + rates[i], problem_.step);
         const double size = spring.norm();
         Vec3& guess = guesses_[i];
-        guess = size > limit ? Vec3((limit * then - spring.dot(then - spring) / size * guess) / size) : then;
-        if (guess.norm() > limit)
-            guess *= limit / guess.norm();
+        guess = within(limit, size > limit
+                                  ? Vec3((limit * then - spring.dot(then - spring) / size * guess) / size)
+                                  : then);
     }
 }
 //! [follow]

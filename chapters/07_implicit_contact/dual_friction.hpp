@@ -15,15 +15,14 @@ namespace enduring {
 /// restoration, SIAM Journal on Scientific Computing 20, 1999.
 class DualFriction {
 public:
-    /// All guesses are zero. The problem outlives it.
-    explicit DualFriction(const ContactProblem& problem)
-        : problem_(problem), guesses_(problem.rows.size(), Vec3::Zero())
-    {}
+    /// The guesses are the friction that acts, within the limits: at a solution they fit. The problem outlives it.
+    explicit DualFriction(const ContactProblem& problem);
 
     /// Of each pair at these velocities: minus the derivative of its impulse, friction by the equation above.
-    std::vector<Mat3> hessians(const Eigen::VectorXd& change) const;
+    std::vector<Mat3> hessians(const std::vector<Vec3>& velocities) const;
     /// Brings the guesses to where the equation's tangent has them behind a Newton step, within the limits.
-    void follow(const Eigen::VectorXd& change, const Eigen::VectorXd& direction);
+    /// @param rates  of the pairs' velocities along the step
+    void follow(const std::vector<Vec3>& velocities, const std::vector<Vec3>& rates);
 
 private:
     const ContactProblem& problem_;

@@ -111,13 +111,11 @@ void NewtonMatrix::factor(const ContactProblem& problem)
 //! [factor]
 
 //! [tangent]
-VectorXd NewtonMatrix::tangent(const ContactProblem& problem, VectorXd impulses,
-                               const VectorXd& direction) const
+VectorXd NewtonMatrix::tangent(VectorXd impulses, const std::vector<Vec3>& rates) const
 {
-    for (std::size_t i = 0; i < problem.rows.size(); ++i)
+    for (std::size_t i = 0; i < rates.size(); ++i)
         if (!hessians_[i].isZero(0))
-            impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) -= hessians_[i] *
-                                                                     problem.rows[i].rate_of(direction);
+            impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) -= hessians_[i] * rates[i];
     return impulses;
 }
 //! [tangent]

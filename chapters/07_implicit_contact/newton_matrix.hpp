@@ -39,8 +39,8 @@ public:
     /// What the pairs would push if they answered a change of the velocities as straight as the last solve() took
     /// them to: impulses - S J direction.
     /// @param impulses  where the direction begins, three numbers for each pair
-    Eigen::VectorXd tangent(const ContactProblem& problem, Eigen::VectorXd impulses,
-                            const Eigen::VectorXd& direction) const;
+    /// @param rates     of the pairs along the direction
+    Eigen::VectorXd tangent(Eigen::VectorXd impulses, const std::vector<Vec3>& rates) const;
 
 private:
     bool fits(const std::vector<Mat3>& hessians) const;

@@ -15,16 +15,18 @@ Vec3 normal_of(const PairStep& step, double tau)
 
 namespace {
 
-/// p - q at tau, for a plane from any of its points [m].
-Vec3 relative_position(const World& world, const Contact& contact, double tau)
+/// p - q at one end of the step, for a plane from any of its points [m].
+Vec3 relative_position(const World& world, const Contact& contact,
+                       std::span<const Vec3> (Body::*positions)() const)
 {
+    const auto vertex = [&](std::size_t i) -> const Vec3& {
+        const Body& body = body_of_vertex(world, contact, static_cast<int>(i));
+        return (body.*positions)()[static_cast<std::size_t>(contact.vertices[i])];
+    };
     if (contact.kind == ContactKind::vertex_plane)
-        return contact_vertex(world, contact, 0, tau) -
-               world.planes[static_cast<std::size_t>(contact.body_b)].point;
-    Vec3 sum = Vec3::Zero();
-    for (int i = 0; i < contact.vertex_count(); ++i)
-        sum += contact.weights[static_cast<std::size_t>(i)] * contact_vertex(world, contact, i, tau);
-    return sum;
+        return vertex(0) - world.planes[static_cast<std::size_t>(contact.body_b)].point;
+    return contact.weights[0] * vertex(0) + contact.weights[1] * vertex(1) + contact.weights[2] * vertex(2) +
+           contact.weights[3] * vertex(3);
 }
 
 //! [push_between_paths]
@@ -52,7 +54,8 @@ void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& ro
 void update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
 {
     row.law.normal = normal_of(pair_step(world, contact), step.centre);
-    const Vec3 start = relative_position(world, contact, 0), end = relative_position(world, contact, 1);
+    const Vec3 start = relative_position(world, contact, &Body::positions_t0),
+               end = relative_position(world, contact, &Body::positions_t1);
     row.law.depth_t0 = row.law.normal.dot(start) - contact.rest_offset;
     row.velocity = (end - start) / step.dt;
     row.acting = contact.impulse + contact.friction;

@@ -1,8 +1,10 @@
 #include "chapters/08_speculative_contacts/contact_search.hpp"
 
+#include "chapters/08_speculative_contacts/feature_cones.hpp"
 #include "chapters/08_speculative_contacts/sliding_normal.hpp"
 #include "chapters/08_speculative_contacts/vertex_walls.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -198,6 +200,14 @@ Contacts ContactSearch::find(const World& world, const Contacts& known, double d
     return found;
 }
 //! [find]
+
+/// An edge that is not convex has no normal cone, and one of a rigid body stays what it is. Where the body turns within a step, its
+/// vertices take straight lines, which changes the fold by less than half.
+bool ContactSearch::may_meet(const Body& body, int edge) const
+{
+    const bool keeps_shape = body.is_static() || dynamic_cast<const RigidBody*>(&body);
+    return !keeps_shape || fold_at_edge(surface_at(body, 0), edge) < -0.5 * search_parts.least_fold;
+}
 
 bool ContactSearch::has_moved(const World& world) const
 {

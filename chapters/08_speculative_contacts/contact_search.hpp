@@ -20,6 +20,9 @@ public:
     /// Whether some vertex ends by more than the margin elsewhere than when find() looked.
     bool has_moved(const World& world) const;
 
+protected:
+    bool may_meet(const Body& body, int edge) const override;
+
 private:
     double margin_ = 0;
     std::vector<std::vector<Vec3>> seen_t1_;  ///< by the last find()

@@ -2,6 +2,7 @@
 #include "chapters/08_speculative_contacts/meeting.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace enduring {
 namespace {
@@ -25,24 +26,26 @@ bool is_on_edge(const SurfaceMoment& surface, int edge, double weight, double fu
 }
 //! [beyond_end]
 
-/// Two edges, and what is asked of them at a moment.
+/// Two edges, and what is asked of them at a moment. What costs least is asked first: most pairs end there.
 struct TwoEdges {
     const SurfaceStep &a, &b;
     int edge_a, edge_b;
     const Reach& reach;
     bool known;
+    PairVertices t0{a.start(a.edge(edge_a)[0]), a.start(a.edge(edge_a)[1]), b.start(b.edge(edge_b)[0]),
+                    b.start(b.edge(edge_b)[1])};
+    PairVertices t1{a.end(a.edge(edge_a)[0]), a.end(a.edge(edge_a)[1]), b.end(b.edge(edge_b)[0]),
+                    b.end(b.edge(edge_b)[1])};
 
-    PairVertices vertices_at(double tau) const
-    {
-        const auto [a0, a1] = a.edge(edge_a);
-        const auto [b0, b1] = b.edge(edge_b);
-        const SurfaceMoment at_a{a, tau}, at_b{b, tau};
-        return {at_a.position(a0), at_a.position(a1), at_b.position(b0), at_b.position(b1)};
-    }
     /// As the cross product of the edges has it; none for parallel ones.
+    static std::optional<EdgeFeet> feet_of(const PairVertices& x)
+    {
+        return feet_of_edges(x, 1, search_parts.edge_sine);
+    }
     std::optional<EdgeFeet> feet_at(double tau) const
     {
-        return feet_of_edges(vertices_at(tau), 1, search_parts.edge_sine);
+        return feet_of({lerp(t0[0], t1[0], tau), lerp(t0[1], t1[1], tau), lerp(t0[2], t1[2], tau),
+                        lerp(t0[3], t1[3], tau)});
     }
     /// A pair that is known stays where elements have bent so far that an edge is not convex any more: in the next step it may be.
     bool in_cones(const Vec3& normal, double tau) const
@@ -54,26 +57,22 @@ struct TwoEdges {
         return in_cone(b, edge_b, normal) && in_cone(a, edge_a, -normal);
     }
     /// Whether they are nearest to each other at a moment when they are near.
-    std::optional<Meeting> near_at(double tau) const
+    std::optional<Meeting> near_at(double tau, const EdgeFeet& feet) const
     {
-        const auto feet = feet_at(tau);
-        if (!feet)
-            return std::nullopt;
-        const double sign = in_cones(feet->normal, tau) ? 1 : in_cones(-feet->normal, tau) ? -1 : 0;
-        if (sign == 0)
-            return std::nullopt;
-        const PairWeights weights{1 - feet->s, feet->s, feet->t - 1, -feet->t};
-        const double furthest = reach.beyond_border(feet->depth, path_length(weights)),
+        const PairWeights weights{1 - feet.s, feet.s, feet.t - 1, -feet.t};
+        const double furthest = reach.beyond_border(feet.depth, path_length(weights)),
                      tolerance = known ? search_parts.hysteresis : 0;
-        if (!is_on_edge({a, tau}, edge_a, feet->s, furthest, tolerance) ||
-            !is_on_edge({b, tau}, edge_b, feet->t, furthest, tolerance))
+        if (!is_on_edge({a, tau}, edge_a, feet.s, furthest, tolerance) ||
+            !is_on_edge({b, tau}, edge_b, feet.t, furthest, tolerance))
+            return std::nullopt;
+        const double sign = in_cones(feet.normal, tau) ? 1 : in_cones(-feet.normal, tau) ? -1 : 0;
+        if (sign == 0)
             return std::nullopt;
         return Meeting{tau, 0, 0, sign, weights};
     }
     /// How far two of their points move against each other in the step [m].
     double path_length(const PairWeights& weights) const
     {
-        const PairVertices t0 = vertices_at(0), t1 = vertices_at(1);
         Vec3 path = Vec3::Zero();
         for (std::size_t i = 0; i < 4; ++i)
             path += weights[i] * (t1[i] - t0[i]);
@@ -83,16 +82,21 @@ struct TwoEdges {
     /// @param sign  of the normal that makes the depth of their lines positive at the start
     std::optional<Meeting> crossing(double sign) const
     {
-        const auto entry = find_entry(edge_edge_step(a, edge_a, b, edge_b), [&](const Crossing& crossing) {
+        const EdgeEdgeStep step{t0[0], t0[1], t0[2], t0[3], t1[0], t1[1], t1[2], t1[3]};
+        if (const CertifiedAnswer touch = certified_answer(step);
+            !touch.time && touch.stage == QueryStage::height)
+            return std::nullopt;  // the lines do not pass each other
+        const auto entry = find_entry(step, [&](const Crossing& crossing) {
             const auto feet = feet_at(crossing.time);
             return feet && in_cones(crossing.orientation * feet->normal, crossing.time);
         });
         if (entry)
             return Meeting{entry->time, 0, 0, entry->orientation, entry->weights};
-        const PairStep pair{edge_edge_instant(vertices_at(0), sign), edge_edge_instant(vertices_at(1), sign)};
+        const PairStep pair{edge_edge_instant(t0, sign), edge_edge_instant(t1, sign)};
         for (const Interval& below : penetration_intervals(penetration_depth(contact_normal(pair), pair)))
-            if (const auto meeting = near_at(below.from); meeting && meeting->orientation == sign)
-                return meeting;
+            if (const auto feet = feet_at(below.from))
+                if (const auto meeting = near_at(below.from, *feet); meeting && meeting->orientation == sign)
+                    return meeting;
         return std::nullopt;
     }
 };
@@ -104,17 +108,18 @@ std::optional<Meeting> find_edge_meeting(const SurfaceStep& a, int edge_a, const
                                          const Reach& reach, bool known)
 {
     const TwoEdges pair{a, b, edge_a, edge_b, reach, known};
-    const auto feet_t0 = pair.feet_at(0), feet_t1 = pair.feet_at(1);
+    const auto feet_t0 = pair.feet_of(pair.t0), feet_t1 = pair.feet_of(pair.t1);
     if (!feet_t0 || !feet_t1)
         return std::nullopt;
-    if (const auto meeting = pair.near_at(0);
-        meeting && near_at_start(meeting->orientation * feet_t0->depth, reach, known))
-        return meeting;
+    if (known || std::abs(feet_t0->depth) <= std::max(reach.margin, reach.inside))
+        if (const auto meeting = pair.near_at(0, *feet_t0);
+            meeting && near_at_start(meeting->orientation * feet_t0->depth, reach, known))
+            return meeting;
     const double sign = feet_t0->depth > 0 ? 1 : -1, depth_t1 = sign * feet_t1->depth;  // with this normal
     if (const auto meeting = pair.crossing(sign))
         return meeting;
     if (depth_t1 > 0 && depth_t1 <= reach.margin)
-        if (const auto meeting = pair.near_at(1); meeting && meeting->orientation == sign)
+        if (const auto meeting = pair.near_at(1, *feet_t1); meeting && meeting->orientation == sign)
             return meeting;
     return std::nullopt;
 }

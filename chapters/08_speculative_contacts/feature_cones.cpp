@@ -13,28 +13,37 @@ bool any_faces(const SurfaceMoment& surface, std::span<const int> faces, const V
                        [&](int face) { return face >= 0 && surface.face_normal(face).dot(direction) > 0; });
 }
 
-/// From an edge into one of its faces, at right angles to the edge, unit length; zero for a face without area.
-Vec3 into_face(const SurfaceMoment& surface, const Edge& edge, int face)
+/// From an edge into each of its two faces, at right angles to the edge, unit length; zero for none, and for a face without area.
+std::array<Vec3, 2> into_faces(const SurfaceMoment& surface, int edge)
 {
-    const Vec3 corner = surface.position(edge[0]);
-    const Vec3 along = (surface.position(edge[1]) - corner).stableNormalized();
-    for (const int vertex : surface.step.face(face))
-        if (vertex != edge[0] && vertex != edge[1]) {
-            const Vec3 path = surface.position(vertex) - corner;
-            return (path - along.dot(path) * along).stableNormalized();
-        }
-    return Vec3::Zero();
+    const Edge& ends = surface.step.edge(edge);
+    const Vec3 corner = surface.position(ends[0]),
+               along = (surface.position(ends[1]) - corner).stableNormalized();
+    const auto into = [&](int face) -> Vec3 {
+        if (face < 0)
+            return Vec3::Zero();
+        const Face& corners = surface.step.face(face);
+        const int vertex = *std::find_if(corners.begin(), corners.end(),
+                                         [&](int one) { return one != ends[0] && one != ends[1]; });
+        const Vec3 path = surface.position(vertex) - corner;
+        return (path - along.dot(path) * along).stableNormalized();
+    };
+    const auto [face, other] = surface.step.topology.faces_at_edge(edge);
+    return {into(face), into(other)};
+}
+
+/// As fold_at_edge(), from what leads into the second face.
+double fold(const SurfaceMoment& surface, int edge, const Vec3& into_other)
+{
+    const auto [face, other] = surface.step.topology.faces_at_edge(edge);
+    return other < 0 ? -1 : surface.face_normal(face).stableNormalized().dot(into_other);
 }
 
 }  // namespace
 
 double fold_at_edge(const SurfaceMoment& surface, int edge)
 {
-    const auto [face, other] = surface.step.topology.faces_at_edge(edge);
-    if (other < 0)
-        return -1;
-    return surface.face_normal(face).stableNormalized().dot(
-        into_face(surface, surface.step.edge(edge), other));
+    return fold(surface, edge, into_faces(surface, edge)[1]);
 }
 
 //! [cone_tests]
@@ -60,11 +69,11 @@ bool in_cone_of_vertex(const SurfaceMoment& surface, int vertex, const Vec3& dir
 bool in_cone_of_edge(const SurfaceMoment& surface, int edge, const Vec3& direction, double sine,
                      double least_fold)
 {
-    const auto& faces = surface.step.topology.faces_at_edge(edge);
-    for (const int face : faces)
-        if (face >= 0 && into_face(surface, surface.step.edge(edge), face).dot(direction) > sine)
-            return false;
-    return any_faces(surface, faces, direction) && fold_at_edge(surface, edge) < -least_fold;
+    if (!any_faces(surface, surface.step.topology.faces_at_edge(edge), direction))
+        return false;
+    const auto [into, into_other] = into_faces(surface, edge);
+    return into.dot(direction) <= sine && into_other.dot(direction) <= sine &&
+           fold(surface, edge, into_other) < -least_fold;
 }
 //! [cone_tests]
 
