@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 namespace enduring {
 
@@ -81,11 +83,25 @@ VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
     return all;
 }
 
-/// A pair that leaves holds nothing any more.
-void let_go(Contact& contact)
+/// The two bodies of a pair, or a body and a plane.
+std::tuple<bool, int, int> bodies_of(const Contact& contact)
 {
-    contact.load = 0;
-    contact.stretch.setZero();
+    const bool on_plane = contact.kind == ContactKind::vertex_plane;
+    const int a = contact.body_a, b = contact.body_b;
+    return on_plane ? std::tuple(true, a, b) : std::tuple(false, std::min(a, b), std::max(a, b));
+}
+
+/// Where a pair bounces, all pairs of its two bodies hold nothing any more: the impact is over, and all of it is in the velocities.
+void let_go(const IslandImpact& island, const Bounce& bounce)
+{
+    std::set<std::tuple<bool, int, int>> leaving;
+    for (const Eigen::Index pair : bounce.pairs)
+        leaving.insert(bodies_of(*island.step.of_row[static_cast<std::size_t>(pair)]));
+    for (Contact* const contact : island.step.of_row)
+        if (leaving.count(bodies_of(*contact)) > 0) {
+            contact->load = 0;
+            contact->stretch.setZero();
+        }
 }
 
 //! [rub]
@@ -161,8 +177,7 @@ void send_back(World& world, IslandImpact& island, const Bounce& bounce, double 
         contact.impulse += part * back.impulses[static_cast<Eigen::Index>(i)] * island.pairs[i].normal;
         contact.friction += part * back.friction[i];
     }
-    for (const Eigen::Index pair : bounce.pairs)
-        let_go(*island.step.of_row[static_cast<std::size_t>(pair)]);
+    let_go(island, bounce);
     kick(world, island.step, part * back.momentum);
     world.driven += part * back.driven;
     world.attempt.put_in += part * back.driven + std::max(0.0, -of_step - part * of_this);

@@ -1,6 +1,8 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
 #include "chapters/07_implicit_contact/pair_motion.hpp"
+#include "common/simulation/deformable_body.hpp"
+#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -127,10 +129,22 @@ double mass_of(const PairRow& row, const ContactProblem& problem)
 //! [max_load]
 namespace {
 
+/// What presses a body beside its weight: forces from outside, torques at the arm of the body's size, and its own elements [N].
+double pressing_force(const Body& body, double dt)
+{
+    if (const auto* rigid = dynamic_cast<const RigidBody*>(&body))
+        return (rigid->load_momentum().norm() + rigid->load_turning().norm() / rigid->size()) / dt;
+    if (const auto* soft = dynamic_cast<const DeformableBody*>(&body))
+        return soft->elastic().external_forces().colwise().norm().sum() +
+               soft->elastic().elastic_forces().colwise().norm().sum();
+    return 0;
+}
+
 double load_of(const Body& body, const Vec3& gravity, double dt)
 {
     constexpr double lever = 10;
-    return body.mass() * (lever * gravity.norm() + body.mean_velocity().norm() / dt);
+    return lever * (body.mass() * gravity.norm() + pressing_force(body, dt)) +
+           body.mass() * body.mean_velocity().norm() / dt;
 }
 
 }  // namespace
@@ -161,7 +175,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
     step.vertices = touched_vertices(island);
     add_blocks(world, step);
     step.problem.rows.reserve(island.contacts.size());
-    const double most = max_load(world, island, step_law.dt);
+    const double most = first ? max_load(world, island, step_law.dt) : 0;
     for (Contact* const of_row : island.contacts) {
         Contact& contact = *of_row;
         PairRow row;

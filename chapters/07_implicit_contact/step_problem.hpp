@@ -31,8 +31,8 @@ double depth_at_start(const World& world, const Contact& contact);
 /// that nothing moves [kg].
 double mass_of(const PairRow& row, const ContactProblem& problem);
 
-/// What weight and motion of all bodies can bring upon a pair, with a lever as a wedge has it [N]. What
-/// presses harder than this comes from the pairs themselves.
+/// What can be brought upon a pair [N]: the weight of all bodies, forces and torques from outside and what elements push, all with a
+/// lever as a wedge has it, and what stops the motion. What presses harder than this comes from the pairs themselves.
 double max_load(const World& world, double dt);
 /// The same of an island, where no other bodies can bring anything upon a pair.
 double max_load(const World& world, const Island& island, double dt);

@@ -65,6 +65,9 @@ public:
     Vec3 angular_momentum(const Vec3& about) const override { return motion_.angular_momentum(about); }
 
     const RigidMotion& motion() const { return motion_; }
+    /// What the loads do in the step that is predicted: momentum [N s], and angular momentum about the body's origin [N m s].
+    const Vec3& load_momentum() const { return load_momentum_; }
+    const Vec3& load_turning() const { return load_turning_; }
 
 private:
     const Vec3& start_of(int vertex) const { return positions_t0_[vertex]; }
@@ -74,7 +77,6 @@ private:
 
     RigidMotion motion_;
     std::vector<OutsideLoad> loads_;  ///< points, and what turns along, in body coordinates
-    /// What the loads do in the step that is predicted: momentum [N s], and angular momentum about the body's origin [N m s].
     Vec3 load_momentum_ = Vec3::Zero(), load_turning_ = Vec3::Zero();
     Quaternion free_orientation_t1_ = Quaternion::Identity();  ///< at the end of the step, before any contact
     std::vector<Vec3> body_points_;                            ///< surface vertices in body coordinates [m]

@@ -80,7 +80,7 @@ bool has_gained(const World& world, const HeldEnergy& before, const HeldEnergy& 
         at_rest += body->mass() * (attempt_limits.gain_at_rest * fall * fall + trembling * trembling);
     }
     const double gain = after.total - before.total - world.attempt.put_in;
-    return !(gain <= attempt_limits.gain * (before.moving + world.attempt.put_in) + at_rest +
+    return !(gain <= attempt_limits.gain * (before.moving + std::abs(world.attempt.put_in)) + at_rest +
                          attempt_limits.rounding * std::abs(before.total));
 }
 //! [held_energy]

@@ -4,7 +4,9 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/07_implicit_contact/tests/only_island.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/deformable_body.hpp"
 #include "common/simulation/driven_body.hpp"
 #include "common/simulation/rigid_body.hpp"
 
@@ -94,6 +96,44 @@ TEST_CASE("step problem: the most load is ten times all weight and what stops al
         world.gravity = Vec3(0, -3, 4);
         CHECK(max_load(world, dt) == doctest::Approx(10 * 5 * 17 + (10 * 5 + 7 * 2) / dt));
     }
+}
+
+TEST_CASE(
+    "step problem: forces and torques from outside count ten times, a torque at the arm of the body's size")
+{
+    for (const double dt : {0.002, 0.02}) {
+        World world = cube_above_plane(0, dt, 2);  // of 10 kg, without weight
+        auto& cube = dynamic_cast<RigidBody&>(*world.bodies[0]);
+        cube.add_load({.force = TimedVector(Vec3(0, 3, -4)), .torque = TimedVector(Vec3(6, 0, 8))});
+        cube.predict(world.gravity, dt);
+        CAPTURE(dt);
+        CHECK(max_load(world, dt) == doctest::Approx(10 * (5 + 10 / 2.0) + 5));
+    }
+}
+
+TEST_CASE(
+    "step problem: a pull on a soft body that is held counts ten times, and what its elements do at both ends")
+{
+    World world;
+    world.gravity.setZero();
+    const TetrahedralMesh mesh = bar(Vec3(2, 0.5, 0.25), {4, 1, 1});
+    DeformableSettings soft;
+    soft.material = {1e5, 0, 1000};
+    std::vector<NodeWeight> pulled;
+    for (int node = 0; node < static_cast<int>(mesh.nodes.size()); ++node) {
+        const double x = mesh.nodes[static_cast<std::size_t>(node)].x();
+        if (x < -0.99)
+            soft.fixed_nodes.push_back(node);
+        if (x > 0.99)
+            pulled.push_back({node, 0.25});
+    }
+    auto body = std::make_unique<DeformableBody>("soft", mesh, soft);
+    body->add_force(TimedVector(Vec3(30, 0, 0)), pulled);
+    world.bodies.push_back(std::move(body));
+    Contacts contacts;
+    for (int step = 0; step < 100; ++step)
+        advance(world, contacts, Solver{"", {}, {}, {}}, 0.1);
+    CHECK(max_load(world, 0.1) == doctest::Approx(10 * (30 + 30 + 30)).epsilon(0.02));
 }
 
 TEST_CASE("step problem: a load that presses an enduring pair too deep makes it stiffer, from step to step")

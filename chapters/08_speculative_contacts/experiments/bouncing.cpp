@@ -81,6 +81,15 @@ void tell_cradle(const RunOptions& options, Report& report)
         }
     report.page_table("bouncing_cradle", page, 2);
     report.fact("bouncing", "cradle_percent", 100 * worst, 2);
+    double ended_badly = 0, off = 0;
+    for (const double gap : {0.0, 1e-3})
+        for (const double dt : bounce_steps(options)) {
+            const HangingCradle end = hanging_cradle(gap, dt);
+            ended_badly += static_cast<double>(end.ended_badly);
+            off = std::max(off, std::abs(end.handed_on - 1));
+        }
+    report.fact("bouncing", "hanging_ended_badly", ended_badly);
+    report.fact("bouncing", "hanging_percent", 100 * off, 2);
 }
 
 void draw_cradle(Report& report)

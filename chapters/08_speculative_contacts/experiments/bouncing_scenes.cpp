@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace enduring::chapter08 {
@@ -161,6 +162,29 @@ Cradle cradle(double e, double gap, double dt)
         end.velocities.push_back(one->mean_velocity().x());
     end.kinetic = total_energy(scene.world).kinetic / start;
     return end;
+}
+
+HangingCradle hanging_cradle(double gap, double dt)
+{
+    constexpr double radius = 0.1, string = 0.8, drawn_deg = 35;
+    json text = bouncing_text("hanging", 1, dt, 1, 0);
+    text["bodies"] = json::array();
+    for (int i = 0; i < 5; ++i) {
+        const double angle = i == 0 ? drawn_deg * std::numbers::pi / 180 : 0;
+        json one = ball_at("ball " + std::to_string(i), radius,
+                           {i * (2 * radius + gap) - string * std::sin(angle), -string * std::cos(angle), 0});
+        one["rotation"] = {{"axis", {0, 0, 1}}, {"angle_deg", i == 0 ? -drawn_deg : 0}};
+        one["locked"] = {{"about", {0, string, 0}}, {"rotation", {"x", "y"}}};
+        text["bodies"].push_back(one);
+    }
+    Scene scene = read_bouncing(text);
+    double comes = 0, leaves = 0;
+    watch_steps(scene, [&](const World& world) {
+        comes = std::max(comes, leaves == 0 ? world.bodies[0]->mean_velocity().norm() : 0);
+        leaves = std::max(leaves, world.bodies[4]->mean_velocity().norm());
+        return false;
+    });
+    return {scene.world.ended_badly, leaves / comes};
 }
 
 EnergyOfRun cube_on_corner(double e, double mu, double dt, double duration)

@@ -24,6 +24,14 @@ struct Cradle {
 Scene cradle_scene(double e, double gap, double dt);
 Cradle cradle(double e, double gap, double dt);
 
+/// The same on pins and with weight; the first ball swings down from 35 degrees. Parts of steps that ended badly in a second, and the
+/// speed of the last ball behind the first impact over that of the first ball before it.
+struct HangingCradle {
+    long ended_badly = 0;
+    double handed_on = 0;
+};
+HangingCradle hanging_cradle(double gap, double dt);
+
 /// Energy over a run, as parts of that which moves at the most [-]. What symplectic Euler counts too little in a fall is put back:
 /// half a step of weight times velocity.
 struct EnergyOfRun {

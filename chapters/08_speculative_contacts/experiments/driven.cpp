@@ -57,6 +57,51 @@ std::vector<Case> all_cases()
     };
 }
 
+/// Why the door's speed misses its formula: by the step, and by the springs' stiffness.
+void tell_door(const RunOptions& options, Report& report)
+{
+    constexpr double stiffest = 25600, shortest = 0.000625;
+    const auto error = [](double dt, double stiffness) {
+        return 100 * hit_door(dt, stiffness).speed.error();
+    };
+    Table table({"k_dt2_over_m", "dt_s", "error_percent"});
+    for (const double stiffness : {100.0, 400.0, stiffest})
+        for (const double dt :
+             options.quick ? std::vector{0.01, shortest} : std::vector{0.01, 0.005, 0.0025, shortest})
+            table.add({stiffness, dt, error(dt, stiffness)});
+    report.table("driven_door", table);
+    report.fact("driven", "door_spring_percent", error(shortest, 100), 2);
+    report.fact("driven", "door_stiffer_spring_percent", error(shortest, 400), 2);
+    const double longest = error(0.01, stiffest);
+    report.fact("driven", "door_stiff_percent", longest, 2);
+    report.fact("driven", "door_order", std::log2(longest / error(0.005, stiffest)), 2);
+}
+
+/// Why the bar that is let go misses its formula: by how far it is turned, and by its elements.
+void tell_let_go(const RunOptions& options, Report& report)
+{
+    Table table({"turn_deg", "elements", "cells", "dt_s", "period_s", "formula_s", "error_percent"});
+    const auto add = [&](const TwistedBar& bar, const std::string& fact) {
+        double worst = 0;
+        for (const double dt : options.quick ? std::vector{0.01} : std::vector{0.01, 0.005}) {
+            const AgainstFormula result = twisted_and_let_go(dt, bar).period;
+            const std::string across = std::to_string(bar.across);
+            table.add({bar.turn_deg, bar.basis, std::to_string(bar.along) + " x " + across + " x " + across,
+                       dt, result.measured, result.formula, 100 * result.error()});
+            worst = std::max(worst, std::abs(100 * result.error()));
+        }
+        report.fact("driven", fact, worst, 2);
+    };
+    add({180}, "let_go_180_percent");
+    add({10}, "let_go_10_percent");
+    add({10, 8, 2}, "let_go_2_cells_percent");
+    add({10, 8, 3}, "let_go_3_cells_percent");
+    add({10, 8, 4}, "let_go_4_cells_percent");
+    add({10, 8, 4, "linear"}, "let_go_linear_percent");
+    report.table("let_go", table);
+    report.page_table("let_go", table, 3);
+}
+
 }  // namespace
 
 /// What a scene can say of a body beside its start, each against a formula: given motion, running surfaces, forces, locked
@@ -75,6 +120,8 @@ void driven(const RunOptions& options, Report& report)
     }
     report.table("driven", table);
     report.page_table("driven", table, 4);
+    tell_door(options, report);
+    tell_let_go(options, report);
 }
 
 }  // namespace enduring::chapter08

@@ -1,6 +1,5 @@
 #include "chapters/08_speculative_contacts/experiments/driven_parts.hpp"
 
-#include "chapters/08_speculative_contacts/solver.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/scenes/scene_reader.hpp"
 
@@ -24,9 +23,10 @@ json box_body(const std::string& name, const std::string& type, const json& size
     return body;
 }
 
-void run_watched(Scene& scene, const std::function<bool(const World&)>& watch)
+void run_watched(Scene& scene, const std::function<bool(const World&)>& watch,
+                 const ImplicitSettings& settings)
 {
-    run(scene, chapter08_solver(scene.contact), {},
+    run(scene, chapter08_solver(scene.contact, settings), {},
         {.stop = [&](const World& world, const Contacts&) { return watch(world); }});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/08_speculative_contacts/experiments/driven_scenes.hpp"
+#include "chapters/08_speculative_contacts/solver.hpp"
 #include "common/scenes/scene.hpp"
 #include "common/simulation/rigid_body.hpp"
 
@@ -22,7 +23,8 @@ json box_body(const std::string& name, const std::string& type, const json& size
 Scene scene_from(const json& scene);
 
 /// Runs a scene until its end, or until `watch` has seen enough in the world after a step.
-void run_watched(Scene& scene, const std::function<bool(const World&)>& watch);
+void run_watched(Scene& scene, const std::function<bool(const World&)>& watch,
+                 const ImplicitSettings& settings = {});
 void run_whole(Scene& scene);
 
 const RigidMotion& motion_of(const World& world, std::size_t body);

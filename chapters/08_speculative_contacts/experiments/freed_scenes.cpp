@@ -110,18 +110,19 @@ AgainstFormula turned_by_two_forces(double dt)
     return {std::atan2(-axis.z(), axis.x()), force * length * time * time / (2 * inertia)};
 }
 
-LetGo twisted_and_let_go(double dt)
+LetGo twisted_and_let_go(double dt, const TwistedBar& of_bar)
 {
     constexpr double length = 1, side = 0.06, young = 2e5, poisson = 0.3, density = 1000, freed = 1;
     json text = scene_text("let go", dt, 1.6, 0, 0);
-    json bar{{"name", "bar"},   {"type", "deformable"}, {"density", density},
-             {"young", young},  {"poisson", poisson},   {"elasticity", "corotated_at_points"},
-             {"gravity", false}};
-    bar["shape"]["bar"] = {{"size", {length, side, side}}, {"cells", {16, 2, 2}}};
+    json bar{{"name", "bar"},    {"type", "deformable"}, {"density", density},
+             {"young", young},   {"poisson", poisson},   {"elasticity", "corotated_at_points"},
+             {"gravity", false}, {"basis", of_bar.basis}};
+    bar["shape"]["bar"] = {{"size", {length, side, side}},
+                           {"cells", {of_bar.along, of_bar.across, of_bar.across}}};
     bar["fixed"] = {{"max", {-0.499, 1, 1}}};
     json end{{"min", {0.499, -1, -1}}, {"until", freed}};
-    end["motion"]["table"] = {{{"time", 0}},
-                              {{"time", freed}, {"turn", {{"axis", {1, 0, 0}}, {"angle_deg", 360}}}}};
+    end["motion"]["table"] = {
+        {{"time", 0}}, {{"time", freed}, {"turn", {{"axis", {1, 0, 0}}, {"angle_deg", of_bar.turn_deg}}}}};
     bar["driven"] = json::array({end});
     text["bodies"] = json::array({bar});
     Scene scene = scene_from(text);

@@ -35,7 +35,7 @@ AgainstFormula swinging_bar(double dt)
     return {period, 4 * std::sqrt(about_end / (mass * earth * lever)) * std::comp_ellint_1(std::sin(0.5))};
 }
 
-HitDoor hit_door(double dt)
+HitDoor hit_door(double dt, double k_dt2_over_m)
 {
     constexpr double width = 0.9, thick = 0.04, door_mass = 20, ball_mass = 2, v = 3, b = 0.7;
     json text = scene_text("door", dt, 0.5, 0, 0);
@@ -50,12 +50,17 @@ HitDoor hit_door(double dt)
     double speed = 0;
     int pushed =
         0;  // steps: in the first one the ball comes as far as the door, in the next one it is stopped
-    run_watched(scene, [&](const World& world) {
-        const double now = motion_of(world, 0).angular_velocity().y();
-        if (now != 0 && ++pushed <= 2)
-            speed = now;
-        return false;
-    });
+    ImplicitSettings settings;
+    settings.stiffness.k_dt2_over_m = k_dt2_over_m;
+    run_watched(
+        scene,
+        [&](const World& world) {
+            const double now = motion_of(world, 0).angular_velocity().y();
+            if (now != 0 && ++pushed <= 2)
+                speed = now;
+            return false;
+        },
+        settings);
     double momentum = 0;
     for (const auto& body : scene.world.bodies)
         momentum += body->angular_momentum(Vec3::Zero()).y();

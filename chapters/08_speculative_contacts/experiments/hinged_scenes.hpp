@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/07_implicit_contact/pair_memory.hpp"
 #include "chapters/08_speculative_contacts/experiments/driven_scenes.hpp"
 
 namespace enduring::chapter08 {
@@ -13,7 +14,8 @@ struct HitDoor {
         speed;  ///< of the door behind the hit: m v b / (I + m b^2) with the ball's distance b from the hinge [rad/s]
     AgainstFormula momentum;  ///< of both about the hinge: m v b [N m s]
 };
-HitDoor hit_door(double dt);
+/// @param k_dt2_over_m  of the springs (StiffnessChoice)
+HitDoor hit_door(double dt, double k_dt2_over_m = StiffnessChoice{}.k_dt2_over_m);
 
 /// A crank, which is a box on a hinge near its end, pushes a slider that is locked to an axis and pressed against it by a force: where
 /// the slider is when it is farthest from the largest coordinate of the crank's corners along the axis, in two turns [m].

@@ -33,6 +33,16 @@ TEST_CASE("bouncing: a cradle of five balls hands its momentum on, without gaps 
     }
 }
 
+TEST_CASE("bouncing: a cradle that hangs without gaps hands its speed on, and no step ends badly")
+{
+    for (const double dt : {0.01, 0.005}) {
+        const HangingCradle end = hanging_cradle(0, dt);
+        CAPTURE(dt);
+        CHECK(end.ended_badly == 0);
+        CHECK(end.handed_on == doctest::Approx(1).epsilon(0.02));
+    }
+}
+
 TEST_CASE("bouncing: balls with gaps meet one after the other, each pair with its own (1 + e) / 2")
 {
     for (const double e : {0.5, 0.75}) {

@@ -99,6 +99,21 @@ TEST_CASE("freed nodes: a soft bar that is turned by 360 degrees and let go swin
     CHECK(bar.most_held <= 1);
 }
 
+TEST_CASE(
+    "freed nodes: turned by ten degrees, a bar of three cells across swings with the period of the formula" *
+    doctest::test_suite("long simulation"))
+{
+    CHECK(std::abs(twisted_and_let_go(0.01, {10, 8, 3}).period.error()) < 0.01);
+}
+
+TEST_CASE("hinges: what a door's speed misses falls with the stiffness of springs, not with the step")
+{
+    const auto missed = [](double dt, double stiffness) { return hit_door(dt, stiffness).speed.error(); };
+    CHECK(missed(0.000625, 25) / missed(0.000625, 100) == doctest::Approx(4).epsilon(0.2));
+    CHECK(missed(0.000625, 25) > 0.9 * missed(0.00125, 25));
+    CHECK(std::abs(missed(0.005, 25600)) < 0.6 * std::abs(missed(0.01, 25600)));
+}
+
 TEST_CASE("moving sheets: a box over the border rides if its middle is over the sheet, and falls if not")
 {
     for (const double dt : {0.01, 0.004})

@@ -91,6 +91,9 @@ TEST_CASE(
         world.attempt.put_in = 40;
         CHECK_FALSE(gains({0, 0, 0}, 40 + 0.99 * moving));
         CHECK(gains({0, 0, 0}, 40 + 1.01 * moving));
+        world.attempt.put_in = -40;  // as a piston takes out that goes back
+        CHECK_FALSE(gains({0, 0, 0}, -40 + 0.99 * moving));
+        CHECK(gains({0, 0, 0}, -40 + 1.01 * moving));
         CHECK(gains({0, 0, 0}, std::numeric_limits<double>::quiet_NaN()));
     }
 }
