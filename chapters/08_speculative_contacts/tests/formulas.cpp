@@ -66,13 +66,16 @@ TEST_CASE("sphere impacts: two balls that spin rebound, also where they meet at 
     }
 }
 
-TEST_CASE("bouncing: a cube of balls falls apart, keeps its energy where it is elastic, and gains none")
+TEST_CASE(
+    "bouncing: a cube of balls falls apart, and an elastic one keeps its energy and its momentum along the ground")
 {
     const BallsApart elastic = balls_apart(2, 1, 0.01, 0.5), clay = balls_apart(2, 0, 0.01, 0.5);
     CHECK(elastic.energy.left > 0.99);
     CHECK(elastic.energy.most_gained < 1e-9);
     CHECK(clay.energy.left < 0.9);
     CHECK(clay.deepest < 1e-3);
+    CHECK(elastic.sideways < 1e-9);
+    CHECK(balls_apart(2, 1, 0.0025, 0.5).energy.left > elastic.energy.left);
 }
 
 TEST_CASE("sphere impacts: of two balls each takes its share, also if one is larger or spins")
