@@ -7,6 +7,7 @@ set format xy "10^{%L}"
 set xlabel "processor time of a frame over ours"
 set xrange [0.01:30]
 set key outside right
+set linetype 8 linecolor rgb "#9a6a3a"  # the eighth would be black, which a dark page hides
 data = folder."/error_over_time.csv"
 of(scene, engine) = strcol("scene") eq scene && strcol("engine") eq engine ? column("error") : NaN
 engines = "'chapter 10' 'chapter 11' Bullet ODE 'MuJoCo of npm' Jolt Rapier DART"
