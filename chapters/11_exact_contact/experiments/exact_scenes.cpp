@@ -42,7 +42,10 @@ std::vector<Row> all_rows(bool quick)
          },
          2},
         {"soft cube on a slope of 10 degrees",
-         [] { return soft_cube_on_triangles({2, 1e6, dt, 10}, 0.3); }, quick ? 4.0 : 8.0},
+         [] {
+             return soft_cube_on_triangles({2, 1e6, dt, 10}, 0.3);
+         },
+         quick ? 4.0 : 8.0},
         {"card house of 3 levels", [] { return scene_of(card_house(3, 15), dt); }, rest},
         {"arch of 20 stones", [] { return arch(20, 5, dt); }, rest},
         {"wedge in a crack", [] { return tip_in_crack(Tip::wedge, 33, 60, dt); }, quick ? 2.0 : 8.0, false},
