@@ -78,6 +78,11 @@ if(NOT MUJOCO_INCLUDE OR NOT MUJOCO_LIBRARY)
   set(ENDURING_MUJOCO OFF)
 endif()
 enduring_want(ENDURING_MUJOCO libmujoco-dev "no rows of Debian's MuJoCo beside ours")
+# an option, and so not wanted: DART, whose Bullet is single
+pkg_check_modules(DART QUIET dart)
+pkg_check_modules(BULLET_OF_DART QUIET bullet)
+find_library(DART_DETECTOR dart-collision-bullet)
+find_library(ASSIMP_LIBRARY assimp)
 
 find_package(doctest QUIET)
 enduring_need(doctest_FOUND doctest-dev)

@@ -3,6 +3,7 @@
 #include "chapters/04_friction/surface_turn.hpp"
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
 #include "chapters/07_implicit_contact/elastic_ends.hpp"
+#include "chapters/07_implicit_contact/island_impact.hpp"
 #include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/pressing_mass.hpp"
 #include "chapters/07_implicit_contact/solve_accuracy.hpp"
@@ -174,9 +175,22 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
 //! [islands]
 
 //! [remember_pairs]
+namespace {
+
+/// Whether its surfaces were apart at the start of the step or just touched, and its spring carried nothing. What pressed then rests, or is an
+/// impact of an earlier step.
+bool was_open(const World& world, const Contact& contact)
+{
+    const double least = restitution_limits.least_length * natural_length(world, contact);
+    return contact.load <= contact.stiffness * least && contact_geometry(world, contact, 0).depth > -least;
+}
+
+}  // namespace
+
 void remember_pairs(const World& world, Contacts& contacts, double dt)
 {
     for (Contact& contact : contacts) {
+        const bool is_open = was_open(world, contact);
         if (contact.held()) {  // its spring lets go: where the pair pushes again, it begins as a new one does
             contact.stiffness = 0;
             contact.stretch.setZero();
@@ -186,6 +200,7 @@ void remember_pairs(const World& world, Contacts& contacts, double dt)
         contact.stretch = contact.stiffness > 0 ? Vec3(contact.friction / (-contact.stiffness * dt))
                                                 : Vec3(Vec3::Zero());
         contact.stretch = surface_turn(world, contact) * contact.stretch;
+        contact.start = is_open ? 1 : 0;  // behind surface_turn, which asks for that of the search
     }
 }
 //! [remember_pairs]

@@ -70,7 +70,8 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
                     IslandMatrices& matrices, double dt);
 
 /// Before the step is settled: what each pair hands on to the next one,
-/// its load and the stretch of its friction. One that is held holds nothing: its spring has let go.
+/// its load and the stretch of its friction. One that is held holds nothing: its spring has let go. Its `start` says from here on
+/// whether it endures, or was open when the step began and pushes from its end.
 void remember_pairs(const World& world, Contacts& contacts, double dt);
 
 }  // namespace enduring

@@ -2,6 +2,7 @@
 
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/natural_units.hpp"
+#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,15 +53,9 @@ Struck struck(const World& world, const Contact& contact, double dt)
             one.velocity_driven += velocity;
     }
     one.impact.dt = dt;
-    one.impact.pressed = contact.impulse.norm() / (contact.stiffness * dt);
-    one.impact.gap_t0 = -one.impact.pressed - dt * one.normal.dot(one.velocity);
+    one.impact.pressed = std::max(0.0, -contact_geometry(world, contact, 1).depth);
+    one.impact.gap_t0 = std::max(0.0, -one.impact.pressed - dt * one.normal.dot(one.velocity));
     return one;
-}
-
-/// Whether its surfaces were apart at the start of the step, or just touched. What was pressed then rests, or is an impact of an earlier step.
-bool was_open(const World& world, const Contact& contact, const Struck& pair)
-{
-    return pair.impact.gap_t0 > -restitution_limits.least_length * natural_length(world, contact);
 }
 
 MatrixXd response_of(const IslandImpact& island)
@@ -77,6 +72,42 @@ MatrixXd response_of(const IslandImpact& island)
     return along.transpose() * answers;
 }
 
+/// Velocities of the coordinates in contact, behind the commit.
+VectorXd velocities_of(const World& world, const StepProblem& step)
+{
+    VectorXd velocities = VectorXd::Zero(step.problem.size);
+    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
+        if (step.block[place] < 0)
+            continue;
+        const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
+        Eigen::Index next = step.problem.blocks[static_cast<std::size_t>(step.block[place])].first;
+        if (const auto* rigid = dynamic_cast<const RigidBody*>(&body)) {
+            velocities.segment<6>(next) << rigid->motion().velocity(), rigid->motion().angular_velocity();
+            continue;
+        }
+        for (const int vertex : step.vertices[place]) {
+            velocities.segment<3>(next) = body.velocity(vertex);
+            next += 3;
+        }
+    }
+    return velocities;
+}
+
+//! [lost]
+/// The momentum of all impulses of the step, and the kinetic energy that they took away. They acted with the levers of the free end: on a body
+/// that spins, those behind the commit would tell another energy.
+void find_lost(const World& world, const StepProblem& acted, IslandImpact& island)
+{
+    island.momentum = VectorXd::Zero(acted.problem.size);
+    for (std::size_t i = 0; i < acted.of_row.size(); ++i) {
+        const Contact& contact = *acted.of_row[i];
+        acted.problem.rows[i].add_impulse(contact.impulse + contact.friction, island.momentum);
+    }
+    const VectorXd halfway = velocities_of(world, acted) - times_response(acted.problem, island.momentum) / 2;
+    island.lost -= island.momentum.dot(halfway);
+}
+//! [lost]
+
 }  // namespace
 
 Island struck_part(const World& world, const Island& island, double dt)
@@ -90,7 +121,7 @@ Island struck_part(const World& world, const Island& island, double dt)
         for (int i = 0; i < contact->vertex_count(); ++i)
             part.bodies.push_back(static_cast<int>(body_index(*contact, i)));
         const Struck one = struck(world, *contact, dt);
-        any_meets = any_meets || (one.restitution > 0 && was_open(world, *contact, one));
+        any_meets = any_meets || (one.restitution > 0 && !contact->endures());
     }
     if (!any_meets)
         return {};
@@ -109,8 +140,6 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
     IslandImpact island;
     island.step = set_up(world, part, {}, friction, {0, dt}, false);
     const StepProblem& step = island.step;
-    island.momentum = VectorXd::Zero(step.problem.size);
-    double work = 0;
     for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         const Contact& contact = *step.of_row[i];
         island.pairs.push_back(struck(world, contact, dt));
@@ -118,12 +147,11 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
             island.pairs.back().mu = pair_friction(world, contact, friction).mu_d;
         island.pairs.back().running = running_of_surfaces(world, contact);
         const Vec3 impulse = contact.impulse + contact.friction;
-        step.problem.rows[i].add_impulse(impulse, island.momentum);
-        work += impulse.dot(island.pairs.back().velocity);
         island.fall += impulse.dot(island.pairs.back().acceleration);
+        island.lost -= impulse.dot(island.pairs.back().velocity_driven);  // the work of what moves as given
     }
+    find_lost(world, set_up(world, part, {}, friction, {1, dt}, false), island);
     const VectorXd change = times_response(step.problem, island.momentum);
-    island.lost = island.momentum.dot(change) / 2 - work;
     for (std::size_t i = 0; i < island.pairs.size(); ++i) {
         Struck& pair = island.pairs[i];
         const PairRow& row = step.problem.rows[i];
@@ -131,7 +159,7 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
         pair.impact.acceleration = pair.normal.dot(pair.acceleration);
         const double least = std::max(restitution_limits.least_speed * world.gravity.norm() * dt,
                                       scale_parts.least_answer * natural_length(world, *step.of_row[i]) / dt);
-        pair.meets = pair.restitution > 0 && was_open(world, *step.of_row[i], pair) &&
+        pair.meets = pair.restitution > 0 && !step.of_row[i]->endures() &&
                      -touching_speed(pair.impact) > least;
     }
     island.response = response_of(island);

@@ -72,12 +72,11 @@ Case heap()
 }
 
 /// Without friction and without a facet too coarse to matter, the swing should come back to where it began.
-Case pipe(int facets)
+Case swing(const std::string& name, const std::string& hollow, const std::function<chapter08::Swing()>& make)
 {
-    const std::string name = "pipe_" + std::to_string(facets);
-    return {name, "a block swings in a half pipe without friction: what part of its amplitude is kept?", 1,
+    return {name, "a block swings in " + hollow + " without friction: what part of its amplitude is kept?", 1,
             [=](int) {
-                chapter08::Swing swing = chapter08::block_in_pipe(facets, 0.01);
+                chapter08::Swing swing = make();
                 const double period = chapter08::pendulum_period(swing, swing.amplitude);
                 return lasting(std::move(swing.scene), name, 1.4 * period);
             },
@@ -85,6 +84,18 @@ Case pipe(int facets)
                 const double kept = amplitude_kept(run, 1);
                 return Measures{{"kept", kept, std::abs(kept - 1) < 0.05}};
             }};
+}
+
+Case pipe(int facets)
+{
+    return swing("pipe_" + std::to_string(facets), "a half pipe",
+                 [=] { return chapter08::block_in_pipe(facets, 0.01); });
+}
+
+/// A hollow that bends both ways, as a bowl does.
+Case torus()
+{
+    return swing("torus", "an upright torus", [] { return chapter08::block_in_torus(120, 0.01); });
 }
 
 Case arch()
@@ -220,8 +231,8 @@ std::vector<Case> all_cases(bool quick)
 {
     if (quick)
         return {stack(true), slopes(), overlap()};
-    return {stack(false), mass_ratio(1000), mass_ratio(5000), pipe(120),    pipe(480), arch(),
-            wall(),       slopes(),         overlap(),        thin_plate(), heap()};
+    return {stack(false), mass_ratio(1000), mass_ratio(5000), pipe(120), pipe(480),    torus(),
+            arch(),       wall(),           slopes(),         overlap(), thin_plate(), heap()};
 }
 
 const Case& case_named(const std::vector<Case>& cases, const std::string& name)

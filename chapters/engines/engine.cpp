@@ -34,7 +34,7 @@ int substeps_of(const Way& way, const EngineScene& scene, double default_dt)
 
 std::vector<Engine> all_engines()
 {
-    return {chapter10_engine(), chapter11_engine(),  bullet_engine(), ode_engine(),
+    return {chapter10_engine(), chapter11_engine(),  bullet_engine(), ode_engine(),   dart_engine(),
             mujoco_engine(),    npm_mujoco_engine(), jolt_engine(),   rapier_engine()};
 }
 

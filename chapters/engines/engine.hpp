@@ -65,5 +65,7 @@ Engine mujoco_engine();
 Engine npm_mujoco_engine();
 Engine jolt_engine();
 Engine rapier_engine();
+/// In a process of its own, for it brings another Bullet.
+Engine dart_engine();
 
 }  // namespace enduring::engines

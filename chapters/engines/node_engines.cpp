@@ -53,7 +53,7 @@ void read_lines(const std::string& command, const std::function<void(const std::
 {
     FILE* const pipe = popen(command.c_str(), "r");
     if (!pipe)
-        throw std::runtime_error("node does not start");
+        throw std::runtime_error("it does not start: " + command);
     std::string line;
     std::array<char, 1 << 16> part{};
     while (std::fgets(part.data(), static_cast<int>(part.size()), pipe)) {
@@ -73,9 +73,9 @@ Pose pose_from(const json& n)
             Quaternion(n[3].get<double>(), n[4].get<double>(), n[5].get<double>(), n[6].get<double>())};
 }
 
-/// The script gets a scene as JSON, and prints a line of JSON a frame: {"ms": time, "poses": [[x, y, z, w, x, y, z], ...]}.
-Trajectory run_node(const std::string& script, const Scene& scene, const Way& way, int steps,
-                    double default_dt)
+/// The process gets a scene as JSON, and prints a line of JSON a frame: {"ms": time, "poses": [[x, y, z, w, x, y, z], ...]}.
+Trajectory run_process(const std::string& command, const Scene& scene, const Way& way, int steps,
+                       double default_dt)
 {
     const EngineScene described = describe(scene);
     const int substeps = substeps_of(way, described, default_dt);
@@ -86,17 +86,15 @@ Trajectory run_node(const std::string& script, const Scene& scene, const Way& wa
     all["velocities"] = mujoco_velocities(described);
     const SceneFile file(all);
     Trajectory run;
-    read_lines("node '" + (source_directory() / "chapters/engines/node" / script).string() + "' '" +
-                   npm_folder().string() + "' '" + file.path().string() + "'",
-               [&](const std::string& line) {
-                   const json frame = json::parse(line);
-                   Frame& next = run.emplace_back();
-                   next.ms = frame["ms"];
-                   for (const json& pose : frame["poses"])
-                       next.poses.push_back(pose_from(pose));
-               });
+    read_lines(command + " '" + file.path().string() + "'", [&](const std::string& line) {
+        const json frame = json::parse(line);
+        Frame& next = run.emplace_back();
+        next.ms = frame["ms"];
+        for (const json& pose : frame["poses"])
+            next.poses.push_back(pose_from(pose));
+    });
     if (run.size() != static_cast<std::size_t>(steps) + 1)
-        throw std::runtime_error(script + " ended after " + std::to_string(run.size()) + " frames");
+        throw std::runtime_error(command + " ended after " + std::to_string(run.size()) + " frames");
     return run;
 }
 
@@ -109,8 +107,10 @@ Engine node_engine(Engine engine, const std::string& package, const std::string&
         engine.missing = "node is not installed";
     else
         engine.version = json::parse(file)["version"];
+    const std::string command = "node '" + (source_directory() / "chapters/engines/node" / script).string() +
+                                "' '" + npm_folder().string() + "'";
     engine.run = [=](const Scene& scene, const Way& way, int steps) {
-        return run_node(script, scene, way, steps, default_dt);
+        return run_process(command, scene, way, steps, default_dt);
     };
     return engine;
 }
@@ -151,6 +151,21 @@ Engine rapier_engine()
                         {"best", 4, 0, true},
                         {}},
                        "@dimforge/rapier3d-compat", "rapier.mjs", 1.0 / 60);
+}
+
+/// Default: a step a frame. Best: its own time step of 1 ms, and so ten or more.
+Engine dart_engine()
+{
+    Engine engine{"DART", "", "", "https://dartsim.github.io/", {"default"}, {"best", 0}, {}};
+#ifdef ENDURING_DART
+    engine.version = ENDURING_DART;
+    engine.run = [](const Scene& scene, const Way& way, int steps) {
+        return run_process("'" ENDURING_DART_PROGRAM "'", scene, way, steps, 1e-3);
+    };
+#else
+    engine.missing = "libdart-dev is not installed, which is large: ./course setup dart";
+#endif
+    return engine;
 }
 
 }  // namespace enduring::engines

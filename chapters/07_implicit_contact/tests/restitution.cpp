@@ -2,8 +2,10 @@
 #include "chapters/07_implicit_contact/island_impact.hpp"
 
 #include "chapters/07_implicit_contact/generalized_reflection.hpp"
+#include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/simulation/contact_state.hpp"
 #include "common/simulation/rigid_body.hpp"
@@ -11,6 +13,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -98,8 +101,10 @@ struct StruckCube {
 
 TEST_CASE("restitution: what was pressed when the step began bounces no more")
 {
-    // It comes with 1 m/s and is stopped in this step, or was stopped before: the surfaces were open or not.
-    StruckCube open(Vec3(0, -0.02, 0)), closed(Vec3(0, 0.02, 0));
+    // It comes with 1 m/s and is stopped in this step, or was stopped before.
+    StruckCube open(Vec3(0, -0.02, 0)), closed(Vec3(0, -0.02, 0));
+    for (Contact& corner : open.contacts)
+        corner.start = 1;
     const Island island = open.struck();
     REQUIRE(island.contacts.size() == 4);
     for (const Struck& pair : impact_of(open.world, island, {}, StruckCube::dt).pairs)
@@ -114,6 +119,8 @@ TEST_CASE("restitution: an impact may give back what its impulses took, and no m
 {
     const Vec3 after(-0.3, -0.02, 0), before = after - 4 * StruckCube::impulse * Vec3(0.2, 1, 0) / 10;
     StruckCube cube(after);
+    for (Contact& corner : cube.contacts)
+        corner.start = 1;
     const IslandImpact impact = impact_of(cube.world, cube.struck(), {}, StruckCube::dt);
     // friction acts at the corners, half a metre below the centre, and turns the cube, which does not turn behind the step
     const double torque = 4 * 0.2 * StruckCube::impulse * (0.5), inertia = 10 / 6.0;
@@ -241,5 +248,87 @@ TEST_CASE("restitution: on pairs that are found by crossings a ball keeps e^2 of
                 break;
         }
         CHECK(highest == doctest::Approx(0.4 * e * e).epsilon(0.02));
+    }
+}
+
+namespace {
+
+/// A ball of 2 rad/s that comes down with 1 m/s, above the ground by a step's path and a gap [m].
+struct SpinningBall {
+    static constexpr double dt = 0.01;
+    World world;
+    Contacts contacts;
+
+    SpinningBall(double restitution, double gap, int subdivisions)
+    {
+        world.planes.push_back({"ground"});
+        world.restitution.between = {restitution};
+        world.gravity = Vec3::Zero();
+        SurfaceMesh mesh = sphere(0.1, subdivisions);
+        double lowest = 0;
+        for (const Vec3& x : mesh.vertices)
+            lowest = std::min(lowest, x.y());
+        for (Vec3& x : mesh.vertices)
+            x.y() += dt + gap - lowest;
+        world.bodies.push_back(std::make_unique<RigidBody>("ball", mesh, mass_properties(mesh, 1000),
+                                                           -Vec3::UnitY(), Vec3(0, 0, 2)));
+    }
+    double kinetic() const { return world.bodies[0]->energy(world.gravity).kinetic; }
+    double up() const { return world.bodies[0]->mean_velocity().y(); }
+    void advance_steps(const Solver& solver, int steps)
+    {
+        for (int step = 0; step < steps; ++step)
+            advance(world, contacts, solver, dt);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("restitution: a ball that spins bounces at the end of a step as it does within one")
+{
+    for (const int subdivisions : {2, 3})
+        for (const double gap : {-1e-12, 0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3}) {
+            CAPTURE(gap);
+            SpinningBall ball(0.8, gap, subdivisions);
+            ball.advance_steps(chapter07_solver({}), 3);
+            CHECK(ball.up() == doctest::Approx(0.8).epsilon(0.05));
+        }
+}
+
+TEST_CASE("restitution: what an impact took of a ball that spins is what the ball has lost")
+{
+    SpinningBall ball(1, 1e-3, 2);
+    Solver solver = chapter07_solver({});
+    solver.remove("restitution");
+    ball.advance_steps(solver, 1);
+    const double before = ball.kinetic();
+    ball.advance_steps(solver, 1);
+    const Island island = find_islands(ball.world, ball.contacts).at(0);
+    const IslandImpact impact = impact_of(ball.world, struck_part(ball.world, island, SpinningBall::dt), {},
+                                          SpinningBall::dt);
+    CHECK(impact.lost > 0.1 * before);
+    CHECK(impact.lost == doctest::Approx(before - ball.kinetic()).epsilon(1e-9));
+}
+
+TEST_CASE("restitution: what carried a load when the step began endures, and so does what was inside")
+{
+    StruckCube cube(Vec3(0, -0.02, 0));
+    cube.contacts[1].load = 1;
+    remember_pairs(cube.world, cube.contacts, StruckCube::dt);  // the cube is inside by what it is pressed
+    for (const Contact& corner : cube.contacts)
+        CHECK(corner.endures());
+    for (const double height : {0.0, 0.1}) {
+        World& world = cube.world;
+        SurfaceMesh mesh = box(Vec3::Ones());
+        for (Vec3& x : mesh.vertices)
+            x.y() += 0.5 + height;
+        world.bodies[0] = std::make_unique<RigidBody>("cube", mesh,
+                                                      with_mass(mass_properties(mesh, 1000), 10));
+        for (Contact& corner : cube.contacts)
+            corner.load = 0;
+        cube.contacts[1].load = 1;
+        remember_pairs(world, cube.contacts, StruckCube::dt);
+        for (std::size_t corner = 0; corner < 4; ++corner)
+            CHECK(cube.contacts[corner].endures() == (corner == 1));
     }
 }

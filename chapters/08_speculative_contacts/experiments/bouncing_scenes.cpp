@@ -277,6 +277,18 @@ Scene cube_of_balls(int along_edge, double e, double dt, double duration)
     return read_bouncing(text);
 }
 
+/// The momentum of all bodies along the ground, over the sum of the lengths of theirs.
+double sideways_part(const World& world)
+{
+    Vec3 sum = Vec3::Zero();
+    double lengths = 0;
+    for (const auto& one : world.bodies) {
+        sum += one->linear_momentum();
+        lengths += one->linear_momentum().norm();
+    }
+    return std::hypot(sum.x(), sum.z()) / lengths;
+}
+
 }  // namespace
 
 BallsApart balls_apart(int along_edge, double e, double dt, double duration)
@@ -289,6 +301,7 @@ BallsApart balls_apart(int along_edge, double e, double dt, double duration)
             for (const Contact& contact : contacts)
                 if (contact.is_spring())
                     result.deepest = std::max(result.deepest, -contact_geometry(world, contact, 1).depth);
+            result.sideways = std::max(result.sideways, sideways_part(world));
             result.energy.left = 1 + (counted_energy(world, dt) - start) / moving;
             result.energy.most_gained = std::max(result.energy.most_gained, result.energy.left - 1);
             return false;

@@ -83,7 +83,7 @@ Scene scene_of(const SphereImpact& impact)
     SurfaceMesh mesh = ball_on_vertex(sphere_radius, impact.subdivisions);
     if (impact.askew)
         turn_mesh(mesh, Quaternion(Eigen::AngleAxisd(0.3, Vec3(1, 0, 2).normalized())));
-    shift_to(mesh, true, 1.3e-4);  // so that it meets the ground within a step, not at the end of one
+    shift_to(mesh, true, impact.gap);
     add_ball(scene, "ball", mesh, sphere_radius, Vec3(impact.along, -impact.normal_speed, 0), impact.spin);
     if (impact.other_radius > 0) {
         scene.world.planes.clear();

@@ -17,6 +17,7 @@ struct SphereImpact {
     double dt = 0.0005;       ///< [s]
     int subdivisions = 3;     ///< of both balls
     bool askew = false;       ///< a ball that lands on no vertex of its own, but turned by 0.3 rad
+    double gap = 1.3e-4;      ///< at the start [m]; by default they meet within a step, not at the end of one
 };
 
 /// What the impact leaves of the ball's motion.

@@ -1,5 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
+#include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
 #include "chapters/10_self_contact/solver.hpp"
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
 #include "chapters/11_exact_contact/solver.hpp"
@@ -40,6 +41,11 @@ std::vector<Row> all_rows(bool quick)
              return scene_of({{10, Vec3(0, 0.5, 0), 0}}, dt, 30);
          },
          2},
+        {"soft cube on a slope of 10 degrees",
+         [] {
+             return soft_cube_on_triangles({2, 1e6, dt, 10}, 0.3);
+         },
+         quick ? 4.0 : 8.0},
         {"card house of 3 levels", [] { return scene_of(card_house(3, 15), dt); }, rest},
         {"arch of 20 stones", [] { return arch(20, 5, dt); }, rest},
         {"wedge in a crack", [] { return tip_in_crack(Tip::wedge, 33, 60, dt); }, quick ? 2.0 : 8.0, false},

@@ -169,6 +169,7 @@ void measured(const RunOptions&, Report& report)
     pivot(rows, "shapes",
           {{"pipe_120", "kept", "pipe of 120, kept"},
            {"pipe_480", "kept", "pipe of 480, kept"},
+           {"torus", "kept", "torus, kept"},
            {"arch", "moved_mm", "arch, moved [mm]"},
            {"wall", "moved_mm", "wall, moved [mm]"},
            {"slopes", "error_percent", "slopes, error [% of g]"},

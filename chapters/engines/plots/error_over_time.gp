@@ -7,9 +7,10 @@ set format xy "10^{%L}"
 set xlabel "processor time of a frame over ours"
 set xrange [0.01:30]
 set key outside right
+set linetype 8 linecolor rgb "#9a6a3a"  # the eighth would be black, which a dark page hides
 data = folder."/error_over_time.csv"
 of(scene, engine) = strcol("scene") eq scene && strcol("engine") eq engine ? column("error") : NaN
-engines = "'chapter 10' 'chapter 11' Bullet ODE 'MuJoCo of npm' Jolt Rapier"
+engines = "'chapter 10' 'chapter 11' Bullet ODE 'MuJoCo of npm' Jolt Rapier DART"
 set ylabel "stack: depth [µm]"
 plot for [i=1:words(engines)] data using "time_over_ours_by_clock":(of("stack", word(engines, i))) with points linetype i pointtype 4 + i pointsize 0.9 title word(engines, i)
 set ylabel "pipe of 120: amplitude lost"
