@@ -42,7 +42,9 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
         contact.rest_offset = std::min(0.0, depth_t0);
         return;
     }
-    if (wanted > contact.stiffness || choice.at_once * wanted < contact.stiffness)
+    const bool carries_its_load = contact.stiffness * (contact.rest_offset - depth_t0) <=
+                                  choice.at_once * contact.load;  // else it is wound up, and would throw
+    if (wanted > contact.stiffness || (choice.at_once * wanted < contact.stiffness && carries_its_load))
         stiffen(contact, depth_t0, wanted);
     // What moves out is not thrown, and a pair that cannot move out is not wound up for ever.
     const double at_most = depth_t0 + max_load / contact.stiffness;

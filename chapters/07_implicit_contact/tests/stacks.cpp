@@ -113,9 +113,24 @@ TEST_CASE(
         for (const auto& [load, stiffness] :
              {std::pair(3.0, 3.0), {50.0, 50.0}, {26.0, 50.0}, {24.0, 24.0}, {0.2, 1.0}, {0.0, 1.0}}) {
             contact.load = load * own * 1e-5;
-            adapt_stiffness(contact, -1e-4, 2, choice, dt);
+            const double depth = contact.rest_offset - contact.load / contact.stiffness;
+            adapt_stiffness(contact, depth, 2, choice, dt);
             CHECK(contact.stiffness == doctest::Approx(stiffness * own));
         }
+    }
+}
+
+TEST_CASE("pair memory: a spring that is wound up above its load stays as stiff as it is, or it would throw")
+{
+    for (const double wound_up : {1e-8, 2e-3}) {
+        const StiffnessChoice choice{.wanted_depth = 1e-5};
+        Contact contact;
+        adapt_stiffness(contact, 0, 2, choice, 0.01);
+        contact.stiffness = 1e9;
+        contact.load = 20;
+        contact.rest_offset = -0.4 + wound_up;
+        adapt_stiffness(contact, -0.4, 2, choice, 0.01);
+        CHECK((contact.stiffness == 1e9) == (wound_up > 1e-3));
     }
 }
 
