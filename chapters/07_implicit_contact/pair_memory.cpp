@@ -1,7 +1,6 @@
 #include "chapters/07_implicit_contact/pair_memory.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace enduring {
@@ -10,7 +9,6 @@ StiffnessChoice StiffnessChoice::of_pair(const NaturalUnits& units) const
 {
     StiffnessChoice own = *this;
     own.wanted_depth = depth(units.length);
-    own.doubles_in = parts.doubles_in * units.time();
     own.max_depenetration_velocity = parts.fading_speed * units.speed;
     return own;
 }
@@ -44,8 +42,10 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
         contact.rest_offset = std::min(0.0, depth_t0);
         return;
     }
-    const double before = contact.stiffness;
-    stiffen(contact, depth_t0, std::clamp(wanted, before, before * std::exp2(dt / choice.doubles_in)));
+    const bool carries_its_load = contact.stiffness * (contact.rest_offset - depth_t0) <=
+                                  choice.at_once * contact.load;  // else it is wound up, and would throw
+    if (wanted > contact.stiffness || (choice.at_once * wanted < contact.stiffness && carries_its_load))
+        stiffen(contact, depth_t0, wanted);
     // What moves out is not thrown, and a pair that cannot move out is not wound up for ever.
     const double at_most = depth_t0 + max_load / contact.stiffness;
     contact.rest_offset = std::min({choice.keep * contact.rest_offset,

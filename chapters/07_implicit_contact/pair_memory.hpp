@@ -16,8 +16,10 @@ struct StiffnessChoice {
     /// The same, at most, whatever its load asks for: a mass is added to k dt^2, and the sum is rounded. A tenth: a die
     /// of a gram under 100 kg is pressed as many times deeper. Ten times: such solves come to no end.
     double max_k_dt2_over_m = 1e7;
-    /// A pair that lacks this many times its stiffness for the mass that presses it gets it in the same step. Infinite: a light body under a heavy one sinks
-    /// through the ground until its load counts. A half: every landing begins its rounds anew.
+    /// A pair that lacks this many times its stiffness for the mass that presses it gets it in the same step, and one that is so many
+    /// times as stiff as its mass and its load ask for becomes softer. Infinite: a light body under a heavy one sinks through the
+    /// ground until its load counts, and what has landed comes out of the ground too slowly. A half: every landing begins its rounds
+    /// anew.
     double at_once = 2;
     /// how deep the load that a pair carries may press it [m]; without it, a part of the pair's size
     std::optional<double> wanted_depth{};
@@ -25,8 +27,6 @@ struct StiffnessChoice {
     double keep = 0.9;               ///< part of a spring's rest offset that a step keeps
     /// how many wanted depths the spring of a pair that began inside may still lie below its rest offset when friction sets in
     double rubbing_offset = INFINITY;
-    /// time in which a stiffness doubles at most, from step to step [s]; of a metre, see of_pair()
-    double doubles_in = scale_parts.doubles_in * NaturalUnits{}.time();
     /// the fastest at which a rest offset fades [m/s]; of a metre, see of_pair()
     double max_depenetration_velocity = scale_parts.fading_speed * NaturalUnits{}.speed;
 
@@ -35,7 +35,7 @@ struct StiffnessChoice {
     {
         return wanted_depth.value_or(parts.wanted_depth * length);
     }
-    /// The same for a pair with these units: all its lengths in metres, its speed and its time.
+    /// The same for a pair with these units: all its lengths in metres, and its speed.
     StiffnessChoice of_pair(const NaturalUnits& units) const;
 };
 
@@ -44,14 +44,14 @@ struct StiffnessChoice {
 /// @param mass  1 / (n . W n), W the change of its velocity per impulse [kg]
 double wanted_stiffness(double mass, double load, const StiffnessChoice& choice, double dt);
 
-/// Changes a pair's stiffness and no force of its: its spring gets a rest offset, and friction's another stretch.
+/// Changes a pair's stiffness, up or down, and no force of its: its spring gets a rest offset, and friction's another stretch.
 void stiffen(Contact& contact, double depth_t0, double stiffness);
 
-/// Gives an enduring pair its stiffness for the step, without a jump of its force: its spring gets a rest offset,
-/// which fades, but winds no spring up above the most load. A pair that is born inside begins uncompressed;
-/// one that comes from outside has none.
+/// Gives a pair its stiffness for the step. That of an enduring one rises with its load, and falls where it is far too large, without
+/// a jump of its force: its spring gets a rest offset, which fades, but winds no spring up above the most load. A pair that is
+/// born inside begins uncompressed; one that comes from outside has none.
 /// @param depth_t0   at the start of the step [m], negative inside
-/// @param mass       as above; asked for a new pair, and where the load asks for more than the pair has
+/// @param mass       as above
 /// @param max_load  that others can bring upon a pair [N]
 void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
                      double max_load = std::numeric_limits<double>::infinity());

@@ -185,11 +185,8 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         if (row.law.normal.isZero(0) || !gives_way(row))
             continue;
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
-        if (first || contact.stiffness == 0) {
-            const bool asks = contact.load > own.depth() * contact.stiffness;
-            const double mass = contact.stiffness == 0 || asks ? mass_of(row, step.problem) : 0;
-            adapt_stiffness(contact, depth_t0, mass, own, step_law.dt, most);
-        }
+        if (first || contact.stiffness == 0)
+            adapt_stiffness(contact, depth_t0, mass_of(row, step.problem), own, step_law.dt, most);
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
         const FrictionCoefficients& of_pair = pair_friction(world, contact, friction);

@@ -66,8 +66,7 @@ struct VertexAndFace {
     std::optional<Meeting> near_at(double tau, const TriangleFoot& foot) const
     {
         const double furthest = reach.beyond_border(foot.depth, path_length(a, vertex, b, face, foot));
-        const auto beyond = beyond_rim({b, tau}, face, foot, furthest,
-                                       known ? search_parts.hysteresis : 1e-9);
+        const auto beyond = beyond_rim({b, tau}, face, foot, furthest, known ? search_parts.hysteresis : 0);
         if (!beyond || !in_cone(tau))
             return std::nullopt;
         const auto [w0, w1, w2] = foot.weights;

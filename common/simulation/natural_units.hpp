@@ -20,10 +20,6 @@ struct ScaleParts {
     /// square, 0.6 % of the length. A tenth: it takes ten times as long. Ten times: it jumps by half of its
     /// size.
     double max_depenetration_velocity = 0.11;
-    /// Of the time: in which a stiffness that follows a load from step to step doubles at most. A tenth: every
-    /// impact makes its pairs stiff for good. Ten times: a load that grows has pressed its pair ten times as deep
-    /// before it is followed.
-    double doubles_in = 0.0313;
     /// Of the largest length, in a step: the change of velocity that counts as an answer at all. A
     /// coordinate is rounded by 1e-16 of the size. A spring of 100 m / dt^2 answers this with 1e-14 in a
     /// step, and ten times that is the tolerance of a millionth. A tenth: rounding is solved for, in vain.
@@ -45,8 +41,6 @@ inline constexpr ScaleParts scale_parts;
 struct NaturalUnits {
     double length = 1;    ///< [m]
     double speed = 3.13;  ///< [m/s]: sqrt(g length), or the length in scale_parts.weightless_steps steps
-
-    double time() const { return length / speed; }  ///< [s]
 };
 
 /// @param length   [m], positive

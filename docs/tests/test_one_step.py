@@ -36,7 +36,7 @@ class TheStepOnOnePage(unittest.TestCase):
     def test_its_numbers_are_those_of_the_code(self):
         search = (ROOT / "chapters/08_speculative_contacts/search_parts.hpp").read_text(encoding="utf-8")
         choice = (ROOT / "chapters/07_implicit_contact/pair_memory.hpp").read_text(encoding="utf-8")
-        for said, code, where in (("five times the 100", "double stiffer = 5;", search), ("1.5 falls", "double fall = 1.5;", search),
+        for said, code, where in (("ten times the 100", "double stiffer = 10;", search), ("1.5 falls", "double fall = 1.5;", search),
                                   ("100\\,m", "k_dt2_over_m = 100;", choice), ("10^7\\,m", "max_k_dt2_over_m = 1e7;", choice)):
             self.assertIn(said, PAGE)
             self.assertIn(code, where)

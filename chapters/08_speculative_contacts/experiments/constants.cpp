@@ -35,7 +35,6 @@ std::vector<Constant> constants_of_settings()
         {"wanted depth", [](auto& s, double by) { s.stiffness.parts.wanted_depth *= by; }},
         {"part of the rest offset that fades in a step",
          [](auto& s, double by) { s.stiffness.keep = std::max(0.0, 1 - by * (1 - s.stiffness.keep)); }},
-        {"time in which k doubles", [](auto& s, double by) { s.stiffness.parts.doubles_in *= by; }},
         {"speed at which a rest offset fades",
          [](auto& s, double by) { s.stiffness.parts.fading_speed *= by; }},
         {"tolerance", [](auto& s, double by) { s.tolerance *= by; }},

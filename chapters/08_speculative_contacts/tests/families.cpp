@@ -46,3 +46,15 @@ TEST_CASE(
         CHECK(outcome.deepest_m < 5e-3 * outcome.size_m);
     }
 }
+
+TEST_CASE("families: two thin plates that have landed are soon out of the ground and of each other")
+{
+    constexpr int plates = 7;
+    for (const HeapPlan& plan :
+         {HeapPlan{plates, 2, 0.02, 0.5, 7, 0}, HeapPlan{plates, 2, 0.02, 0.5, 40, 30}}) {
+        CAPTURE(plan.seed);
+        Scene scene = random_heap(plan);
+        const chapter07::DepthOutcome outcome = chapter07::measure_depths(scene, 2, chapter08_solver);
+        CHECK(outcome.at_end_m < 2e-5 * outcome.size_m);
+    }
+}
