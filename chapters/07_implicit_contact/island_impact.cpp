@@ -44,7 +44,7 @@ Struck struck(const World& world, const Contact& contact, double dt)
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const Body& body = body_of_vertex(world, contact, i);
         const auto vertex = static_cast<std::size_t>(i);
-        const double weight = contact.kind == ContactKind::vertex_plane ? 1 : contact.weights[vertex];
+        const double weight = contact.weights[vertex];
         const Vec3 velocity = weight * body.velocity(contact.vertices[vertex]);
         one.velocity += velocity;
         one.acceleration += weight * body.acceleration(contact.vertices[vertex], world.gravity);
@@ -114,12 +114,11 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
     for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         const Contact& contact = *step.of_row[i];
         island.pairs.push_back(struck(world, contact, dt));
-        if (step.problem.rows[i].law.mu > 0)
-            island.pairs.back().mu = pair_friction(world, contact, friction).mu_d;
+        island.pairs.back().mu = pair_friction(world, contact, friction).mu_d;
         island.pairs.back().running = running_of_surfaces(world, contact);
         const Vec3 impulse = contact.impulse + contact.friction;
         step.problem.rows[i].add_impulse(impulse, island.momentum);
-        work += impulse.dot(island.pairs.back().velocity);
+        work += impulse.dot(island.pairs.back().velocity) + contact.friction.dot(island.pairs.back().running);
         island.fall += impulse.dot(island.pairs.back().acceleration);
     }
     const VectorXd change = times_response(step.problem, island.momentum);
