@@ -319,9 +319,10 @@ TEST_CASE(
             if (other < 0)
                 continue;
             const auto [p, q] = edges[static_cast<std::size_t>(edge)];
+            const Vec3 above = 0.005 * size * sheet.start().face_normal(one).normalized();
             const MovingSurface vertex(
-                particle(lerp(sheet.t0[static_cast<std::size_t>(p)], sheet.t0[static_cast<std::size_t>(q)],
-                              draw.between(0.1, 0.9))));
+                particle(above + lerp(sheet.t0[static_cast<std::size_t>(p)],
+                                      sheet.t0[static_cast<std::size_t>(q)], draw.between(0.1, 0.9))));
             const Reach reach{0.01 * size, 0.1 * size};
             CAPTURE(trial);
             CHECK((meeting_of(vertex, 0, sheet, one, reach) || meeting_of(vertex, 0, sheet, other, reach)));
