@@ -1,3 +1,4 @@
+#include "chapters/07_implicit_contact/generalized_reflection.hpp"
 #include "chapters/07_implicit_contact/island_impact.hpp"
 #include "chapters/07_implicit_contact/restitution.hpp"
 #include "common/rigid/mass_properties.hpp"
@@ -228,4 +229,24 @@ TEST_CASE("restitution: what a belt has given in the step of an impact may be gi
     };
     for (const double belt : {-5.0, 3.0})
         CHECK(lost(belt) - lost(0) == doctest::Approx(0.05 * belt));
+}
+
+TEST_CASE("reflections: light and heavy balls are stopped alike, and what leaves fast hides no slow approach")
+{
+    Eigen::MatrixXd pairs = Eigen::MatrixXd::Zero(4, 5);
+    for (int i = 0; i < 4; ++i) {
+        pairs(i, i) = -1;
+        pairs(i, i + 1) = 1;
+    }
+    Eigen::VectorXd velocities = Eigen::VectorXd::Zero(5);
+    velocities[0] = 1;
+    for (const double mass : {1e-9, 1.0, 1e9}) {
+        const Eigen::MatrixXd response = pairs * pairs.transpose() / mass;
+        const Eigen::VectorXd before = pairs * velocities;
+        CAPTURE(mass);
+        CHECK((before + response * stopping_impulses(response, before)).minCoeff() > -1e-6);
+    }
+    const Eigen::VectorXd apart = Eigen::Vector2d(-1, 1e9);
+    CHECK((reflecting_impulses(Eigen::Matrix2d::Identity(), apart) - Eigen::Vector2d(2, 0)).norm() < 1e-12);
+    CHECK(allowed_part(-2, 1, -1.2) == 1);
 }
