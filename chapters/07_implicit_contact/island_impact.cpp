@@ -45,7 +45,7 @@ Struck struck(const World& world, const Contact& contact, double dt)
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const Body& body = body_of_vertex(world, contact, i);
         const auto vertex = static_cast<std::size_t>(i);
-        const double weight = contact.kind == ContactKind::vertex_plane ? 1 : contact.weights[vertex];
+        const double weight = contact.weights[vertex];
         const Vec3 velocity = weight * body.velocity(contact.vertices[vertex]);
         one.velocity += velocity;
         one.acceleration += weight * body.acceleration(contact.vertices[vertex], world.gravity);
@@ -143,12 +143,13 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
     for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         const Contact& contact = *step.of_row[i];
         island.pairs.push_back(struck(world, contact, dt));
-        if (step.problem.rows[i].law.mu > 0)
-            island.pairs.back().mu = pair_friction(world, contact, friction).mu_d;
+        island.pairs.back().mu = pair_friction(world, contact, friction).mu_d;
         island.pairs.back().running = running_of_surfaces(world, contact);
         const Vec3 impulse = contact.impulse + contact.friction;
         island.fall += impulse.dot(island.pairs.back().acceleration);
-        island.lost -= impulse.dot(island.pairs.back().velocity_driven);  // the work of what moves as given
+        // the work of what moves as given, and of surfaces that run
+        island.lost -= impulse.dot(island.pairs.back().velocity_driven) +
+                       contact.friction.dot(island.pairs.back().running);
     }
     find_lost(world, set_up(world, part, {}, friction, {1, dt}, false), island);
     const VectorXd change = times_response(step.problem, island.momentum);

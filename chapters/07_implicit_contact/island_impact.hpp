@@ -55,7 +55,7 @@ struct IslandImpact {
     StepProblem step;
     std::vector<Struck> pairs;  ///< of each row
     Eigen::VectorXd momentum;   ///< of all impulses of the step
-    double lost = 0;            ///< kinetic energy that these impulses took away [J]
+    double lost = 0;            ///< energy that these impulses took away, with work of running surfaces [J]
     double fall = 0;            ///< g . p of these impulses [J/s]
     Eigen::MatrixXd response;   ///< W, of velocities along the normals
 };

@@ -110,7 +110,7 @@ struct SendingBack {
     VectorXd impulses;           ///< along the normals [N s]
     std::vector<Vec3> friction;  ///< [N s]
     VectorXd momentum;           ///< of both
-    double slope = 0;            ///< impulses . velocities before [J]
+    double slope = 0;            ///< impulses . velocities before, with surfaces that run [J]
     double fall = 0;             ///< g . p of these impulses [J/s]
     double driven = 0;           ///< work of bodies that move as given, and of surfaces that run [J]
 };
@@ -155,7 +155,9 @@ void rub(const IslandImpact& island, const Bounce& bounce, SendingBack& back)
         }
     for (std::size_t i = 0; i < island.pairs.size(); ++i) {
         add_push(island, i, back.friction[i], back);
-        back.driven -= back.friction[i].dot(island.pairs[i].running);
+        const double against_running = back.friction[i].dot(island.pairs[i].running);
+        back.slope += against_running;
+        back.driven -= against_running;
     }
 }
 //! [rub]

@@ -117,3 +117,12 @@ TEST_CASE("implicit particle: Newton's method answers within 12 steps up to h = 
         }
     }
 }
+
+TEST_CASE("implicit particle: a step through the air takes no step of Newton's method")
+{
+    int newton_steps = -1;
+    const ImplicitParticle problem = particle_with(16, 0.5, PositionUpdate::end_velocity);
+    const ParticleState next = step({1, -0.1}, problem, &newton_steps);
+    CHECK(next.height > 0);
+    CHECK(newton_steps == 0);
+}

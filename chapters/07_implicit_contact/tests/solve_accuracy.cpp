@@ -76,3 +76,20 @@ TEST_CASE(
     CHECK(newton_steps < 1000);
     CHECK(unsolved == 0);
 }
+
+TEST_CASE("solve accuracy: least of an island is what gravity does, or the rounding of its largest body")
+{
+    constexpr double dt = 0.01;
+    World world = cube_on_ground_at(0);
+    SurfaceMesh small = box(Vec3::Constant(0.1));
+    world.bodies.push_back(
+        std::make_unique<RigidBody>("small", small, with_mass(mass_properties(small, 1000), 6)));
+    Island island;
+    island.bodies = {0, 1};
+    CHECK(least_speed(world, island, dt) ==
+          doctest::Approx(std::sqrt(16.0) * world.gravity.norm() * dt).epsilon(1e-12));
+    world.gravity.setZero();
+    CHECK(least_speed(world, island, dt) ==
+          doctest::Approx(std::sqrt(16.0) * scale_parts.least_answer * world.bodies[0]->size() / dt)
+              .epsilon(1e-12));
+}

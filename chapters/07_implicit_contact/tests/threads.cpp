@@ -43,6 +43,8 @@ TEST_CASE("threads: the environment's number is taken, and what is none is named
     {
         const WishedThreads one("1");
         CHECK(allowed_threads() == 1);
+        const WishedThreads most("1024");
+        CHECK_NOTHROW(allowed_threads());
     }
     for (const char* wrong : {"", "0", "-1", "two", "2.5", "3 ", "1025", "99999999999999999999"}) {
         const WishedThreads wish(wrong);

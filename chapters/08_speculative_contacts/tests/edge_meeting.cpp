@@ -230,3 +230,48 @@ TEST_CASE("edge meeting: a known pair stays where elements have bent an edge inw
     }
     CHECK_FALSE(meets(-0.12, true));
 }
+
+namespace {
+
+/// A notch with a ridge beyond the end of one of its edges.
+/// @param tip     which vertex of the prism over an L ends the edge at the hollow's vertex 9: 8 or 10
+/// @param beyond  how far the ridge crosses the edge's line beyond that end, in sizes
+/// @param height  of the ridge over that line at both ends of the step, in sizes
+std::optional<Meeting> beyond_notch(int tip, double beyond, double from, double to, double size)
+{
+    const Vec3 outwards = tip == 8 ? Vec3(-1, 0, 0) : Vec3(0, -1, 0),
+               normal = (tip == 8 ? Vec3(0, 1, 1) : Vec3(1, 0, 1)).normalized();
+    Mat3
+        turn;  // the ridge's top, +y, comes against the normal; its edge crosses the other one at right angles
+    turn << normal.cross(outwards).cross(normal), -normal, -(normal.cross(outwards));
+    turn.col(0) = turn.col(1).cross(turn.col(2));
+    const auto at = [&](double height) {
+        return Vec3(size * (Vec3(1, 1, 1) + beyond * outwards + height * normal));
+    };
+    const MovingSurface notch(placed(prism_over_l(), size)),
+        ridge(placed(roof(), size, Quaternion(turn), at(from)), at(to) - at(from));
+    return meeting_of(ridge, ridge.edge_between(0, 1), notch, notch.edge_between(9, tip),
+                      {0.01 * size, 0.1 * size});
+}
+
+}  // namespace
+
+TEST_CASE("edge meeting: at a notch an edge goes on, as far as a pair is deep and moves, and no further")
+{
+    for (const int tip : {8, 10})
+        for (const double size : {0.01, 1.0, 100.0}) {
+            CAPTURE(tip);
+            CAPTURE(size);
+            // twice the depth and a tenth of the margin ...
+            CHECK(beyond_notch(tip, 0.006, -0.004, -0.004, size));
+            CHECK_FALSE(beyond_notch(tip, 0.012, -0.004, -0.004, size));
+            // ... and the path
+            CHECK(beyond_notch(tip, 0.012, -0.004, 0.006, size));
+            CHECK_FALSE(beyond_notch(tip, 0.025, -0.004, 0.006, size));
+            // what passes the line beyond the end
+            const auto passes = beyond_notch(tip, 0.05, 0.04, -0.04, size);
+            REQUIRE(passes);
+            CHECK(passes->tau == doctest::Approx(0.5));
+            CHECK_FALSE(beyond_notch(tip, 0.15, 0.04, -0.04, size));
+        }
+}

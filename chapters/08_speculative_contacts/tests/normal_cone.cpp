@@ -260,3 +260,15 @@ TEST_CASE(
     }
     CHECK(hooked > 12);
 }
+
+TEST_CASE("normal cone: a corner of a sheet has none along the sheet, though it is the foremost there")
+{
+    const MovingSurface sheet(plane_grid(2, 2, {2, 2}));
+    for (int vertex = 0; vertex < sheet.topology.vertex_count(); ++vertex) {
+        const Vec3 outwards = sheet.t0[static_cast<std::size_t>(vertex)];
+        if (outwards.norm() < 1.2)
+            continue;
+        CHECK(is_foremost(sheet.start(), vertex, outwards.normalized(), 0));
+        CHECK_FALSE(in_cone_of_vertex(sheet.start(), vertex, outwards.normalized(), 0));
+    }
+}

@@ -25,6 +25,12 @@ SurfaceMesh cube_at(const Vec3& centre, double size = 1)
     return placed(box(Vec3::Ones()), size, Quaternion::Identity(), centre);
 }
 
+double cube_size(double edge)
+{
+    return RigidBody("one", cube_at(Vec3::Zero(), edge), mass_properties(cube_at(Vec3::Zero(), edge), 1))
+        .size();
+}
+
 void add_static(World& world, const SurfaceMesh& mesh)
 {
     world.bodies.push_back(std::make_unique<StaticBody>(
@@ -173,7 +179,8 @@ TEST_CASE(
 TEST_CASE(
     "contact search: on a side that turns a pair has the sliding normal, unless that would leave it deep")
 {
-    for (const double turn : {0.005, 0.1}) {  // by 6 micrometres, or by 2.5 mm
+    for (const double turn :
+         {0.005, 0.008, 0.012, 0.1}) {  // by 6 micrometres to 2.5 mm; up to 24 are allowed
         const double dt = 0.004, size = 0.2 * turn;
         World world;
         world.gravity = Vec3(0, -9.81, 0);
@@ -191,7 +198,7 @@ TEST_CASE(
                                                  contact_geometry(world, contact, 1).normal,
                                                  motion_without_gravity(world, contact, dt));
             bent += !expected.isZero(0);
-            CHECK((contact.sliding_normal - (turn < 0.05 ? expected : Vec3(0, 0, 0))).norm() < 1e-12);
+            CHECK((contact.sliding_normal - (turn < 0.01 ? expected : Vec3(0, 0, 0))).norm() < 1e-12);
         }
         CHECK(bent > 0);
     }
@@ -355,3 +362,112 @@ TEST_CASE("solver of chapter 8: a pair that something else finds remembers as th
 }
 
 TEST_CASE("solver of chapter 8: a run of it can be resumed") { CHECK(chapter08_solver({}).can_resume); }
+
+namespace {
+
+/// A cube in a floor: its right lower edge is in by a depth and has a pair, the left one is deeper and has none.
+struct TiltedCube {
+    static constexpr double dt = 0.004;
+    World world;
+    Contacts known;
+    double depth = 0;
+
+    /// @param ratio  of both depths
+    /// @param leaves  whether what has a pair ends at the floor's height
+    TiltedCube(double ratio, bool leaves)
+    {
+        add_static(world, placed(box({4, 1, 4}), 1, Quaternion::Identity(), {0, -0.5, 0}));
+        depth = 5 * search_parts.fall * world.gravity.norm() * dt * dt;
+        const Quaternion tilt(Eigen::AngleAxisd(std::asin((ratio - 1) * depth), Vec3::UnitZ()));
+        const Vec3 right = tilt * Vec3(0.5, -0.5, 0);
+        add_rigid(world, placed(box(Vec3::Ones()), 1, tilt, {0, -right.y() - depth, 0}),
+                  Vec3(0, leaves ? depth / dt : 0, 0));
+        predict(world, dt);
+        Contact pair = lowest_in_top(world, 1, 0), above = pair;
+        pair.feature_a = pair.vertices[0] = corner(Vec3(1, -1, 0));
+        above.feature_a = above.vertices[0] = corner(Vec3(1, 1, 0));
+        known = {pair, above};
+    }
+    /// The vertex of the cube that is furthest along a direction.
+    int corner(const Vec3& direction) const
+    {
+        const auto corners = world.bodies[1]->positions_t0();
+        return static_cast<int>(std::max_element(corners.begin(), corners.end(),
+                                                 [&](const Vec3& one, const Vec3& other) {
+                                                     return one.dot(direction) < other.dot(direction);
+                                                 }) -
+                                corners.begin());
+    }
+    bool left_has_pair()
+    {
+        const Contacts found = ContactSearch().find(world, known, dt);
+        return std::any_of(found.begin(), found.end(), [&](const Contact& pair) {
+            return pair.kind == ContactKind::vertex_face && pair.body_a == 1 &&
+                   world.bodies[1]->positions_t0()[static_cast<std::size_t>(pair.feature_a)].y() <
+                       -1.2 * depth;
+        });
+    }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "contact search: up to twice as deep as the deepest pair of its body lies at the start a vertex gets one, too")
+{
+    for (const bool leaves : {false, true}) {
+        CAPTURE(leaves);
+        CHECK(TiltedCube(1.6, leaves).left_has_pair());
+        CHECK_FALSE(TiltedCube(2.4, leaves).left_has_pair());
+    }
+}
+
+TEST_CASE("contact search: the deepest pair of either body counts")
+{
+    TiltedCube below(1.0, false);
+    const double depth = below.depth, dt = TiltedCube::dt;
+    World& world = below.world;
+    add_rigid(world, cube_at({0.1, 1.25 - 2.5 * depth, 0.1}, 0.5));
+    predict(world, dt);
+    const auto pairs = [&](const Contacts& known) {
+        const Contacts found = ContactSearch().find(world, known, dt);
+        return std::count_if(found.begin(), found.end(), [](const Contact& pair) {
+            return pair.kind == ContactKind::vertex_face && pair.body_a == 2 && pair.body_b == 1;
+        });
+    };
+    CHECK(pairs(below.known) == 4);
+    CHECK(pairs({}) == 0);
+}
+
+TEST_CASE(
+    "contact search: how deep a wall may hold what passes another one is a part of the smaller body's size")
+{
+    for (const double size : {0.01, 1.0, 100.0})
+        for (const double part : {0.5, 2.0}) {
+            const double dt = 0.01;
+            World world;
+            world.gravity.setZero();
+            // a floor, and a plate that stands through it
+            SurfaceMesh walls = placed(box({4, 1, 4}), size, Quaternion::Identity(), Vec3(0, -0.5, 0) * size);
+            const SurfaceMesh plate = placed(box({0.1, 1.4, 4}), size, Quaternion::Identity(),
+                                             Vec3(0.05, 0.3, 0) * size);
+            for (const Face& face : plate.faces)
+                walls.faces.push_back({face[0] + 8, face[1] + 8, face[2] + 8});
+            walls.vertices.insert(walls.vertices.end(), plate.vertices.begin(), plate.vertices.end());
+            add_static(world, walls);
+            const double margin = search_parts.nearness * size,
+                         deep = part * search_parts.still_held * cube_size(size);
+            add_rigid(world, cube_at(Vec3(-0.51, 0.5, 0) * size + Vec3(0, 0.5 * margin, 0), size),
+                      Vec3(0.06 * size, -0.5 * margin - deep, 0) / dt);
+            predict(world, dt);
+            const auto found = ContactSearch().find(world, {}, dt);
+            const bool meets_plate = std::any_of(found.begin(), found.end(), [&](const Contact& pair) {
+                return pair.kind == ContactKind::vertex_face && pair.body_a == 1 &&
+                       world.bodies[1]->positions_t0()[static_cast<std::size_t>(pair.feature_a)].y() <
+                           0.1 * size &&
+                       contact_geometry(world, pair, 0).normal.x() < -0.9;
+            });
+            CAPTURE(size);
+            CAPTURE(part);
+            CHECK(meets_plate == (part < 1));
+        }
+}

@@ -99,3 +99,15 @@ TEST_CASE(
         CHECK((motion_without_gravity(world, pair, dt) - dt * Vec3(1, 0, 0)).norm() < 1e-12);
     }
 }
+
+TEST_CASE("sliding normal: of two faces that are equally near the first one is the ground")
+{
+    const MovingSurface valley({{{0, 0, 0}, {0, 0, 1}, {1, 1, 0.5}, {-1, 1, 0.5}}, {{0, 1, 2}, {1, 0, 3}}}),
+        vertex(particle({0, 0.5, 0.5}));
+    for (const int first : {0, 1}) {
+        Ground ground;
+        for (const int face : {first, 1 - first})
+            ground.look_at(vertex.step(), 0, valley.step(), face);
+        CHECK((ground.normal - valley.start().face_normal(first).normalized()).norm() < 1e-12);
+    }
+}

@@ -304,3 +304,28 @@ TEST_CASE("vertex meeting: how far a face goes on below its neighbour does not d
     CHECK(met > 200);
     CHECK(missed > 200);
 }
+
+TEST_CASE(
+    "vertex meeting: on the common rim of two faces a vertex meets one of them, however rounding turns out")
+{
+    Draw draw(4);
+    for (int trial = 0; trial < 500; ++trial) {
+        const double size = std::pow(10, draw.between(-3, 2));
+        const MovingSurface sheet(
+            placed(plane_grid(2, 2, {1, 1}), size, draw.turn(), size * draw.direction()));
+        const auto edges = sheet.topology.edges();
+        for (int edge = 0; edge < static_cast<int>(edges.size()); ++edge) {
+            const auto [one, other] = sheet.topology.faces_at_edge(edge);
+            if (other < 0)
+                continue;
+            const auto [p, q] = edges[static_cast<std::size_t>(edge)];
+            const Vec3 above = 0.005 * size * sheet.start().face_normal(one).normalized();
+            const MovingSurface vertex(
+                particle(above + lerp(sheet.t0[static_cast<std::size_t>(p)],
+                                      sheet.t0[static_cast<std::size_t>(q)], draw.between(0.1, 0.9))));
+            const Reach reach{0.01 * size, 0.1 * size};
+            CAPTURE(trial);
+            CHECK((meeting_of(vertex, 0, sheet, one, reach) || meeting_of(vertex, 0, sheet, other, reach)));
+        }
+    }
+}

@@ -123,3 +123,21 @@ TEST_CASE("vertex walls: where a surface bends in the step, its walls are those 
     CHECK(chosen(bending, {meets(0, 0.1), meets(1, 0.2)}) == Faces{0});
     CHECK(chosen(bending, {meets(0, 1, 1), meets(1, 1, 1)}) == Faces{0, 1});
 }
+
+TEST_CASE("vertex walls: of a blunt ridge only one side counts, and of a blunt valley both, at any size")
+{
+    for (const double scale : {1e-6, 1e-3, 1.0, 100.0})
+        for (const double angle : {0.02, 2 * search_parts.least_fold}) {
+            const MovingSurface ridge(placed(hinge(-angle), scale)), valley(placed(hinge(angle), scale));
+            CAPTURE(scale);
+            CAPTURE(angle);
+            CHECK(chosen(ridge, {meets(0, 0.1), meets(1, 0.2)}) == Faces{0});
+            CHECK(chosen(valley, {meets(0, 0.1), meets(1, 0.2)}) == Faces{0, 1});
+        }
+}
+
+TEST_CASE("vertex walls: sides that fold by less than what counts as an edge are one wall")
+{
+    const MovingSurface flat(hinge(0.5 * search_parts.least_fold));
+    CHECK(chosen(flat, {meets(0, 0.1), meets(1, 0.2)}) == Faces{0});
+}

@@ -289,3 +289,25 @@ TEST_CASE(
         CHECK(pairs > 0);
     }
 }
+
+TEST_CASE("inside pairs: what pokes through any face of a box gets its pairs with this face")
+{
+    const SurfaceMesh large = box(Vec3(1, 2, 3));
+    for (int face = 0; face < static_cast<int>(large.faces.size()); ++face) {
+        Vec3 middle = Vec3::Zero();
+        for (const int corner : large.faces[static_cast<std::size_t>(face)])
+            middle += large.vertices[static_cast<std::size_t>(corner)] / 3;
+        World world;
+        add_static(world, large);
+        add_rigid(world, moved(box(Vec3::Constant(0.1)), middle + Vec3(1e-3, 2e-3, 3e-3)));
+        InsidePairs inside;
+        Contacts contacts;
+        inside.append_missing(world, contacts);
+        const auto with_face = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+            return contact.kind == ContactKind::vertex_face && contact.body_a == 1 &&
+                   contact.feature_b == face;
+        });
+        CAPTURE(face);
+        CHECK(with_face == 4);
+    }
+}

@@ -196,3 +196,39 @@ TEST_CASE("exact side: the bound of rounding counts all coordinates, each of whi
             CHECK(side_of_plane({x, zero}, {v, zero}, {w, zero}, 0) == determinant.sign());
         }
 }
+
+TEST_CASE("exit: a path leaves through each face of a box, the first one of its list, too")
+{
+    const SurfaceMesh mesh = box(Vec3(1, 2, 3));
+    const OverlapShape still(mesh);
+    for (int face = 0; face < static_cast<int>(mesh.faces.size()); ++face) {
+        Vec3 middle = Vec3::Zero();
+        for (const int corner : mesh.faces[static_cast<std::size_t>(face)])
+            middle += mesh.vertices[static_cast<std::size_t>(corner)] / 3;
+        CHECK(find_exit(still.still(), Vec3::Zero(), middle.normalized()).face == face);
+    }
+}
+
+TEST_CASE("tracing: a strip through one face crosses it in a curve that ends at both of its borders")
+{
+    const OverlapShape strip(SurfaceMesh{{{-0.1, -1, 0.02}, {0.1, -1, 0.03}, {0.1, 1, 0.05}, {-0.1, 1, 0.01}},
+                                         {{0, 1, 2}, {0, 2, 3}}}),
+        face(SurfaceMesh{{{-5, 0, -5}, {0, 0, 5}, {5, 0, -5}}, {{0, 1, 2}}});
+    for (const bool strip_first : {true, false}) {
+        const Intersection found = strip_first ? trace_intersection(strip.still(), face.still())
+                                               : trace_intersection(face.still(), strip.still());
+        REQUIRE(found.curves.size() == 1);
+        CHECK(found.curves[0].piercings.size() == 3);
+        CHECK_FALSE(found.curves[0].closed);
+    }
+}
+
+TEST_CASE("exact side: differences that no number holds are not rounded")
+{
+    // 1 - 2^-80 above the diagonal plane through the origin
+    const Vec3 zero = Vec3::Zero(), to(1, 1, 0), along(1, 1, 0), up(0, 0, 1);
+    for (const double little : {0x1p-80, -0x1p-80}) {
+        const Vec3 from(0, little, 0);
+        CHECK(side_of_plane({to, from}, {along, zero}, {up, zero}, 0) == (little > 0 ? 1 : -1));
+    }
+}

@@ -205,3 +205,16 @@ TEST_CASE(
     CHECK(chapter10::self_crossings(bar, *rest_neighbours(bar)) >= crossings);
     CHECK(bar.energy(scene.world.gravity).total() < 1e-9);
 }
+
+TEST_CASE("solver of chapter 10: it solves with the settings that it is given")
+{
+    Scene scene = load_scene(scene_file("initial_overlap"));
+    int records = 0;
+    ImplicitSettings settings;
+    settings.record = [&](const SolveRecord&) { ++records; };
+    const Solver solver = chapter10_solver(scene.contact, settings);
+    Contacts contacts;
+    for (int step = 0; step < 3; ++step)
+        advance(scene.world, contacts, solver, scene.dt);
+    CHECK(records > 0);
+}

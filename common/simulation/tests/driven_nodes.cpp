@@ -104,3 +104,45 @@ TEST_CASE("driven nodes: an impulse on them does not move them, and what holds t
     body.update_prediction(0.01);
     CHECK((body.velocity(3) - Vec3(2, 0, 0)).norm() < 1e-12);
 }
+
+TEST_CASE(
+    "driven nodes: what holds them pays for the momentum that each change of the body would give to them")
+{
+    constexpr double dt = 0.01;
+    const Vec3 velocity(2, -3, 1), impulse(4, -5, 3);
+    const TetrahedralMesh mesh = bar({1, 0.2, 0.2}, {4, 1, 1});
+    DeformableSettings settings;
+    settings.material = {.young = young, .poisson = 0.3, .density = 1000};
+    settings.driven_nodes.push_back({{}, GivenMotion::steady(velocity, Vec3::Zero()), Vec3::Zero()});
+    std::vector<int>& held = settings.driven_nodes.front().nodes;
+    for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
+        if (mesh.nodes[node].x() < -0.49)
+            held.push_back(static_cast<int>(node));
+    DeformableBody body("bar", mesh, settings);
+    body.predict(Vec3::Zero(), dt);
+    // on a vertex that is held, and on one beside those
+    const auto vertex_at = [&](double x) {
+        int vertex = 0;
+        while (std::abs(mesh.nodes[static_cast<std::size_t>(vertex)].x() - x) > 0.01)
+            ++vertex;
+        return std::vector<int>{vertex};
+    };
+    const auto pays = [&](const auto& change) {
+        const auto momentum = [&] {
+            return Vec3(body.elastic().momenta()(Eigen::all, held).rowwise().sum());
+        };
+        const double work = body.driven_work(dt);
+        const Vec3 before = momentum();
+        change();
+        const double met = velocity.dot(momentum() - before);
+        CHECK(std::abs(met) > 1e-3);
+        CHECK(body.driven_work(dt) - work == doctest::Approx(met).epsilon(1e-9));
+    };
+    pays([&] { body.settle(dt); });
+    const double work = body.driven_work(dt);
+    body.apply_contact_impulse(vertex_at(-0.5), impulse);
+    CHECK(body.driven_work(dt) - work == doctest::Approx(-impulse.dot(velocity)));
+    body.apply_contact_impulse(vertex_at(-0.25), impulse);
+    pays([&] { body.update_prediction(dt); });
+    pays([&] { body.approach_end(dt); });
+}
