@@ -57,8 +57,9 @@ ObliqueBounce oblique_bounce(double e, double mu, double dt);
 /// Balls that lie in a cube of so many along each edge, each a little aside, and fall apart on the ground without friction.
 struct BallsApart {
     EnergyOfRun energy;
-    double deepest = 0;   ///< of all pairs in all steps [m]
-    double sideways = 0;  ///< momentum of all balls along the ground, over the sum of theirs; the most of all steps
+    double deepest = 0;  ///< of all pairs in all steps [m]
+    double sideways =
+        0;  ///< momentum of all balls along the ground, over the sum of theirs; the most of all steps
 };
 BallsApart balls_apart(int along_edge, double e, double dt, double duration);
 
