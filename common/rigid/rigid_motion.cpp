@@ -38,14 +38,14 @@ PrincipalAxes principal_axes(const Mat3& inertia)
 //! [inverse_of_free]
 /// How angular momentum about free axes turns a body whose turns about other axes are held: the inverse of the inertia's free
 /// part, and zero elsewhere.
-Mat3 inverse_of_free(const Mat3& inertia, const Vec3& free)
+Mat3 inverse_of_free(const Mat3& inertia, const FreeDirections& free)
 {
-    const Mat3 chosen = free.asDiagonal();
-    Mat3 part = chosen * inertia * chosen;
+    const Mat3 chosen = free.rotation.asDiagonal(), along_axes = free.axes.transpose() * inertia * free.axes;
+    Mat3 part = chosen * along_axes * chosen;
     for (int i = 0; i < 3; ++i)
-        if (free[i] == 0)
-            part(i, i) = inertia(i, i);
-    return chosen * part.inverse() * chosen;
+        if (free.rotation[i] == 0)
+            part(i, i) = along_axes(i, i);
+    return free.axes * (chosen * part.inverse() * chosen) * free.axes.transpose();
 }
 //! [inverse_of_free]
 
@@ -73,7 +73,7 @@ void RigidMotion::place(const Pose& pose)
     pose_ = pose;
     const Mat3 axes = pose.orientation.toRotationMatrix();
     inverse_inertia_ = free_.hold_a_turn()
-                           ? inverse_of_free(inertia_of(axes), free_.rotation)
+                           ? inverse_of_free(inertia_of(axes), free_)
                            : Mat3(axes * principal_inertia_.cwiseInverse().asDiagonal() * axes.transpose());
 }
 
@@ -84,18 +84,20 @@ Mat3 RigidMotion::inertia_of(const Mat3& axes) const
 
 void RigidMotion::hold(const FreeDirections& free)
 {
-    const Vec3 ones = Vec3::Ones();
-    if (!velocity_.cwiseProduct(ones - free.translation).isZero(0) ||
-        !angular_velocity_.cwiseProduct(ones - free.rotation).isZero(0))
+    constexpr double rounding = 1e-12;  // of axes that are turned
+    const Vec3 moves = free.part(Vec3::Ones() - free.translation, velocity_),
+               turns = free.part(Vec3::Ones() - free.rotation, angular_velocity_);
+    if (moves.norm() > rounding * velocity_.norm() || turns.norm() > rounding * angular_velocity_.norm())
         throw InputError("rigid body: it moves along or about an axis that is held");
     free_ = free;
     place(pose_);
-    spin_momentum_ = spin_momentum_.cwiseProduct(free_.rotation);
+    velocity_ = free_.moving(velocity_);
+    spin_momentum_ = free_.turning(spin_momentum_);
 }
 
 //! [pin]
 /// About the pin the inertia is larger, by Steiner's theorem. All that follows is that of a body whose translations are held.
-void RigidMotion::pin(const Vec3& point, const Vec3& free_turns)
+void RigidMotion::pin(const Vec3& point, const Vec3& free_turns, const Mat3& axes)
 {
     if (!velocity_.isZero(0))
         throw InputError("rigid body: the velocity of a body that is pinned follows from its turning");
@@ -107,7 +109,7 @@ void RigidMotion::pin(const Vec3& point, const Vec3& free_turns)
     pose_ = {point, Quaternion(principal.axes).normalized()};
     centre_in_body_ = pose_.orientation.conjugate() * lever;
     spin_momentum_ = inertia * angular_velocity_;
-    hold({Vec3::Zero(), free_turns});
+    hold({Vec3::Zero(), free_turns, axes});
 }
 //! [pin]
 
@@ -129,9 +131,9 @@ void RigidMotion::predict(const Vec3& gravity, double dt)
 {
     momentum_t0_ = linear_momentum();
     pushed_ = dt * mass_ * gravity;
-    velocity_ += dt * gravity.cwiseProduct(free_.translation);
+    velocity_ += dt * free_.moving(gravity);
     if (is_off_centre())
-        spin_momentum_ += (dt * mass_ * lever().cross(gravity)).cwiseProduct(free_.rotation);
+        spin_momentum_ += free_.turning(dt * mass_ * lever().cross(gravity));
     if (free_.hold_a_turn()) {
         angular_velocity_ = mean_angular_velocity(dt);
         return;
@@ -154,7 +156,7 @@ Vec3 RigidMotion::mean_angular_velocity(double dt) const
     for (int iteration = 0; iteration < 50; ++iteration) {
         const Vec3 mean = 0.5 * (w0 + w1);
         const Mat3 turned = Eigen::AngleAxisd(dt * mean.norm(), mean.stableNormalized()) * axes;
-        const Vec3 next = inverse_of_free(inertia_of(turned), free_.rotation) * spin_momentum_;
+        const Vec3 next = inverse_of_free(inertia_of(turned), free_) * spin_momentum_;
         const bool settled = (next - w1).norm() <= 1e-15 * next.norm();
         w1 = next;
         if (settled)
@@ -182,9 +184,9 @@ void RigidMotion::apply_impulse(const Vec3& impulse, const Vec3& point)
 void RigidMotion::apply_momentum(const Vec3& momentum, const Vec3& turning)
 {
     pushed_ += momentum;
-    velocity_ += momentum.cwiseProduct(free_.translation) / mass_;
+    velocity_ += free_.moving(momentum) / mass_;
     angular_velocity_ += inverse_inertia_ * turning;
-    spin_momentum_ += turning.cwiseProduct(free_.rotation);
+    spin_momentum_ += free_.turning(turning);
 }
 //! [apply_impulse]
 
@@ -210,8 +212,7 @@ Vec3 RigidMotion::angular_acceleration(const Vec3& gravity) const
 
 Vec3 RigidMotion::acceleration_at(const Vec3& point, const Vec3& gravity) const
 {
-    return gravity.cwiseProduct(free_.translation) +
-           angular_acceleration(gravity).cross(point - pose_.position);
+    return free_.moving(gravity) + angular_acceleration(gravity).cross(point - pose_.position);
 }
 
 Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
@@ -219,7 +220,8 @@ Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
     const Vec3 r = point - pose_.position;
     Mat3 lever;
     lever << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-    return Mat3(free_.translation.asDiagonal()) / mass_ + lever * inverse_inertia_ * lever.transpose();
+    return Mat3(free_.axes * free_.translation.asDiagonal() * free_.axes.transpose()) / mass_ +
+           lever * inverse_inertia_ * lever.transpose();
 }
 
 Vec3 RigidMotion::angular_momentum(const Vec3& about) const

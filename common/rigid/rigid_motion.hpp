@@ -15,10 +15,20 @@ struct Pose {
     Vec3 to_body(const Vec3& world_point) const { return orientation.conjugate() * (world_point - position); }
 };
 
-/// Along and about which of the world's axes a body can move: 1 where it is free, 0 where it is held.
+/// Along and about which axes a body can move: 1 where it is free, 0 where it is held.
 struct FreeDirections {
     Vec3 translation = Vec3::Ones();  ///< of the centre of mass
     Vec3 rotation = Vec3::Ones();
+    Mat3 axes =
+        Mat3::Identity();  ///< in the columns, of length 1 and at right angles; they stand still in the world
+
+    /// The part of a vector along the axes that are marked by a 1.
+    Vec3 part(const Vec3& marked, const Vec3& vector) const
+    {
+        return axes * marked.cwiseProduct(axes.transpose() * vector);
+    }
+    Vec3 moving(const Vec3& vector) const { return part(translation, vector); }  ///< along free translations
+    Vec3 turning(const Vec3& vector) const { return part(rotation, vector); }    ///< about free axes
 
     bool hold_none() const { return translation.minCoeff() > 0 && rotation.minCoeff() > 0; }
     bool hold_a_turn() const { return rotation.minCoeff() == 0; }
@@ -45,9 +55,10 @@ public:
     void hold(const FreeDirections& free);
     /// Holds a point [m] of the body, as a hinge or a ball joint does: it stays where it is in the world, and the body turns
     /// about it, about the free axes alone. Three coordinates remain at most. Body coordinates begin at the pin from now on.
-    /// @param free_turns  1 for each of the world's axes about which it may turn, 0 for the others
+    /// @param free_turns  1 for each of the axes about which it may turn, 0 for the others
+    /// @param axes        as those of FreeDirections
     /// @throws InputError  a velocity of the centre of mass (it follows from the turning), or a turn about what is held
-    void pin(const Vec3& point, const Vec3& free_turns);
+    void pin(const Vec3& point, const Vec3& free_turns, const Mat3& axes = Mat3::Identity());
     const FreeDirections& free_directions() const { return free_; }
 
     /// Velocities of the step from gravity [m/s^2] and the free rotation over dt [s] (thesis 3.3, 3.6).

@@ -93,7 +93,7 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
                                                 is_sheet ? on_both_sides(mesh) : mesh, properties,
                                                 motion.velocity, motion.angular_velocity);
         if (locks.pin)
-            body->pin(*locks.pin, locks.free.rotation);
+            body->pin(*locks.pin, locks.free.rotation, locks.free.axes);
         else if (!locks.free.hold_none())
             body->hold(locks.free);
         for (const OutsideLoad& load : loads)

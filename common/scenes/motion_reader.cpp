@@ -175,7 +175,10 @@ ReadLocks read_locks(const JsonValue& body, const Placement& placement)
     const std::optional<JsonValue> locked = body.find("locked");
     if (!locked)
         return locks;
-    locked->require_keys({"translation", "rotation", "about"});
+    locked->require_keys({"translation", "rotation", "about", "axes"});
+    if (const std::optional<JsonValue> axes = locked->find("axes");
+        axes && axes->choice({"world", "body"}) == 1)
+        locks.free.axes = placement.rotation.toRotationMatrix();
     locks.free.translation = read_free_axes(*locked, "translation");
     locks.free.rotation = read_free_axes(*locked, "rotation");
     if (const std::optional<JsonValue> about = locked->find("about")) {

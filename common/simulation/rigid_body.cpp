@@ -11,13 +11,13 @@ class RigidTrial final : public Trial {
 public:
     RigidTrial(const RigidMotion& motion, std::span<const Vec3> vertices)
         : vertices_(vertices), centre_(motion.pose().position), mass_(motion.mass()),
-          free_(motion.free_directions().translation), inverse_inertia_(motion.inverse_inertia()),
+          free_(motion.free_directions()), inverse_inertia_(motion.inverse_inertia()),
           velocity_(motion.velocity()), angular_velocity_(motion.angular_velocity())
     {}
 
     void push(int vertex, const Vec3& impulse) override
     {
-        velocity_ += impulse.cwiseProduct(free_) / mass_;
+        velocity_ += free_.moving(impulse) / mass_;
         angular_velocity_ += inverse_inertia_ * lever(vertex).cross(impulse);
     }
     Vec3 velocity(int vertex) override { return velocity_ + angular_velocity_.cross(lever(vertex)); }
@@ -28,7 +28,7 @@ private:
     std::span<const Vec3> vertices_;  ///< at the start of the step
     Vec3 centre_;
     double mass_;
-    Vec3 free_;
+    FreeDirections free_;
     Mat3 inverse_inertia_;
     Vec3 velocity_, angular_velocity_;
 };
@@ -54,11 +54,11 @@ void RigidBody::take_body_points()
         body_points_.push_back(motion_.pose().to_body(vertex));
 }
 
-void RigidBody::pin(const Vec3& point, const Vec3& free_turns)
+void RigidBody::pin(const Vec3& point, const Vec3& free_turns, const Mat3& axes)
 {
     if (!loads_.empty())
         throw std::logic_error("rigid body '" + name() + "': it is pinned before it gets loads");
-    motion_.pin(point, free_turns);
+    motion_.pin(point, free_turns, axes);
     take_body_points();
 }
 
@@ -143,10 +143,11 @@ ContactMass RigidBody::contact_mass(std::span<const int>) const
     of.mass.bottomRightCorner<3, 3>() = motion_.inverse_inertia().inverse();
     of.response.topLeftCorner<3, 3>().diagonal().setConstant(1 / motion_.mass());
     of.response.bottomRightCorner<3, 3>() = motion_.inverse_inertia();
-    if (motion_.free_directions().hold_a_turn()) {
+    if (const FreeDirections& free = motion_.free_directions(); free.hold_a_turn()) {
         // a held turn has some mass of its own, which nothing moves: contact_motion() leaves it out
-        of.response.diagonal().tail<3>() += (Vec3::Ones() - motion_.free_directions().rotation) /
-                                            motion_.mass();
+        const Vec3 held = Vec3::Ones() - free.rotation;
+        of.response.bottomRightCorner<3, 3>() += free.axes * (held / motion_.mass()).asDiagonal() *
+                                                 free.axes.transpose();
         of.mass.bottomRightCorner<3, 3>() = Mat3(of.response.bottomRightCorner<3, 3>()).inverse();
     }
     return of;
@@ -164,8 +165,8 @@ VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t
     motion.rate.rightCols<3>() << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;  // omega x r
     const FreeDirections& free = motion_.free_directions();
     if (!free.hold_none()) {
-        motion.rate.leftCols<3>() *= free.translation.asDiagonal();
-        motion.rate.rightCols<3>() *= free.rotation.asDiagonal();
+        motion.rate.leftCols<3>() *= free.axes * free.translation.asDiagonal() * free.axes.transpose();
+        motion.rate.rightCols<3>() *= free.axes * free.rotation.asDiagonal() * free.axes.transpose();
     }
     return motion;
 }

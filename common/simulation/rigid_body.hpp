@@ -26,7 +26,7 @@ public:
     /// @throws InputError  the body moves along or about what is held
     void hold(const FreeDirections& free) { motion_.hold(free); }
     /// The same of a point of the body, for good: a hinge or a ball joint (RigidMotion::pin).
-    void pin(const Vec3& point, const Vec3& free_turns);
+    void pin(const Vec3& point, const Vec3& free_turns, const Mat3& axes = Mat3::Identity());
 
     void predict(const Vec3& gravity, double dt) override;
     void update_prediction(double dt) override;

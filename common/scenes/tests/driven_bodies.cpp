@@ -139,6 +139,23 @@ TEST_CASE("scene: locked directions are world axes, by their letters")
           "driven.json: /bodies/1: rigid body: it moves along or about an axis that is held");
 }
 
+TEST_CASE("scene: locked directions are those of the body where it says so, as it lies at the start")
+{
+    // the shape's y is the world's -x
+    Scene scene = driven(R"({"/bodies/brick": {"angular_velocity": [3, 0, 0], "gravity": false,
+        "locked": {"axes": "body", "translation": ["y"], "rotation": ["x", "z"]},
+        "forces": [{"force": [2, 4, 0], "torque": [0, 5, 5]}]}})");
+    step(scene, 10);
+    CHECK((brick_of(scene).velocity() - Vec3(0, 0.2, 0)).norm() < 1e-12);
+    CHECK((brick_of(scene).angular_velocity() - Vec3(3, 0, 0)).norm() < 1e-12);
+    CHECK(
+        complaint(
+            R"({"/bodies/brick": {"velocity": [1, 0, 0], "locked": {"axes": "body", "translation": ["y"]}}})") ==
+        "driven.json: /bodies/1: rigid body: it moves along or about an axis that is held");
+    CHECK(complaint(R"({"/bodies/brick/locked": {"axes": "own"}})").find("/bodies/1/locked/axes") !=
+          std::string::npos);
+}
+
 TEST_CASE("scene: a point about which a body is locked is the shape's, and holds all translations")
 {
     // the shape's x is the world's y

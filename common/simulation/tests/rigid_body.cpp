@@ -151,3 +151,29 @@ TEST_CASE("rigid body: with held directions its contact mass and motion are thos
         CHECK(body.linear_momentum().y() == 0);
     }
 }
+
+TEST_CASE("rigid body: directions that are held along axes of its own are left out of contact, and no others")
+{
+    const Mat3 axes = Quaternion(Eigen::AngleAxisd(0.6, Vec3(2, -1, 2) / 3)).toRotationMatrix();
+    for (const Vec3& turns : {Vec3(1, 1, 0), Vec3(0, 1, 0), Vec3(0, 0, 0)}) {
+        CAPTURE(turns.transpose());
+        RigidBody body = brick();
+        body.hold({Vec3(1, 0, 1), turns, axes});
+        body.predict(Vec3::Zero(), 0.01);
+        const std::vector<int> touched{3};
+        const ContactMass of = body.contact_mass(touched);
+        CHECK((of.mass * of.response - Eigen::MatrixXd::Identity(6, 6)).norm() < 1e-12);
+        const VertexMotion motion = body.contact_motion(touched, 0, 0);
+        const Mat3 response = motion.rate * of.response * motion.rate.transpose();
+        CHECK((response - body.inverse_mass(3)).norm() < 1e-12);
+
+        const Vec3 before = body.velocity(3), impulse(1, -2, 3);
+        const auto trial = body.begin_trial();
+        trial->push(3, impulse);
+        const Vec3 tried = trial->velocity(3);
+        body.apply_contact_impulse(touched, motion.rate.transpose() * impulse);
+        CHECK((body.velocity(3) - before - response * impulse).norm() < 1e-12);
+        CHECK((body.velocity(3) - tried).norm() < 1e-12);
+        CHECK(std::abs(axes.col(1).dot(body.linear_momentum())) < 1e-12);
+    }
+}
