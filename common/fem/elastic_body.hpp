@@ -133,6 +133,9 @@ public:
             visit(rotation);
     }
 
+    /// What the linear solver keeps is made anew in the next step, as in a body that has just been placed in this state.
+    void forget_factor() { solver_.forget_factor(); }
+
     const ElementRotations& rotations() const { return rotations_; }  ///< of the last predict()
     int solver_iterations() const { return solver_.iterations(); }    ///< of the last prediction
     int factorisations() const { return solver_.factorisations(); }   ///< since the beginning

@@ -91,6 +91,13 @@ public:
         return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum() + grip_work_;
     }
     void visit_state(StateArchive& archive) override;
+    /// What solves have learned, which is no part of the state: the next step then has the same bytes as that of a body whose
+    /// state was restored.
+    void forget_learned()
+    {
+        elastic_.forget_factor();
+        vertex_response_.forget();
+    }
 
     double mass() const override { return elastic_.mass(); }
     Energy energy(const Vec3& gravity) const override { return energy_of(elastic_, gravity_on(gravity)); }

@@ -4,6 +4,7 @@
 #include "common/input/input_error.hpp"
 #include "common/input/json_document.hpp"
 #include "common/simulation/contact_state.hpp"
+#include "common/simulation/deformable_body.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -86,6 +87,9 @@ void save_run(const std::filesystem::path& file, World& world, const Contacts& c
     for (const Contact& contact : contacts)
         document["pairs"].push_back(state_of(contact));
     write_file(file, document.dump() + "\n");
+    for (const auto& body : world.bodies)
+        if (auto* soft = dynamic_cast<DeformableBody*>(body.get()))
+            soft->forget_learned();
 }
 
 Contacts resume_run(const std::filesystem::path& file, World& world)
