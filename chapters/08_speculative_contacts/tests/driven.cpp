@@ -109,7 +109,7 @@ TEST_CASE(
 TEST_CASE("hinges: what a door's speed misses falls with the stiffness of springs, not with the step")
 {
     const auto missed = [](double dt, double stiffness) { return hit_door(dt, stiffness).speed.error(); };
-    CHECK(missed(0.000625, 25) / missed(0.000625, 100) == doctest::Approx(4).epsilon(0.2));
+    CHECK(missed(0.000625, 400) / missed(0.000625, 1600) == doctest::Approx(4).epsilon(0.2));
     CHECK(missed(0.000625, 25) > 0.9 * missed(0.00125, 25));
     CHECK(std::abs(missed(0.005, 25600)) < 0.6 * std::abs(missed(0.01, 25600)));
 }
