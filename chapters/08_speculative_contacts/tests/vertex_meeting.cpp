@@ -329,3 +329,27 @@ TEST_CASE(
         }
     }
 }
+
+TEST_CASE("vertex meeting: through the common rim of two faces no vertex slips, however rounding turns out")
+{
+    Draw draw(5);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const double size = std::pow(10, draw.between(-3, 2));
+        const MovingSurface sheet(
+            placed(plane_grid(2, 2, {1, 1}), size, draw.turn(), size * draw.direction()));
+        const auto edges = sheet.topology.edges();
+        for (int edge = 0; edge < static_cast<int>(edges.size()); ++edge) {
+            const auto [one, other] = sheet.topology.faces_at_edge(edge);
+            if (other < 0)
+                continue;
+            const auto [p, q] = edges[static_cast<std::size_t>(edge)];
+            const Vec3 place = lerp(sheet.t0[static_cast<std::size_t>(p)],
+                                    sheet.t0[static_cast<std::size_t>(q)], draw.between(0.1, 0.9)),
+                       normal = sheet.start().face_normal(one).normalized(),
+                       path = size * (-normal + 0.4 * draw.direction());
+            const MovingSurface vertex(particle(place - draw.between(0.2, 0.8) * path), path);
+            CAPTURE(trial);
+            CHECK((meeting_of(vertex, 0, sheet, one, {0, 0}) || meeting_of(vertex, 0, sheet, other, {0, 0})));
+        }
+    }
+}
