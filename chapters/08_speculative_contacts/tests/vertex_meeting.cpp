@@ -305,35 +305,13 @@ TEST_CASE("vertex meeting: how far a face goes on below its neighbour does not d
     CHECK(missed > 200);
 }
 
-TEST_CASE(
-    "vertex meeting: on the common rim of two faces a vertex meets one of them, however rounding turns out")
-{
-    Draw draw(4);
-    for (int trial = 0; trial < 500; ++trial) {
-        const double size = std::pow(10, draw.between(-3, 2));
-        const MovingSurface sheet(
-            placed(plane_grid(2, 2, {1, 1}), size, draw.turn(), size * draw.direction()));
-        const auto edges = sheet.topology.edges();
-        for (int edge = 0; edge < static_cast<int>(edges.size()); ++edge) {
-            const auto [one, other] = sheet.topology.faces_at_edge(edge);
-            if (other < 0)
-                continue;
-            const auto [p, q] = edges[static_cast<std::size_t>(edge)];
-            const Vec3 above = 0.005 * size * sheet.start().face_normal(one).normalized();
-            const MovingSurface vertex(
-                particle(above + lerp(sheet.t0[static_cast<std::size_t>(p)],
-                                      sheet.t0[static_cast<std::size_t>(q)], draw.between(0.1, 0.9))));
-            const Reach reach{0.01 * size, 0.1 * size};
-            CAPTURE(trial);
-            CHECK((meeting_of(vertex, 0, sheet, one, reach) || meeting_of(vertex, 0, sheet, other, reach)));
-        }
-    }
-}
+namespace {
 
-TEST_CASE("vertex meeting: through the common rim of two faces no vertex slips, however rounding turns out")
+/// Sheets of every size, turned at random: visits a point of each rim that two faces share, the faces' numbers and their normal.
+template <class Visit>
+void on_common_rims(Draw& draw, int sheets, const Visit& visit)
 {
-    Draw draw(5);
-    for (int trial = 0; trial < 2000; ++trial) {
+    for (int trial = 0; trial < sheets; ++trial) {
         const double size = std::pow(10, draw.between(-3, 2));
         const MovingSurface sheet(
             placed(plane_grid(2, 2, {1, 1}), size, draw.turn(), size * draw.direction()));
@@ -344,12 +322,38 @@ TEST_CASE("vertex meeting: through the common rim of two faces no vertex slips, 
                 continue;
             const auto [p, q] = edges[static_cast<std::size_t>(edge)];
             const Vec3 place = lerp(sheet.t0[static_cast<std::size_t>(p)],
-                                    sheet.t0[static_cast<std::size_t>(q)], draw.between(0.1, 0.9)),
-                       normal = sheet.start().face_normal(one).normalized(),
-                       path = size * (-normal + 0.4 * draw.direction());
-            const MovingSurface vertex(particle(place - draw.between(0.2, 0.8) * path), path);
+                                    sheet.t0[static_cast<std::size_t>(q)], draw.between(0.1, 0.9));
             CAPTURE(trial);
-            CHECK((meeting_of(vertex, 0, sheet, one, {0, 0}) || meeting_of(vertex, 0, sheet, other, {0, 0})));
+            visit(sheet, one, other, size, place, sheet.start().face_normal(one).normalized());
         }
     }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "vertex meeting: on the common rim of two faces a vertex meets one of them, however rounding turns out")
+{
+    Draw draw(4);
+    on_common_rims(
+        draw, 500,
+        [](const MovingSurface& sheet, int one, int other, double size, const Vec3& place,
+           const Vec3& normal) {
+            const MovingSurface vertex(particle(place + 0.005 * size * normal));
+            const Reach reach{0.01 * size, 0.1 * size};
+            CHECK((meeting_of(vertex, 0, sheet, one, reach) || meeting_of(vertex, 0, sheet, other, reach)));
+        });
+}
+
+TEST_CASE("vertex meeting: through the common rim of two faces no vertex slips, however rounding turns out")
+{
+    Draw draw(5);
+    on_common_rims(
+        draw, 2000,
+        [&](const MovingSurface& sheet, int one, int other, double size, const Vec3& place,
+            const Vec3& normal) {
+            const Vec3 path = size * (-normal + 0.4 * draw.direction());
+            const MovingSurface vertex(particle(place - draw.between(0.2, 0.8) * path), path);
+            CHECK((meeting_of(vertex, 0, sheet, one, {0, 0}) || meeting_of(vertex, 0, sheet, other, {0, 0})));
+        });
 }
