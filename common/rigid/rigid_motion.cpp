@@ -220,8 +220,7 @@ Mat3 RigidMotion::inverse_mass_at(const Vec3& point) const
     const Vec3 r = point - pose_.position;
     Mat3 lever;
     lever << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
-    return Mat3(free_.axes * free_.translation.asDiagonal() * free_.axes.transpose()) / mass_ +
-           lever * inverse_inertia_ * lever.transpose();
+    return free_.along_axes(free_.translation) / mass_ + lever * inverse_inertia_ * lever.transpose();
 }
 
 Vec3 RigidMotion::angular_momentum(const Vec3& about) const

@@ -22,6 +22,8 @@ struct FreeDirections {
     Mat3 axes =
         Mat3::Identity();  ///< in the columns, of length 1 and at right angles; they stand still in the world
 
+    /// The matrix that has these numbers along the axes.
+    Mat3 along_axes(const Vec3& numbers) const { return axes * numbers.asDiagonal() * axes.transpose(); }
     /// The part of a vector along the axes that are marked by a 1.
     Vec3 part(const Vec3& marked, const Vec3& vector) const
     {

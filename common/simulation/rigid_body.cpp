@@ -145,9 +145,8 @@ ContactMass RigidBody::contact_mass(std::span<const int>) const
     of.response.bottomRightCorner<3, 3>() = motion_.inverse_inertia();
     if (const FreeDirections& free = motion_.free_directions(); free.hold_a_turn()) {
         // a held turn has some mass of its own, which nothing moves: contact_motion() leaves it out
-        const Vec3 held = Vec3::Ones() - free.rotation;
-        of.response.bottomRightCorner<3, 3>() += free.axes * (held / motion_.mass()).asDiagonal() *
-                                                 free.axes.transpose();
+        of.response.bottomRightCorner<3, 3>() +=
+            free.along_axes((Vec3::Ones() - free.rotation) / motion_.mass());
         of.mass.bottomRightCorner<3, 3>() = Mat3(of.response.bottomRightCorner<3, 3>()).inverse();
     }
     return of;
@@ -165,8 +164,8 @@ VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t
     motion.rate.rightCols<3>() << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;  // omega x r
     const FreeDirections& free = motion_.free_directions();
     if (!free.hold_none()) {
-        motion.rate.leftCols<3>() *= free.axes * free.translation.asDiagonal() * free.axes.transpose();
-        motion.rate.rightCols<3>() *= free.axes * free.rotation.asDiagonal() * free.axes.transpose();
+        motion.rate.leftCols<3>() *= free.along_axes(free.translation);
+        motion.rate.rightCols<3>() *= free.along_axes(free.rotation);
     }
     return motion;
 }
