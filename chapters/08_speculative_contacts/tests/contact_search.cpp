@@ -190,7 +190,7 @@ TEST_CASE(
         for (int vertex = 0; vertex < 8; ++vertex)
             for (int face = 0; face < 12; ++face)
                 if (surface_at(*world.bodies[0], 0).face_normal(face).y() > 0)
-                    known.push_back({ContactKind::vertex_face, 1, 0, vertex, face});
+                    known.push_back(pair_of(1, vertex, 0, face, world.bodies[0]->surface()));
         CHECK(with_corners(known).empty() == (parts > 1));
     }
 }

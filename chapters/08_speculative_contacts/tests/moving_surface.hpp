@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/05_categorisation/normal_span.hpp"
+#include "chapters/06_redefinition/pair_projection.hpp"
 #include "common/geometry/meshes.hpp"
 
 #include <cmath>
@@ -71,6 +72,14 @@ inline SurfaceMesh placed(SurfaceMesh mesh, double scale, const Quaternion& turn
     for (Vec3& x : mesh.vertices)
         x = turn * (scale * x) + place;
     return mesh;
+}
+
+/// A pair of a vertex with a face of another body, at the face's centre.
+inline Contact pair_of(int body_a, int vertex, int body_b, int face, const SurfaceTopology& surface_b)
+{
+    Contact pair{ContactKind::vertex_face, body_a, body_b, vertex, face, {vertex}, {1}};
+    put_on_face(pair, surface_b, face, {1.0 / 3, 1.0 / 3, 1.0 / 3});
+    return pair;
 }
 
 /// Random numbers that are the same in every run.

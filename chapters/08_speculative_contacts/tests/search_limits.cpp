@@ -173,7 +173,7 @@ TEST_CASE(
     REQUIRE(upper.size() == 1);
     CHECK(upper[0] == doctest::Approx(0).epsilon(1e-6));
     for (int face = faces; face < 2 * faces; ++face)
-        CHECK(chosen({{ContactKind::vertex_face, 1, 0, 0, face}}) == upper);
+        CHECK(chosen({pair_of(1, 0, 0, face, world.bodies[0]->surface())}) == upper);
 }
 
 TEST_CASE(
