@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace enduring {
 
@@ -130,15 +131,12 @@ void PairRow::add_impulse(const Vec3& impulse, VectorXd& sum) const
 
 namespace {
 
-/// The block that a coordinate belongs to; null if none of these.
-const BodyBlock* block_of(const std::vector<BodyBlock>& blocks, int coordinate)
+/// The block that a coordinate belongs to; together they have all.
+const BodyBlock& block_of(const std::vector<BodyBlock>& blocks, int coordinate)
 {
-    const auto next = std::upper_bound(
-        blocks.begin(), blocks.end(), coordinate,
-        [](int wanted, const BodyBlock& block) { return wanted < block.first; });
-    if (next == blocks.begin() || coordinate >= (next - 1)->first + (next - 1)->size())
-        return nullptr;
-    return &*(next - 1);
+    return *std::prev(
+        std::upper_bound(blocks.begin(), blocks.end(), coordinate,
+                         [](int wanted, const BodyBlock& block) { return wanted < block.first; }));
 }
 
 }  // namespace
@@ -147,14 +145,14 @@ Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
 {
     Mat3 sum = Mat3::Zero();
     for (const VertexMotion& one : moving()) {
-        const BodyBlock* block = block_of(blocks, one.first);
+        const BodyBlock& block = block_of(blocks, one.first);
         for (const VertexMotion& other : moving())
-            if (block && block_of(blocks, other.first) == block)
+            if (&block_of(blocks, other.first) == &block)
                 with_fixed_size(one, [&]<class One>(int row, const One& rate) {
                     with_fixed_size(other, [&]<class Other>(int column, const Other& other_rate) {
                         const auto own =
-                            block->response.block<One::ColsAtCompileTime, Other::ColsAtCompileTime>(
-                                row - block->first, column - block->first);
+                            block.response.block<One::ColsAtCompileTime, Other::ColsAtCompileTime>(
+                                row - block.first, column - block.first);
                         sum += small_product(small_product(rate, own), other_rate.transpose());
                     });
                 });

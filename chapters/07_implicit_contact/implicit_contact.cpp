@@ -96,7 +96,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
                            record.residual <= rounding_residual(world, step, least);
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
-        if (record.converged && steps_left > 0 && stiffen_where_pressed(world, step, settings.stiffness))
+        if (record.converged && stiffen_where_pressed(world, step, settings.stiffness))
             continue;
         if (record.converged || steps_left <= 0)
             break;
@@ -113,7 +113,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             missing += changed_part(step.problem, begin.impulses, next, least);
         apply_impulses(world, step, next);
     }
-    if (!(record.residual <= settings.kept_residual && missing <= small_imbalance))
+    if (!(record.residual <= settings.kept_residual))
         outcome.trouble = StepTrouble::unsolved;
     else if (largest_compression(world, step) > settings.kept_depth)
         outcome.trouble = StepTrouble::too_deep;

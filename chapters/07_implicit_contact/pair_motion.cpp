@@ -33,8 +33,9 @@ Vec3 relative_position(const World& world, const Contact& contact,
 /// Of the normals between two, the one along which nothing moves; or the nearer one of the two.
 Vec3 normal_of_path(const Vec3& one, const Vec3& other, const Vec3& velocity)
 {
-    const double a = one.dot(velocity), b = other.dot(velocity);
-    return a == b ? other : Vec3((one + std::clamp(a / (a - b), 0.0, 1.0) * (other - one)).normalized());
+    const double a = one.dot(velocity), part = a / (a - other.dot(velocity));
+    // where neither meets the velocity, that is no number, and max() takes the first of its two
+    return (one + std::min(1.0, std::max(0.0, part)) * (other - one)).normalized();
 }
 
 /// A vertex that slides along a surface which bends is pushed along the mean of two normals: that of the path on which it came,

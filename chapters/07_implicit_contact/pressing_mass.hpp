@@ -5,7 +5,7 @@
 namespace enduring {
 
 /// The mass that each pair stops in this step [kg]: its impulse over the fastest approach of any pair, without all
-/// pairs' impulses. It is more than the mass that the pair feels itself where other bodies press through its own.
+/// pairs' impulses, and at least over what gravity gives in a step. It is more than the mass that the pair feels itself where other bodies press through its own.
 std::vector<double> pressing_masses(const World& world, const StepProblem& step);
 
 /// Makes pairs as stiff at once as the mass that presses them asks for, where this is more than twice what they

@@ -96,9 +96,9 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
             const Vec3 start = contact_geometry(world, pair, 0).normal,
                        end = contact_geometry(world, pair, 1).normal,
                        motion = motion_without_gravity(world, pair, dt);
-            pair.sliding_normal.setZero();
-            if (0.5 * motion.norm() * (end - start).norm() <= search_parts.turned * reach.margin)
-                pair.sliding_normal = sliding_normal(ground.normal, end, motion);
+            const bool slides = 0.5 * motion.norm() * (end - start).norm() <=
+                                search_parts.turned * reach.margin;
+            pair.sliding_normal = slides ? sliding_normal(ground.normal, end, motion) : Vec3(Vec3::Zero());
             contacts.push_back(pair);
         }
         meetings.clear();

@@ -111,9 +111,9 @@ std::optional<Meeting> find_edge_meeting(const SurfaceStep& a, int edge_a, const
     const auto feet_t0 = pair.feet_of(pair.t0), feet_t1 = pair.feet_of(pair.t1);
     if (!feet_t0 || !feet_t1)
         return std::nullopt;
-    if (known || std::abs(feet_t0->depth) <= std::max(reach.margin, reach.inside))
+    if (std::abs(feet_t0->depth) <= std::max(reach.margin, reach.inside))
         if (const auto meeting = pair.near_at(0, *feet_t0);
-            meeting && near_at_start(meeting->orientation * feet_t0->depth, reach, known))
+            meeting && near_at_start(meeting->orientation * feet_t0->depth, reach))
             return meeting;
     const double sign = feet_t0->depth > 0 ? 1 : -1, depth_t1 = sign * feet_t1->depth;  // with this normal
     if (const auto meeting = pair.crossing(sign))

@@ -22,11 +22,10 @@ struct Meeting {
     bool is_crossing() const { return tau > 0; }
 };
 
-/// Whether a pair that is so deep at the start may be near or inside then. Of one that is known it is known, too, on
-/// which side it came in.
-inline bool near_at_start(double depth_t0, const Reach& reach, bool known)
+/// Whether a pair that is so deep at the start may be near or inside then.
+inline bool near_at_start(double depth_t0, const Reach& reach)
 {
-    return (known || -reach.inside <= depth_t0) && depth_t0 <= reach.margin;
+    return -reach.inside <= depth_t0 && depth_t0 <= reach.margin;
 }
 
 /// Whether and how a vertex of A may come to push a face of B in this step.

@@ -106,7 +106,7 @@ std::optional<Meeting> find_meeting(const SurfaceStep& a, int vertex, const Surf
     if (!foot_t0 || !foot_t1)
         return std::nullopt;
     std::optional<Meeting> meeting;
-    if (near_at_start(foot_t0->depth, reach, known))
+    if (near_at_start(foot_t0->depth, reach))
         meeting = pair.near_at(0, *foot_t0);
     if (!meeting)
         meeting = pair.crossing();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <random>
 
 using namespace enduring;
@@ -94,5 +95,28 @@ TEST_CASE("dual friction: wherever the guesses have been led, the stiffening is 
             CHECK(least_eigenvalue(hessian) >= -1e-9);
         }
         friction.follow(velocities, rates_of(problem, vector()));
+    }
+}
+
+TEST_CASE(
+    "dual friction: with its guess for f the stiffening is the symmetric part of what |s| f = limit s gives")
+{
+    // |s| df + (d . ds) f = limit ds, where the spring answers a velocity along the surface with ds = -k dt^2 dv
+    ContactProblem problem = slipping_particles();
+    for (PairRow& row : problem.rows)
+        row.acting = 0.4 * (Vec3(1, 2, -2) - row.velocity);
+    const std::vector<Vec3> velocities = velocities_after(problem, Eigen::VectorXd::Zero(problem.size));
+    const std::vector<Mat3> all = DualFriction(problem).hessians(velocities);
+    for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+        const PairRow& row = problem.rows[i];
+        const double limit = row.law.mu * row.law.lagged_normal_impulse;
+        const Mat3 along = Mat3::Identity() - row.law.normal * row.law.normal.transpose();
+        const Vec3 spring = spring_impulse(row.law, velocities[i], problem.step);
+        Vec3 guess = along * row.acting;
+        guess *= std::min(1.0, limit / guess.norm());
+        const Mat3 slope = (limit * along - guess * spring.normalized().transpose()) / spring.norm() *
+                           row.law.stiffness * problem.step.dt * problem.step.dt;
+        const Mat3 expected = 0.5 * (slope + slope.transpose());
+        CHECK((along * all[i] * along - expected).norm() <= 1e-9 * expected.norm());
     }
 }

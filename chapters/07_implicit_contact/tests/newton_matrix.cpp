@@ -223,3 +223,22 @@ TEST_CASE(
         CHECK(estimated_operations(stack.problem()) == doctest::Approx(exact).epsilon(0.05));
     }
 }
+
+TEST_CASE("newton matrix: that of all pairs pressed is A + J^T k dt^2 J, with steps of any length")
+{
+    for (const double dt : {0.001, 0.03}) {
+        ContactProblem problem = soft_among_rigid(2, 10).problem();
+        problem.step.dt = dt;
+        std::vector<Mat3> hessians;
+        hessians.reserve(problem.rows.size());
+        for (PairRow& row : problem.rows) {
+            row.law.stiffness = 1e4 * static_cast<double>(hessians.size() + 1);
+            hessians.emplace_back(row.law.stiffness * dt * dt * Mat3::Identity());
+        }
+        const Eigen::MatrixXd lower = pressed_matrix(problem);
+        const Eigen::MatrixXd whole = lower.selfadjointView<Eigen::Lower>();
+        const Eigen::MatrixXd expected = reference(problem, hessians);
+        CAPTURE(dt);
+        CHECK((whole - expected).norm() <= 1e-12 * expected.norm());
+    }
+}

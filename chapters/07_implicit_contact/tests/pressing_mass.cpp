@@ -97,3 +97,19 @@ TEST_CASE("pressing mass: a pair that is pressed by less than twice its own mass
         contact.stiffness = 100 / (dt * dt);
     CHECK_FALSE(stiffen_where_pressed(world, points.step, {}));
 }
+
+TEST_CASE("pressing mass: a vice presses what it holds like the mass that its load could carry")
+{
+    const World world = world_of_a_metre();
+    for (const double load : {30.0, 3000.0}) {
+        StoppedPoints held({1}, world.gravity, 0);
+        held.add_pair(0, 0, 0);  // from the other side
+        for (const std::size_t side : {0U, 1U}) {
+            PairRow& row = held.step.problem.rows[side];
+            row.law.normal = side == 0 ? Vec3(Vec3::UnitX()) : Vec3(-Vec3::UnitX());
+            row.acting = load * dt * row.law.normal;
+        }
+        for (const double mass : pressing_masses(world, held.step))
+            CHECK(mass == doctest::Approx(load / world.gravity.norm()));
+    }
+}

@@ -1,6 +1,7 @@
 #include "chapters/05_categorisation/normal_span.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
+#include "chapters/07_implicit_contact/pair_motion.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/07_implicit_contact/tests/only_island.hpp"
 #include "common/geometry/box_shapes.hpp"
@@ -15,6 +16,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace enduring;
 using namespace enduring::chapter07;
@@ -69,6 +71,23 @@ TEST_CASE("step problem: a pair slides on where mu_s times its load cannot stop 
             CAPTURE(dt);
             CAPTURE(part);
             CHECK(step.problem.rows[0].law.mu == (part > 1 ? 0.1 : 0.5));
+        }
+}
+
+TEST_CASE("step problem: a pair that began inside rubs when it is nearly out, by the size of its body")
+{
+    constexpr double dt = 0.004;
+    StiffnessChoice choice;
+    choice.rubbing_offset = 100;
+    for (const double size : {0.1, 1.0, 10.0})
+        for (const double part : {0.9, 1.1}) {
+            const World world = cube_above_plane(-size / 10, dt, size);
+            Contacts contacts{corner_on_plane()};
+            contacts[0].stiffness = 1e6;
+            contacts[0].rest_offset = -part * 100 * scale_parts.wanted_depth * world.bodies[0]->size();
+            const StepProblem step = set_up_only_island(world, contacts, choice, {0.5, 0.4}, {1, dt}, false);
+            CAPTURE(size);
+            CHECK(step.problem.rows.at(0).law.mu == (part < 1 ? 0.5 : 0));
         }
 }
 
@@ -157,6 +176,29 @@ TEST_CASE(
         }
 }
 
+TEST_CASE(
+    "pair motion: over a bend a pair is pushed along the mean of where it came from and the normal of its path")
+{
+    constexpr double dt = 0.004;
+    const Vec3 came(std::sin(0.1), std::cos(0.1), 0), ends = Vec3::UnitY();
+    const auto pushed_along = [&](const Vec3& velocity) {
+        const World world = cube_above_plane(0, dt, 1, velocity);
+        Contact contact = corner_on_plane();
+        contact.sliding_normal = came;
+        PairRow row;
+        update_row(world, contact, {1, dt}, row);
+        return row.law.normal;
+    };
+    const Vec3 slides = Vec3(1, -0.03, 0);
+    CHECK((pushed_along(slides) - (came + Vec3(0.03, 1, 0).normalized()).normalized()).norm() < 1e-12);
+    // what leaves both, or comes down on both, meets the one along which it moves less
+    CHECK((pushed_along(Vec3(-0.1, 1, 0)) - came).norm() < 1e-12);
+    CHECK((pushed_along(Vec3(0.1, 1, 0)) - (came + ends).normalized()).norm() < 1e-12);
+    CHECK((pushed_along(Vec3(0.1, -1, 0)) - came).norm() < 1e-12);
+    CHECK((pushed_along(Vec3(-0.1, -1, 0)) - (came + ends).normalized()).norm() < 1e-12);
+    CHECK(pushed_along(Vec3::Zero()).norm() == doctest::Approx(1));
+}
+
 TEST_CASE("step problem: a vertex that several pairs touch is touched once")
 {
     World world = cube_above_plane(0, 0.01);
@@ -228,6 +270,62 @@ TEST_CASE(
         REQUIRE(contacts[0].rest_offset == doctest::Approx(-4e-5));
         CHECK(world.attempt.put_in == doctest::Approx(1e10 / 2 * (6e-5 * 6e-5 + 2e-5 * 2e-5) - 5));
     }
+}
+
+TEST_CASE("implicit contact: a later response of the step books no spring again")
+{
+    constexpr double dt = 0.004;
+    World world = cube_above_plane(-1e-4, dt);
+    world.attempt.springs = 5;
+    const std::vector<int> lower = lower_corners(*world.bodies[0]);
+    Contacts contacts{corner_on_plane(lower[0])};
+    contacts[0].stiffness = 1e6;
+    ImplicitSettings settings;
+    settings.record = [](const SolveRecord&) {};
+    IslandMatrices matrices;
+    solve_contacts(world, contacts, settings, matrices, dt);
+    const double put_in = world.attempt.put_in;
+    CHECK(put_in < -4);
+    contacts.push_back(corner_on_plane(lower[1]));
+    solve_contacts(world, contacts, settings, matrices, dt);
+    CHECK(contacts[1].answered());
+    CHECK(world.attempt.put_in == put_in);
+}
+
+TEST_CASE("implicit contact: a step is solved as well as its worst island is, whichever place that has")
+{
+    constexpr double dt = 0.004;
+    for (const int falls : {0, 1})
+        for (const int max_newton_steps : {0, 500}) {
+            World world;
+            world.gravity.setZero();
+            world.planes.push_back({"ground"});
+            Contacts contacts;
+            for (const int i : {0, 1}) {
+                SurfaceMesh mesh = box(Vec3::Ones());
+                for (Vec3& x : mesh.vertices)
+                    x += Vec3(5 * i, 0.5 + 1e-9, 0);
+                world.bodies.push_back(std::make_unique<RigidBody>("cube", mesh, mass_properties(mesh, 10),
+                                                                   Vec3(0, i == falls ? -1 : 0, 0)));
+                world.bodies.back()->predict(world.gravity, dt);
+                for (const int vertex : lower_corners(*world.bodies.back())) {
+                    contacts.push_back(corner_on_plane(vertex));
+                    contacts.back().body_a = i;
+                }
+            }
+            SolveRecord last;
+            ImplicitSettings settings;
+            settings.max_newton_steps = max_newton_steps;
+            settings.record = [&](const SolveRecord& record) { last = record; };
+            IslandMatrices matrices;
+            solve_contacts(world, contacts, settings, matrices, dt);
+            CAPTURE(falls);
+            CHECK(last.islands == 2);
+            CHECK(last.converged == (max_newton_steps > 0));
+            CHECK((last.residual == doctest::Approx(1)) == (max_newton_steps == 0));
+            CHECK((last.rounds > 0) == (max_newton_steps > 0));
+            CHECK((last.newton_steps > 0) == (max_newton_steps > 0));
+        }
 }
 
 TEST_CASE("implicit contact: a spring is pressed too far by the size of its body, in a step of any length")

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 using namespace enduring;
 using namespace enduring::chapter08;
@@ -276,6 +277,54 @@ TEST_CASE("contact search: what an impact has left inside keeps its pairs, howev
                 down[side / 2] = side % 2 == 0 ? 1 : -1;
                 CHECK(corners_seen_inside(down, depth, size) == 4);
             }
+}
+
+namespace {
+
+/// A body that rests, all of whose elements may be inverted: then its faces look inwards.
+class StillBody : public Body {
+public:
+    StillBody(const SurfaceMesh& mesh, bool is_inside_out)
+        : Body("still", SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces)),
+          inverted_(is_inside_out ? 1 : 0)
+    {
+        positions_t0_ = positions_t1_ = mesh.vertices;
+        measure();
+    }
+    void predict(const Vec3&, double) override {}
+    void update_prediction(double) override {}
+    void commit(double) override {}
+    void apply_impulse(int, const Vec3&) override {}
+    Vec3 velocity(int) const override { return Vec3::Zero(); }
+    Mat3 inverse_mass(int) const override { return Mat3::Identity(); }
+    double mass() const override { return 1; }
+    Energy energy(const Vec3&) const override { return {}; }
+    Vec3 linear_momentum() const override { return Vec3::Zero(); }
+    Vec3 angular_momentum(const Vec3&) const override { return Vec3::Zero(); }
+    int inverted_elements() const override { return inverted_; }
+
+private:
+    int inverted_;
+};
+
+}  // namespace
+
+TEST_CASE("contact search: a body that is inside out stands on its corners as it did before")
+{
+    for (const bool is_inside_out : {false, true}) {
+        World world;
+        add_static(world, placed(box({4, 1, 4}), 1, Quaternion::Identity(), {0, -0.5, 0}));
+        SurfaceMesh cube = placed(box(Vec3::Ones()), 1, Quaternion::Identity(), {0.1, 0.5 + 1e-5, 0.2});
+        for (Face& face : cube.faces)
+            if (is_inside_out)
+                std::swap(face[1], face[2]);
+        world.bodies.push_back(std::make_unique<StillBody>(cube, is_inside_out));
+        const Contacts found = ContactSearch().find(world, {}, 0.01);
+        CAPTURE(is_inside_out);
+        CHECK(std::count_if(found.begin(), found.end(), [](const Contact& contact) {
+                  return contact.kind == ContactKind::vertex_face && contact.body_a == 1;
+              }) == 4);
+    }
 }
 
 TEST_CASE("contact search: bodies apart by more than the margin, at rest or leaving, have no pair")

@@ -22,6 +22,8 @@ inline std::vector<double> numbers_of(World& world, Contacts contacts)
         body->visit_state(archive);
     for (Contact& contact : contacts)
         visit_state(archive, contact);
+    archive(world.time);
+    archive(world.driven);
     return archive.numbers();
 }
 

@@ -282,3 +282,21 @@ TEST_CASE("depenetration: a rest offset fades under ten weights of all bodies, a
         CHECK((contacts[0].rest_offset > -0.01) == (weights < 10));
     }
 }
+
+TEST_CASE(
+    "depenetration: without gravity a body comes out by the same part of its size in a step of any length")
+{
+    for (const double dt : {0.001, 0.01, 0.03}) {
+        World world = block_in_floor(0.1);
+        world.gravity.setZero();
+        Contact inside{ContactKind::vertex_face, 1, 0, 0, 0, {0, 0, 1, 2}, {1, -1, 0, 0}};
+        inside.stiffness = 1e6;
+        inside.rest_offset = -0.1;
+        Contacts contacts{inside};
+        chapter09_solver({}).pass("fade rest offsets").run(world, contacts, dt);
+        CAPTURE(dt);
+        CHECK(contacts[0].rest_offset + 0.1 ==
+              doctest::Approx(scale_parts.max_depenetration_velocity / scale_parts.weightless_steps *
+                              world.bodies[1]->size()));
+    }
+}

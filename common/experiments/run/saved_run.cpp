@@ -80,6 +80,7 @@ void save_run(const std::filesystem::path& file, World& world, const Contacts& c
     json document = {{"format", format},
                      {"time", world.time},
                      {"step", world.step},
+                     {"driven", world.driven},
                      {"bodies", json::array()},
                      {"pairs", json::array()}};
     for (const auto& body : world.bodies)
@@ -102,6 +103,7 @@ Contacts resume_run(const std::filesystem::path& file, World& world)
     Contacts contacts = contacts_of(document, name);
     world.time = part<double>(document, "time", name);
     world.step = part<int>(document, "step", name);
+    world.driven = part<double>(document, "driven", name);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         restore_state(*world.bodies[i], bodies[i].second);
     return contacts;

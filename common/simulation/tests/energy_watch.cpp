@@ -147,7 +147,14 @@ TEST_CASE("energy watch: work is that of the step's own length, by pairs that we
             speed -= pair.weights[i] *
                      (world.bodies[2]->positions_t1()[v] - world.bodies[2]->positions_t0()[v]) / dt;
         }
-        CHECK(driven_work(world, {pair}, dt) == doctest::Approx(by_push + pair.friction.dot(speed)));
+        const double by_table = by_push + pair.friction.dot(speed);
+        CHECK(driven_work(world, {pair}, dt) == doctest::Approx(by_table));
+        const Vec3 belt(0.5, -2, 4);
+        world.bodies[2]->set_surface_velocity(belt);
+        CHECK(driven_work(world, {pair}, dt) ==
+              doctest::Approx(by_table));  // no solver reads it without springs
+        pair.stiffness = 1;
+        CHECK(driven_work(world, {pair}, dt) == doctest::Approx(by_table + pair.friction.dot(belt)));
     }
 }
 
