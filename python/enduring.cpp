@@ -22,14 +22,15 @@ py::tuple arrays_of(const SurfaceMesh& mesh)
     return py::make_tuple(copy(mesh.vertices), py::array(py::cast(mesh.faces)));
 }
 
-/// A dictionary becomes the text of a scene file; text stays.
+/// A dictionary becomes the text of a scene file, arrays and numbers of NumPy in it too; text stays.
 std::string json_text(const py::object& value)
 {
     if (value.is_none())
         return "";
     if (py::isinstance<py::str>(value))
         return value.cast<std::string>();
-    return py::module_::import("json").attr("dumps")(value).cast<std::string>();
+    const py::cpp_function plain([](const py::object& array) { return array.attr("tolist")(); });
+    return py::module_::import("json").attr("dumps")(value, py::arg("default") = plain).cast<std::string>();
 }
 
 py::array energies(const Run& run)
@@ -52,15 +53,22 @@ void declare_scene(py::module_& module)
              }),
              py::arg("dt") = 0.01, py::arg("gravity") = Numbers{0, -9.81, 0}, py::arg("mu_s") = 0,
              py::arg("mu_d") = 0, py::arg("chapter") = solvers::chapters, "Empty, for bodies that are added.")
-        .def("step", &Run::step, py::arg("steps") = 1)
+        .def("step", &Run::step, py::arg("steps") = 1, "Steps of `dt` each, with the solver of `chapter`.")
         .def_property("chapter", &Run::chapter, &Run::choose, "whose solver runs it; before the first step")
-        .def("add_plane", add_plane, py::arg("name"), py::arg("point") = zero, py::arg("normal") = up)
-        .def("add_static", add_static, inside, py::arg("name"), py::arg("vertices"), py::arg("faces"))
-        .def("add_rigid", add_rigid, inside, py::arg("name"), py::arg("vertices"), py::arg("faces"),
-             py::arg("density") = 1000, py::arg("velocity") = zero, py::arg("angular_velocity") = zero)
-        .def("add_deformable", add_deformable, inside, py::arg("name"), py::arg("nodes"),
-             py::arg("tetrahedra"), py::arg("young"), py::arg("poisson"), py::arg("density") = 1000,
-             py::arg("velocity") = zero)
+        .def("add_plane", add_plane, py::arg("name"), py::arg("point") = zero, py::arg("normal") = up,
+             "A half space; the normal points out of it and has any length.")
+        .def(
+            "add_static", add_static, inside, py::arg("name"), py::arg("vertices"), py::arg("faces"),
+            "A surface that stands, closed or with a border, from an array of vertices [m] in the world and one of faces.")
+        .def(
+            "add_rigid", add_rigid, inside, py::arg("name"), py::arg("vertices"), py::arg("faces"),
+            py::arg("density") = 1000, py::arg("velocity") = zero, py::arg("angular_velocity") = zero,
+            "A rigid body with a closed surface; density [kg/m^3], velocity of its centre of mass [m/s], world axes [rad/s].")
+        .def(
+            "add_deformable", add_deformable, inside, py::arg("name"), py::arg("nodes"),
+            py::arg("tetrahedra"), py::arg("young"), py::arg("poisson"), py::arg("density") = 1000,
+            py::arg("velocity") = zero,
+            "A soft body of linear elements, four nodes a row; young [Pa], density [kg/m^3], velocity [m/s].")
         .def_property_readonly("name", [](const Run& run) { return run.scene.name; })
         .def_property_readonly(
             "dt", [](const Run& run) { return run.scene.dt; }, "[s]")
@@ -68,7 +76,9 @@ void declare_scene(py::module_& module)
             "duration", [](const Run& run) { return run.scene.duration; }, "[s]")
         .def_property_readonly(
             "time", [](const Run& run) { return run.scene.world.time; }, "[s]")
-        .def_property_readonly("warnings", [](const Run& run) { return run.scene.warnings; })
+        .def_property_readonly(
+            "warnings", [](const Run& run) { return run.scene.warnings; },
+            "what the reader doubts in the scene, a sentence each")
         .def_property_readonly(
             "bodies",
             [](const py::object& self) {

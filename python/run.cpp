@@ -7,7 +7,7 @@
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace enduring::python {
@@ -24,18 +24,33 @@ void Run::choose(int chapter)
 
 void Run::step(int steps)
 {
+    if (steps < 0)
+        throw InputError("steps: expected a whole number from 0, found " + std::to_string(steps));
     if (contacts.use_count() > 1)  // somebody looks at the pairs of this moment
         contacts = std::make_shared<Contacts>(*contacts);
     for (int i = 0; i < steps; ++i)
         advance(scene.world, *contacts, solver_, scene.dt);
 }
 
+void Run::require_new(const std::string& name) const
+{
+    const World& world = scene.world;
+    if (world.step > 0)
+        throw InputError("'" + name + "' comes too late: bodies and planes are added before the first step");
+    if (name.empty())
+        throw InputError("name: expected a text that is not empty");
+    bool is_taken = false;
+    for (const auto& body : world.bodies)
+        is_taken |= body->name() == name;
+    for (const Plane& plane : world.planes)
+        is_taken |= plane.name == name;
+    if (is_taken)
+        throw InputError("name: another body or plane is already called '" + name + "'");
+}
+
 Body& Run::add(std::unique_ptr<Body> body)
 {
-    const auto& bodies = scene.world.bodies;
-    if (std::any_of(bodies.begin(), bodies.end(),
-                    [&](const auto& other) { return other->name() == body->name(); }))
-        throw InputError("there is a body '" + body->name() + "' already");
+    require_new(body->name());
     scene.world.bodies.push_back(std::move(body));
     choose(chapter_);
     return *scene.world.bodies.back();
@@ -56,10 +71,12 @@ Scene empty_scene(double dt, const Numbers& gravity, double mu_s, double mu_d)
 {
     Scene scene;
     scene.name = "scene";
-    if (!(dt > 0 && dt <= 1))
-        throw InputError("dt: expected a number above 0, up to 1 [s]");
-    if (!(mu_s >= 0 && mu_d >= 0 && mu_d <= mu_s))
-        throw InputError("mu_s, mu_d: expected 0 <= mu_d <= mu_s");
+    if (!(dt >= 1e-6 && dt <= 1))
+        throw InputError("dt: expected a number from 1e-06 to 1 [s]");
+    if (!vec3(gravity).allFinite())
+        throw InputError("gravity: expected three finite numbers [m/s^2]");
+    if (!(mu_d >= 0 && mu_d <= mu_s && mu_s <= 10))
+        throw InputError("mu_s, mu_d: expected 0 <= mu_d <= mu_s <= 10");
     scene.dt = dt;
     scene.world.gravity = vec3(gravity);
     if (mu_s > 0)
@@ -69,9 +86,12 @@ Scene empty_scene(double dt, const Numbers& gravity, double mu_s, double mu_d)
 
 void add_plane(Run& run, const std::string& name, const Numbers& point, const Numbers& normal)
 {
+    run.require_new(name);
     const double length = vec3(normal).norm();
-    if (!(length > 0))
-        throw InputError("normal: expected a vector that is not zero");
+    if (!(length > 0 && std::isfinite(length)))
+        throw InputError("normal: expected three finite numbers that are not all zero");
+    if (!vec3(point).allFinite())
+        throw InputError("point: expected three finite numbers [m]");
     run.scene.world.planes.push_back({name, vec3(point), vec3(normal) / length});
 }
 

@@ -25,6 +25,8 @@ public:
 
     void step(int steps);
 
+    /// Throws InputError unless a body or plane of this name may still be added.
+    void require_new(const std::string& name) const;
     Body& add(std::unique_ptr<Body> body);
 
 private:

@@ -55,6 +55,11 @@ class Scenes(unittest.TestCase):
         scene = enduring.load(enduring.scene_file("falling_sphere"), patch={"dt": 0.002})
         self.assertEqual((scene.name, scene.dt), ("falling_sphere", 0.002))
 
+    def test_a_scene_may_hold_arrays_and_numbers_of_numpy(self):
+        scene = ball(patch={"dt": np.float32(0.5), "/bodies/0/position": np.array([0, 2, 0])})
+        self.assertEqual(scene.dt, 0.5)
+        np.testing.assert_array_equal(scene.bodies["ball"].pose[0].round(12), [0, 2, 0])
+
     def test_a_mistake_in_a_scene_is_an_exception_that_tells_its_place(self):
         for patch, place in (({"dt": -1}, "scene: /dt: expected"), ({"/bodies/0/density": -3}, "/bodies/0/density"),
                              ({"bodyes": []}, "unknown key")):
@@ -97,6 +102,34 @@ class OwnBodies(unittest.TestCase):
         scene.add_rigid("box", vertices, faces)
         with self.assertRaisesRegex(enduring.SceneError, "already"):
             scene.add_rigid("box", vertices, faces)
+        with self.assertRaisesRegex(enduring.SceneError, r"face 0 names a vertex outside \[0, 8\)"):
+            scene.add_rigid("far", vertices, faces + 8)
+
+    def test_a_scene_takes_bodies_and_planes_of_new_names_before_its_first_step_and_is_as_before_if_it_refuses(self):
+        scene = enduring.Scene()
+        vertices, faces = enduring.box([1, 1, 1])
+        scene.add_plane("ground")
+        scene.add_rigid("box", vertices, faces)
+        adds = (lambda name: scene.add_rigid(name, vertices, faces), lambda name: scene.add_plane(name))
+        for add in adds:
+            for name, complaint in (("", "not empty"), ("box", "already"), ("ground", "already")):
+                with self.assertRaisesRegex(enduring.SceneError, complaint):
+                    add(name)
+        scene.step()
+        for add in adds:
+            with self.assertRaisesRegex(enduring.SceneError, "before the first step"):
+                add("late")
+        self.assertEqual(list(scene.bodies), ["box"])
+
+    def test_numbers_out_of_range_are_refused(self):
+        for of in ({"dt": 0}, {"gravity": [0, np.nan, 0]}, {"mu_s": -1}, {"mu_s": 0.1, "mu_d": 0.2}):
+            with self.subTest(of), self.assertRaisesRegex(enduring.SceneError, f"{list(of)[-1]}.*: expected"):
+                enduring.Scene(**of)
+        for of in ({"normal": [0, 0, 0]}, {"normal": [0, np.inf, 0]}, {"point": [0, np.nan, 0]}):
+            with self.subTest(of), self.assertRaisesRegex(enduring.SceneError, f"{list(of)[-1]}.*: expected"):
+                enduring.Scene().add_plane("plane", **of)
+        with self.assertRaisesRegex(enduring.SceneError, "steps: expected"):
+            ball().step(-1)
 
 
 class Arrays(unittest.TestCase):

@@ -211,10 +211,14 @@ bool ContactSearch::may_meet(const Body& body, int edge) const
 
 bool ContactSearch::has_moved(const World& world) const
 {
+    const Vec3 down = world.gravity.stableNormalized();
     for (std::size_t i = 0; i < world.bodies.size(); ++i)
-        for (std::size_t v = 0; v < seen_t1_[i].size(); ++v)
-            if ((world.bodies[i]->positions_t1()[v] - seen_t1_[i][v]).cwiseAbs().maxCoeff() > margin_)
+        for (std::size_t v = 0; v < seen_t1_[i].size(); ++v) {
+            const Vec3 moved = world.bodies[i]->positions_t1()[v] - seen_t1_[i][v];
+            const double fallen = down.dot(moved);
+            if (std::abs(fallen) > margin_ || (moved - fallen * down).norm() > search_parts.aside * margin_)
                 return true;
+        }
     return false;
 }
 

@@ -17,7 +17,8 @@ public:
     /// @return       waiting pairs, ascending by their keys, without stiffness or load
     Contacts find(const World& world, const Contacts& known, double dt);
 
-    /// Whether some vertex ends by more than the margin elsewhere than when find() looked.
+    /// Whether some vertex ends elsewhere than when find() looked, so that new features may face each other: by more than the
+    /// margin along gravity (a body that is held ends by g dt^2 higher), or by more than a part of it across gravity.
     bool has_moved(const World& world) const;
 
 protected:

@@ -27,8 +27,7 @@ void check_vertices(const SurfaceMesh& mesh, const Complaint& complain)
     std::vector<bool> used(mesh.vertices.size(), false);
     for (const Face& face : mesh.faces)
         for (int vertex : face)
-            if (vertex >= 0 && vertex < static_cast<int>(used.size()))
-                used[vertex] = true;
+            used[vertex] = true;
     for (std::size_t v = 0; v < used.size(); ++v) {
         if (!mesh.vertices[v].allFinite())
             complain("vertex " + std::to_string(v) + " has a coordinate that is not finite");
@@ -120,8 +119,8 @@ SurfaceMesh without_unused_vertices(const SurfaceMesh& mesh)
 void check_surface(const SurfaceMesh& mesh, const std::string& what, Border border)
 {
     const Complaint complain{what};
+    const SurfaceTopology surface = topology_of(mesh, complain);  // its faces name vertices that exist
     check_vertices(mesh, complain);
-    const SurfaceTopology surface = topology_of(mesh, complain);
     check_areas(mesh, complain);
     check_no_face_twice(mesh, complain);
     check_topology(surface, border, complain);

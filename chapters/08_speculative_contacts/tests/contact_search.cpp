@@ -365,7 +365,7 @@ TEST_CASE(
         world.bodies[2]->apply_impulse(3, Vec3(0, path, 0) / dt * world.bodies[2]->mass());
         world.bodies[2]->update_prediction(dt);
     };
-    push(0.1 * margin);
+    push(0.01 * margin);
     CHECK_FALSE(search.has_moved(world));
     push(-20 * margin);
     CHECK(search.has_moved(world));

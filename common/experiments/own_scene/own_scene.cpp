@@ -16,6 +16,7 @@
 #include <array>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -191,7 +192,7 @@ ChapterProgram with_own_scenes(ChapterProgram program, MakeSolver make)
             "--paraview", choice->paraview, "folder for a time series of your scene that ParaView opens");
         paraview->type_name("DIR")->needs(app.get_option("--scene"))->excludes(app.get_option("experiments"));
         app.add_option("--every", choice->every, "steps from one moment of that series to the next")
-            ->check(CLI::PositiveNumber)
+            ->check(CLI::Range(1, std::numeric_limits<int>::max()))
             ->capture_default_str()
             ->needs(paraview);
         app.add_option("--gltf", choice->gltf,
@@ -201,7 +202,7 @@ ChapterProgram with_own_scenes(ChapterProgram program, MakeSolver make)
             ->excludes(app.get_option("experiments"));
         app.add_option("--save", choice->save,
                        "steps after which the state is saved again, as state.json in the results")
-            ->check(CLI::PositiveNumber)
+            ->check(CLI::Range(1, std::numeric_limits<int>::max()))
             ->needs(app.get_option("--scene"))
             ->excludes(app.get_option("experiments"));
         app.add_option("--resume", choice->resume,

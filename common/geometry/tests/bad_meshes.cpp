@@ -218,6 +218,11 @@ TEST_CASE("surface checks: what contact cannot live on is refused, with the reas
     SurfaceMesh wild = cube;
     wild.faces[2][1] = 99;
     CHECK(refused(wild) == "cube: face 2 names a vertex outside [0, 8)");
+    SurfaceMesh shifted = cube;  // so that vertex 0 belongs to no face
+    for (Face& face : shifted.faces)
+        for (int& vertex : face)
+            ++vertex;
+    CHECK(refused(shifted).find("names a vertex outside [0, 8)") != std::string::npos);
 }
 
 TEST_CASE("solid checks: inverted elements, stray nodes and solids that touch in an edge only are refused")
