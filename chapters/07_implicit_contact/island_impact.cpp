@@ -77,10 +77,10 @@ VectorXd velocities_of(const World& world, const StepProblem& step)
 {
     VectorXd velocities = VectorXd::Zero(step.problem.size);
     for (std::size_t place = 0; place < step.bodies.size(); ++place) {
-        if (step.block[place] < 0)
+        if (step.problem.blocks[place].size() == 0)
             continue;
         const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
-        Eigen::Index next = step.problem.blocks[static_cast<std::size_t>(step.block[place])].first;
+        Eigen::Index next = step.problem.blocks[place].first;
         if (const auto* rigid = dynamic_cast<const RigidBody*>(&body)) {
             velocities.segment<6>(next) << rigid->motion().velocity(), rigid->motion().angular_velocity();
             continue;
@@ -119,18 +119,14 @@ Island struck_part(const World& world, const Island& island, double dt)
             continue;
         part.contacts.push_back(contact);
         for (int i = 0; i < contact->vertex_count(); ++i)
-            part.bodies.push_back(static_cast<int>(body_index(*contact, i)));
-        const Struck one = struck(world, *contact, dt);
-        any_meets = any_meets || (one.restitution > 0 && !contact->endures());
+            if (!body_of_vertex(world, *contact, i).is_static())
+                part.bodies.push_back(static_cast<int>(body_index(*contact, i)));
+        any_meets = any_meets || (pair_restitution(world, *contact) > 0 && !contact->endures());
     }
     if (!any_meets)
         return {};
     std::sort(part.bodies.begin(), part.bodies.end());
     part.bodies.erase(std::unique(part.bodies.begin(), part.bodies.end()), part.bodies.end());
-    part.bodies.erase(
-        std::remove_if(part.bodies.begin(), part.bodies.end(),
-                       [&](int body) { return world.bodies[static_cast<std::size_t>(body)]->is_static(); }),
-        part.bodies.end());
     return part;
 }
 

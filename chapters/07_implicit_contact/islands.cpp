@@ -4,36 +4,29 @@
 #include <numeric>
 
 namespace enduring {
+
+JoinedSets::JoinedSets(std::size_t count) : towards_least_(count)
+{
+    std::iota(towards_least_.begin(), towards_least_.end(), 0);
+}
+
+int JoinedSets::least_of(int one)
+{
+    while (next(one) != one) {
+        next(one) = next(next(one));  // halves the path for whoever asks again
+        one = next(one);
+    }
+    return one;
+}
+
+void JoinedSets::join(int one, int other)
+{
+    one = least_of(one);
+    other = least_of(other);
+    next(std::max(one, other)) = std::min(one, other);
+}
+
 namespace {
-
-/// Sets of bodies; each is known by its least member.
-class JoinedBodies {
-public:
-    explicit JoinedBodies(std::size_t bodies) : towards_least_(bodies)
-    {
-        std::iota(towards_least_.begin(), towards_least_.end(), 0);
-    }
-
-    int least_of(int body)
-    {
-        while (next(body) != body) {
-            next(body) = next(next(body));  // halves the path for whoever asks again
-            body = next(body);
-        }
-        return body;
-    }
-    void join(int one, int other)
-    {
-        one = least_of(one);
-        other = least_of(other);
-        next(std::max(one, other)) = std::min(one, other);
-    }
-
-private:
-    int& next(int body) { return towards_least_[static_cast<std::size_t>(body)]; }
-
-    std::vector<int> towards_least_;
-};
 
 /// Those of a pair's bodies that move, -1 for one that does not.
 struct MovingBodies {
@@ -59,7 +52,7 @@ struct MovingBodies {
 //! [find_islands]
 std::vector<Island> find_islands(const World& world, Contacts& contacts)
 {
-    JoinedBodies joined(world.bodies.size());
+    JoinedSets joined(world.bodies.size());
     std::vector<char> touches(world.bodies.size(), 0);
     for (const Contact& contact : contacts) {
         const MovingBodies pair(world, contact);

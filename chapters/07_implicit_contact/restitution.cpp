@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
+#include <utility>
 
 namespace enduring {
 
@@ -83,18 +83,17 @@ VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
     return all;
 }
 
-/// The two bodies of a pair, or a body and a plane.
-std::tuple<bool, int, int> bodies_of(const Contact& contact)
+/// The two bodies of a pair, the smaller number first; a plane has one below zero.
+std::pair<int, int> bodies_of(const Contact& contact)
 {
-    const bool on_plane = contact.kind == ContactKind::vertex_plane;
-    const int a = contact.body_a, b = contact.body_b;
-    return on_plane ? std::tuple(true, a, b) : std::tuple(false, std::min(a, b), std::max(a, b));
+    const int other = contact.kind == ContactKind::vertex_plane ? -1 - contact.body_b : contact.body_b;
+    return std::minmax({contact.body_a, other});
 }
 
 /// Where a pair bounces, all pairs of its two bodies hold nothing any more: the impact is over, and all of it is in the velocities.
 void let_go(const IslandImpact& island, const Bounce& bounce)
 {
-    std::set<std::tuple<bool, int, int>> leaving;
+    std::set<std::pair<int, int>> leaving;
     for (const Eigen::Index pair : bounce.pairs)
         leaving.insert(bodies_of(*island.step.of_row[static_cast<std::size_t>(pair)]));
     for (Contact* const contact : island.step.of_row)

@@ -10,13 +10,13 @@
 namespace enduring {
 namespace {
 
-/// The place of a body among an island's, or none where it does not move.
-std::optional<std::size_t> place_among(const std::vector<int>& bodies, std::size_t body)
+/// Where a number stands among ascending ones, if it is there.
+std::optional<std::size_t> place_among(const std::vector<int>& numbers, int number)
 {
-    const auto place = std::lower_bound(bodies.begin(), bodies.end(), static_cast<int>(body));
-    if (place == bodies.end() || *place != static_cast<int>(body))
+    const auto place = std::lower_bound(numbers.begin(), numbers.end(), number);
+    if (place == numbers.end() || *place != number)
         return std::nullopt;
-    return static_cast<std::size_t>(place - bodies.begin());
+    return static_cast<std::size_t>(place - numbers.begin());
 }
 
 /// The vertices of each body of an island that are in touch, each once and in their order.
@@ -25,7 +25,7 @@ std::vector<std::vector<int>> touched_vertices(const Island& island)
     std::vector<std::vector<int>> vertices(island.bodies.size());
     for (const Contact* contact : island.contacts)
         for (int i = 0; i < contact->vertex_count(); ++i)
-            if (const auto place = place_among(island.bodies, body_index(*contact, i)))
+            if (const auto place = place_among(island.bodies, static_cast<int>(body_index(*contact, i))))
                 vertices[*place].push_back(contact->vertices[static_cast<std::size_t>(i)]);
     for (std::vector<int>& of_body : vertices) {
         std::sort(of_body.begin(), of_body.end());
@@ -36,16 +36,11 @@ std::vector<std::vector<int>> touched_vertices(const Island& island)
 
 void add_blocks(const World& world, StepProblem& step)
 {
-    step.block.assign(step.bodies.size(), -1);
     for (std::size_t place = 0; place < step.bodies.size(); ++place) {
         const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
         ContactMass of = body.contact_mass(step.vertices[place]);
-        if (of.mass.rows() == 0)
-            continue;
-        BodyBlock block{step.problem.size, std::move(of.mass), std::move(of.response)};
-        step.block[place] = static_cast<int>(step.problem.blocks.size());
-        step.problem.size += block.size();
-        step.problem.blocks.push_back(std::move(block));
+        step.problem.blocks.push_back({step.problem.size, std::move(of.mass), std::move(of.response)});
+        step.problem.size += step.problem.blocks.back().size();
     }
 }
 
@@ -53,18 +48,16 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
 {
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const std::size_t body = body_index(contact, i);
-        const auto place = place_among(step.bodies, body);
-        if (!place || step.block[*place] < 0)
+        const auto place = place_among(step.bodies, static_cast<int>(body));
+        if (!place || step.problem.blocks[*place].size() == 0)
             continue;
         const std::vector<int>& vertices = step.vertices[*place];
-        const int vertex = contact.vertices[static_cast<std::size_t>(i)];
-        const auto index = static_cast<std::size_t>(
-            std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
+        const auto index = place_among(vertices, contact.vertices[static_cast<std::size_t>(i)]);
         // the lever of a path is that of its middle, or a push at right angles to the path would do work
         const double tau = contact.sliding_normal.isZero(0) ? step.problem.step.centre : 0.5;
-        VertexMotion part = world.bodies[body]->contact_motion(vertices, index, tau);
+        VertexMotion part = world.bodies[body]->contact_motion(vertices, *index, tau);
         part.rate *= contact.weights[static_cast<std::size_t>(i)];
-        part.first += step.problem.blocks[static_cast<std::size_t>(step.block[*place])].first;
+        part.first += step.problem.blocks[*place].first;
         // all vertices of a rigid body move with the same coordinates
         if (row.part_count > 0 &&
             row.parts[static_cast<std::size_t>(row.part_count - 1)].first == part.first) {
@@ -210,17 +203,14 @@ void update_kinematics(const World& world, StepProblem& step)
 
 namespace {
 
-/// The bodies take what their pairs' impulses have become.
-void apply_generalized_impulse(World& world, const StepProblem& step, const Eigen::VectorXd& momentum)
+/// Calls visit(body, its vertices in touch, its part of a momentum of the coordinates) for each body that has coordinates.
+template <class Visit>
+void visit_bodies(World& world, const StepProblem& step, const Eigen::VectorXd& momentum, const Visit& visit)
 {
-    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
-        if (step.block[place] < 0)
-            continue;
-        Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
-        const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[place])];
-        body.apply_contact_impulse(step.vertices[place], momentum.segment(block.first, block.size()));
-        body.update_prediction(step.problem.step.dt);
-    }
+    for (std::size_t place = 0; place < step.bodies.size(); ++place)
+        if (const BodyBlock& block = step.problem.blocks[place]; block.size() > 0)
+            visit(*world.bodies[static_cast<std::size_t>(step.bodies[place])], step.vertices[place],
+                  momentum.segment(block.first, block.size()));
 }
 
 }  // namespace
@@ -250,19 +240,20 @@ void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impu
         contact.impulse = row.law.normal.dot(impulse) * row.law.normal;
         contact.friction = impulse - contact.impulse;
     }
-    apply_generalized_impulse(world, step, momentum);
+    const auto push = [&](Body& body, const std::vector<int>& vertices, const Eigen::VectorXd& own) {
+        body.apply_contact_impulse(vertices, own);
+        body.update_prediction(step.problem.step.dt);
+    };
+    visit_bodies(world, step, momentum, push);
 }
 //! [apply_impulses]
 
 void kick(World& world, const StepProblem& step, const Eigen::VectorXd& momentum)
 {
-    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
-        if (step.block[place] < 0)
-            continue;
-        const BodyBlock& block = step.problem.blocks[static_cast<std::size_t>(step.block[place])];
-        world.bodies[static_cast<std::size_t>(step.bodies[place])]->kick(
-            step.vertices[place], momentum.segment(block.first, block.size()), step.problem.step.dt);
-    }
+    const auto push = [&](Body& body, const std::vector<int>& vertices, const Eigen::VectorXd& own) {
+        body.kick(vertices, own, step.problem.step.dt);
+    };
+    visit_bodies(world, step, momentum, push);
 }
 
 void find_slip(StepProblem& step)

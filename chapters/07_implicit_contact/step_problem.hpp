@@ -11,11 +11,10 @@ namespace enduring {
 /// The problem of one island in a step, and where it comes from. Masses and levers are those of
 /// the step; the rest of its rows follows the prediction.
 struct StepProblem {
-    ContactProblem problem;
-    std::vector<Contact*> of_row;            ///< the contact of each row
-    std::vector<int> bodies;                 ///< the island's
+    ContactProblem problem;        ///< with a block for each body, an empty one if it has no coordinates
+    std::vector<Contact*> of_row;  ///< the contact of each row
+    std::vector<int> bodies;       ///< the island's
     std::vector<std::vector<int>> vertices;  ///< of each of these, those in touch
-    std::vector<int> block;                  ///< of each of these among the problem's, -1 without coordinates
 };
 
 /// Sets up an island; its enduring and new pairs get their stiffness for the step.

@@ -12,32 +12,17 @@
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <exception>
 #include <string>
 #include <thread>
-#include <vector>
 
 namespace enduring {
 namespace {
 
 constexpr int most_threads = 1024;
-
 #ifdef ENDURING_TBB
 constexpr bool has_threads = true;
-
-void run(std::size_t count, int threads, const std::function<void(std::size_t)>& work)
-{
-    using namespace oneapi;
-    // The library makes no more threads than there are cores, unless it is asked for them. Asked anew in each call, its threads
-    // would go to sleep in between.
-    static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most_threads);
-    tbb::task_arena arena(threads);
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
-}
 #else
 constexpr bool has_threads = false;
-
-void run(std::size_t, int, const std::function<void(std::size_t)>&) {}
 #endif
 
 }  // namespace
@@ -55,24 +40,22 @@ int allowed_threads()
     return has_threads ? threads : 1;
 }
 
-void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work)
+void for_each_index(std::size_t count, [[maybe_unused]] int threads,
+                    const std::function<void(std::size_t)>& work)
 {
-    std::vector<std::exception_ptr> thrown(count);
-    const auto caught = [&](std::size_t i) {
-        try {
-            work(i);
-        } catch (...) {
-            thrown[i] = std::current_exception();
-        }
-    };
-    if (has_threads && threads > 1 && count > 1)
-        run(count, threads, caught);
-    else
-        for (std::size_t i = 0; i < count; ++i)
-            caught(i);
-    for (const std::exception_ptr& exception : thrown)
-        if (exception)
-            std::rethrow_exception(exception);
+#ifdef ENDURING_TBB
+    using namespace oneapi;
+    if (threads > 1 && count > 1) {
+        // The library makes no more threads than there are cores, unless it is asked for them. Asked anew in each call, its
+        // threads would go to sleep in between.
+        static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most_threads);
+        tbb::task_arena arena(threads);
+        arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+        return;
+    }
+#endif
+    for (std::size_t i = 0; i < count; ++i)
+        work(i);
 }
 
 }  // namespace enduring

@@ -10,8 +10,7 @@ namespace enduring {
 /// @throws InputError  ENDURING_THREADS is no whole number from 1 to 1024
 int allowed_threads();
 
-/// Calls work(i) once for each i below count, on up to this many threads. All calls are made, whatever one of them throws; then
-/// the exception of the first i that has one is thrown.
+/// Calls work(i) once for each i below count, on up to this many threads. What one of them throws comes out.
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace enduring

@@ -60,7 +60,7 @@ struct TwoEdges {
     std::optional<Meeting> near_at(double tau, const EdgeFeet& feet) const
     {
         const PairWeights weights{1 - feet.s, feet.s, feet.t - 1, -feet.t};
-        const double furthest = reach.beyond_border(feet.depth, path_length(weights)),
+        const double furthest = reach.beyond_border(feet.depth, path_length(t0, t1, weights)),
                      tolerance = known ? search_parts.hysteresis : 0;
         if (!is_on_edge({a, tau}, edge_a, feet.s, furthest, tolerance) ||
             !is_on_edge({b, tau}, edge_b, feet.t, furthest, tolerance))
@@ -69,14 +69,6 @@ struct TwoEdges {
         if (sign == 0)
             return std::nullopt;
         return Meeting{tau, 0, 0, sign, weights};
-    }
-    /// How far two of their points move against each other in the step [m].
-    double path_length(const PairWeights& weights) const
-    {
-        Vec3 path = Vec3::Zero();
-        for (std::size_t i = 0; i < 4; ++i)
-            path += weights[i] * (t1[i] - t0[i]);
-        return path.norm();
     }
     /// Where an edge passes the other, or the line on which it goes on.
     /// @param sign  of the normal that makes the depth of their lines positive at the start

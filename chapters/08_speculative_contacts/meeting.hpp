@@ -22,6 +22,16 @@ struct Meeting {
     bool is_crossing() const { return tau > 0; }
 };
 
+/// How far the two points of a pair move against each other in a step [m].
+/// @param t0, t1  its four vertices at both ends of the step
+inline double path_length(const PairVertices& t0, const PairVertices& t1, const PairWeights& weights)
+{
+    Vec3 path = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i)
+        path += weights[i] * (t1[i] - t0[i]);
+    return path.norm();
+}
+
 /// Whether a pair that is so deep at the start may be near or inside then.
 inline bool near_at_start(double depth_t0, const Reach& reach)
 {

@@ -1,7 +1,6 @@
 #include "chapters/08_speculative_contacts/solver.hpp"
 
-#include "chapters/07_implicit_contact/elastic_ends.hpp"
-#include "chapters/07_implicit_contact/restitution.hpp"
+#include "chapters/07_implicit_contact/solve_passes.hpp"
 #include "chapters/08_speculative_contacts/contact_memory.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/natural_units.hpp"
@@ -43,17 +42,10 @@ void append_pairs_brought_inside(ContactSearch& search, const World& world, doub
 Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings settings,
                         const std::shared_ptr<ContactSearch>& search)
 {
-    settings.friction = coefficients_of(parameters.friction);
-    if (parameters.wanted_depth)
-        settings.stiffness.wanted_depth = parameters.wanted_depth;
     settings.stiffness.k_dt2_over_m *= search_parts.stiffer;
     Solver solver;
     solver.name = "chapter 8";
-    solver.max_halvings = max_halvings;
-    solver.finds_stiffness = true;
     solver.can_resume = true;
-    solver.append(StepStage::refresh, "settle soft bodies",
-                  [](World& world, Contacts&, double dt) { settle_soft_bodies(world, dt); });
     solver.append(StepStage::refresh, "find pairs", [search](World& world, Contacts& contacts, double dt) {
         renew_pairs(*search, world, dt, contacts);
     });
@@ -61,17 +53,7 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
                   [search](World& world, Contacts& contacts, double dt) {
                       append_pairs_brought_inside(*search, world, dt, contacts);
                   });
-    solver.append(StepStage::respond, "solve contacts",
-                  [settings, matrices = std::make_shared<IslandMatrices>()](World& world, Contacts& contacts,
-                                                                            double dt) {
-                      solve_contacts(world, contacts, settings, *matrices, dt);
-                  });
-    solver.append(StepStage::finish, "remember pairs",
-                  [](World& world, Contacts& contacts, double dt) { remember_pairs(world, contacts, dt); });
-    solver.append(StepStage::settle, "restitution",
-                  [friction = settings.friction](World& world, Contacts& contacts, double dt) {
-                      restitute(world, contacts, friction, dt);
-                  });
+    add_solve(solver, settings_for(parameters, std::move(settings)));
     return solver;
 }
 //! [solver]

@@ -33,23 +33,15 @@ std::optional<double> beyond_rim(const SurfaceMoment& surface, int face, const T
 }
 //! [beyond_rim]
 
-/// How far a vertex and its foot on a face move against each other in the step [m].
-double path_length(const SurfaceStep& a, int vertex, const SurfaceStep& b, int face, const TriangleFoot& foot)
-{
-    Vec3 path = a.end(vertex) - a.start(vertex);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const int corner = b.face(face)[i];
-        path -= foot.weights[i] * (b.end(corner) - b.start(corner));
-    }
-    return path.norm();
-}
-
 /// A vertex and a face, and what is asked of them at a moment.
 struct VertexAndFace {
     const SurfaceStep &a, &b;
     int vertex, face;
     const Reach& reach;
     bool known;
+    VertexFaceStep step = vertex_face_step(a, vertex, b, face);
+    PairVertices t0{step.v_t0, step.f0_t0, step.f1_t0, step.f2_t0};
+    PairVertices t1{step.v_t1, step.f0_t1, step.f1_t1, step.f2_t1};
 
     std::optional<TriangleFoot> foot_at(double tau) const
     {
@@ -65,17 +57,18 @@ struct VertexAndFace {
     /// Whether they are nearest to each other at a moment when they are near.
     std::optional<Meeting> near_at(double tau, const TriangleFoot& foot) const
     {
-        const double furthest = reach.beyond_border(foot.depth, path_length(a, vertex, b, face, foot));
+        const auto [w0, w1, w2] = foot.weights;
+        const PairWeights weights{1, -w0, -w1, -w2};
+        const double furthest = reach.beyond_border(foot.depth, path_length(t0, t1, weights));
         const auto beyond = beyond_rim({b, tau}, face, foot, furthest, known ? search_parts.hysteresis : 0);
         if (!beyond || !in_cone(tau))
             return std::nullopt;
-        const auto [w0, w1, w2] = foot.weights;
-        return Meeting{tau, tau > 0 ? tau : std::abs(foot.depth) + *beyond, 0, 1, {1, -w0, -w1, -w2}};
+        return Meeting{tau, tau > 0 ? tau : std::abs(foot.depth) + *beyond, 0, 1, weights};
     }
     /// Where the vertex passes the face, though it may begin behind its plane, beyond an edge.
     std::optional<Meeting> crossing() const
     {
-        const auto entry = find_entry(vertex_face_step(a, vertex, b, face), enters_face);
+        const auto entry = find_entry(step, enters_face);
         if (!entry || !in_cone(entry->time))
             return std::nullopt;
         return Meeting{entry->time, entry->time, 0, 1, entry->weights};
@@ -83,9 +76,7 @@ struct VertexAndFace {
     /// Where the vertex slides down a wall into a corner, and passes the face's plane below that wall.
     std::optional<Meeting> crossing_below_a_wall() const
     {
-        const VertexFaceStep step = vertex_face_step(a, vertex, b, face);
-        const PairStep pair{vertex_face_instant({step.v_t0, step.f0_t0, step.f1_t0, step.f2_t0}),
-                            vertex_face_instant({step.v_t1, step.f0_t1, step.f1_t1, step.f2_t1})};
+        const PairStep pair{vertex_face_instant(t0), vertex_face_instant(t1)};
         for (const Interval& below : penetration_intervals(penetration_depth(contact_normal(pair), pair))) {
             const auto foot = foot_at(below.from);
             if (const auto meeting = foot ? near_at(below.from, *foot) : std::nullopt)

@@ -1,12 +1,12 @@
 #include "chapters/09_deep_contacts/overlaps.hpp"
 
 #include "chapters/02_collision_detection/edge_triangle.hpp"
+#include "chapters/07_implicit_contact/islands.hpp"
 #include "chapters/09_deep_contacts/surface_regions.hpp"
 #include "common/geometry/triangle_distance.hpp"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace enduring {
 namespace {
@@ -75,50 +75,43 @@ Vec3 nearest_normal(const StillSurface& surface, const Vec3& point)
 
 namespace {
 
-/// Curves and regions inside, each a number; those that meet are of one volume.
+/// Regions inside and curves, each a number; those that meet are of one volume.
 class Volumes {
 public:
     Volumes(const Intersection& intersection, const StillSurface& a, const StillSurface& b)
-        : curves_(static_cast<int>(intersection.curves.size())),
-          regions_a_(flood_regions(intersection.piercings, a, b, true)),
+        : regions_a_(flood_regions(intersection.piercings, a, b, true)),
           regions_b_(flood_regions(intersection.piercings, a, b, false)),
-          parent_(intersection.curves.size() + regions_a_.winding.size() + regions_b_.winding.size())
+          volumes_(regions_a_.winding.size() + regions_b_.winding.size() + intersection.curves.size())
     {
-        std::iota(parent_.begin(), parent_.end(), 0);
         for (std::size_t curve = 0; curve < intersection.curves.size(); ++curve)
             for (const int index : intersection.curves[curve].piercings) {
                 const Piercing& piercing = intersection.piercings[index];
-                const SurfaceRegions& regions = piercing.edge_of_a ? regions_a_ : regions_b_;
                 const auto [from, to] = (piercing.edge_of_a ? a : b).topology.edges()[piercing.edge];
                 const int vertex = piercing.entry > 0 ? to : from;  // the end on the side that is inside
-                if (regions.winding_of_vertex(vertex) > 0)
-                    parent_[root(static_cast<int>(curve))] = root(of_vertex(vertex, piercing.edge_of_a));
+                if (is_inside(vertex, piercing.edge_of_a))
+                    volumes_.join(number_of(curve), number_of(vertex, piercing.edge_of_a));
             }
     }
     bool is_inside(int vertex, bool of_a) const
     {
         return (of_a ? regions_a_ : regions_b_).winding_of_vertex(vertex) > 0;
     }
-    int of_curve(int curve) { return root(curve); }
-    int volume_of_vertex(int vertex, bool of_a) { return root(of_vertex(vertex, of_a)); }
+    int of_curve(std::size_t curve) { return volumes_.least_of(number_of(curve)); }
+    int of_vertex(int vertex, bool of_a) { return volumes_.least_of(number_of(vertex, of_a)); }
 
 private:
-    int of_vertex(int vertex, bool of_a) const
+    int number_of(int vertex, bool of_a) const
     {
-        return curves_ +
-               (of_a ? regions_a_.region_of_vertex[vertex]
-                     : static_cast<int>(regions_a_.winding.size()) + regions_b_.region_of_vertex[vertex]);
+        return of_a ? regions_a_.region_of_vertex[vertex]
+                    : static_cast<int>(regions_a_.winding.size()) + regions_b_.region_of_vertex[vertex];
     }
-    int root(int i)
+    int number_of(std::size_t curve) const
     {
-        while (parent_[i] != i)
-            i = parent_[i] = parent_[parent_[i]];
-        return i;
+        return static_cast<int>(regions_a_.winding.size() + regions_b_.winding.size() + curve);
     }
 
-    int curves_;
     SurfaceRegions regions_a_, regions_b_;
-    std::vector<int> parent_;
+    JoinedSets volumes_;
 };
 
 //! [shortest_path]
@@ -157,13 +150,13 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
     std::map<int, Sum> sums;
     for (int vertex = 0; vertex < a.topology.vertex_count(); ++vertex)
         if (volumes.is_inside(vertex, true))
-            sums[volumes.volume_of_vertex(vertex, true)].overlap.vertices_of_a.push_back(vertex);
+            sums[volumes.of_vertex(vertex, true)].overlap.vertices_of_a.push_back(vertex);
     for (int vertex = 0; vertex < b.topology.vertex_count(); ++vertex)
         if (volumes.is_inside(vertex, false))
-            sums[volumes.volume_of_vertex(vertex, false)].overlap.vertices_of_b.push_back(vertex);
+            sums[volumes.of_vertex(vertex, false)].overlap.vertices_of_b.push_back(vertex);
     for (std::size_t i = 0; i < intersection.curves.size(); ++i) {
         const Vec3 area = vector_area(intersection, intersection.curves[i], a, b);
-        Sum& sum = sums[volumes.of_curve(static_cast<int>(i))];
+        Sum& sum = sums[volumes.of_curve(i)];
         std::vector<Piercing>& curve = sum.overlap.curves.emplace_back();
         for (const int piercing : intersection.curves[i].piercings)
             curve.push_back(intersection.piercings[piercing]);

@@ -7,7 +7,6 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <numeric>
 
 namespace enduring {
 namespace {
@@ -18,22 +17,14 @@ using Matrix = Eigen::SparseMatrix<double>;
 /// Of units of some coordinates each, those that a matrix couples; each set ascending, the sets by their first.
 std::vector<std::vector<int>> coupled_units(const Matrix& matrix, int unit)
 {
-    std::vector<int> root(static_cast<std::size_t>(matrix.rows() / unit));
-    std::iota(root.begin(), root.end(), 0);
-    const auto root_of = [&](int i) {
-        while (root[static_cast<std::size_t>(i)] != i)
-            i = root[static_cast<std::size_t>(i)] =
-                root[static_cast<std::size_t>(root[static_cast<std::size_t>(i)])];
-        return i;
-    };
+    const auto count = static_cast<std::size_t>(matrix.rows() / unit);
+    JoinedSets joined(count);
     for (int column = 0; column < matrix.outerSize(); ++column)
-        for (Matrix::InnerIterator entry(matrix, column); entry; ++entry) {
-            const int one = root_of(static_cast<int>(entry.row()) / unit), other = root_of(column / unit);
-            root[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
-        }
-    std::vector<std::vector<int>> sets(root.size());
-    for (int i = 0; i < static_cast<int>(root.size()); ++i)
-        sets[static_cast<std::size_t>(root_of(i))].push_back(i);
+        for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
+            joined.join(static_cast<int>(entry.row()) / unit, column / unit);
+    std::vector<std::vector<int>> sets(count);
+    for (int i = 0; i < static_cast<int>(count); ++i)
+        sets[static_cast<std::size_t>(joined.least_of(i))].push_back(i);
     std::erase_if(sets, [](const std::vector<int>& set) { return set.empty(); });
     return sets;
 }

@@ -56,22 +56,17 @@ TEST_CASE("threads: the environment's number is taken, and what is none is named
     }
 }
 
-TEST_CASE("threads: each index is worked on once, and of several exceptions the first one comes out")
+TEST_CASE("threads: each index is worked on once, and an exception comes out")
 {
     for (const int threads : {1, 2, 4})
         for (const std::size_t count : {0u, 1u, 2u, 100u}) {
             std::vector<int> calls(count, 0);
             for_each_index(count, threads, [&](std::size_t i) { ++calls[i]; });
             CHECK(calls == std::vector<int>(count, 1));
-            const auto fail_late = [&](std::size_t i) {
-                ++calls[i];
-                if (i >= 60)
-                    throw std::runtime_error(std::to_string(i));
-            };
-            if (count == 100)
-                CHECK_THROWS_WITH(for_each_index(count, threads, fail_late), "60");
-            else
-                for_each_index(count, threads, fail_late);
-            CHECK(calls == std::vector<int>(count, 2));
+            if (count > 0)
+                CHECK_THROWS_WITH(
+                    for_each_index(count, threads,
+                                   [](std::size_t) { throw std::runtime_error("an island failed"); }),
+                    "an island failed");
         }
 }

@@ -77,12 +77,8 @@ Contacts contacts_of(const json& document, const std::string& file)
 
 void save_run(const std::filesystem::path& file, World& world, const Contacts& contacts)
 {
-    json document = {{"format", format},
-                     {"time", world.time},
-                     {"step", world.step},
-                     {"driven", world.driven},
-                     {"bodies", json::array()},
-                     {"pairs", json::array()}};
+    json document = {{"format", format},       {"time", world.time},      {"step", world.step},
+                     {"driven", world.driven}, {"bodies", json::array()}, {"pairs", json::array()}};
     for (const auto& body : world.bodies)
         document["bodies"].push_back({body->name(), state_of(*body)});
     for (const Contact& contact : contacts)
