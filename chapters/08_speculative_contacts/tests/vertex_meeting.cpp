@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 using namespace enduring;
@@ -46,6 +47,21 @@ int wall_of_l(const MovingSurface& l, const Vec3& normal, const Vec3& over)
 }
 
 }  // namespace
+
+TEST_CASE("vertex meeting: what begins behind the plane of a face that turns, beside it, may still pass it")
+{
+    for (const double size : {1e-3, 1.0, 100.0}) {
+        MovingSurface face(triangle(size));
+        for (Vec3& x : face.t1)
+            x.y() += 0.4 * x.x();
+        const MovingSurface vertex(particle(size * Vec3(-1, -0.01, -0.3)), size * Vec3(1.2, 0, 0));
+        // its height over the face's plane is -0.01 + 0.4 tau - 0.48 tau^2
+        const auto meeting = meeting_of(vertex, 0, face, 0, {0.005 * size, 0.005 * size});
+        CAPTURE(size);
+        REQUIRE(meeting);
+        CHECK(meeting->tau == doctest::Approx((0.4 + std::sqrt(0.16 - 4 * 0.48 * 0.01)) / 0.96));
+    }
+}
 
 TEST_CASE("vertex meeting: near or inside at the start there is a pair, however the vertex moves then")
 {
