@@ -326,6 +326,37 @@ TEST_CASE("solver of chapter 8: the second search adds only what came deeper tha
 }
 
 TEST_CASE(
+    "solver of chapter 8: where the second search finds a corner inside, those that are near come with it")
+{
+    for (const double dt : {0.004, 0.02}) {
+        World world;
+        world.planes.push_back({"ground"});
+        const double size = 0.3, gap = 0.05, margin = 1.5 * world.gravity.norm() * dt * dt;
+        const Quaternion tilt(Eigen::AngleAxisd(0.4 * margin / size, Vec3::UnitZ()));
+        add_rigid(world, placed(box(Vec3::Ones()), size, tilt, {0, size / 2 + gap, 0}));
+        predict(world, dt);
+        ContactSearch search;
+        Contacts contacts;
+        renew_pairs(search, world, dt, contacts);
+        REQUIRE(contacts.empty());
+        Body& cube = *world.bodies[0];
+        double lowest = gap;
+        for (const Vec3& corner : cube.positions_t1())
+            lowest = std::min(lowest, corner.y());
+        for (int v = 0; v < 8;
+             ++v)  // two corners a tenth of the margin deep, two others as high as three tenths
+            cube.apply_impulse(v, Vec3(0, -lowest - 0.1 * margin, 0) / dt * cube.mass() / 8);
+        cube.update_prediction(dt);
+        append_pairs_brought_inside(search, world, dt, contacts);
+        CAPTURE(dt);
+        CHECK(contacts.size() == 4);
+        CHECK(std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+                  return contact_geometry(world, contact, 1).depth < 0;
+              }) == 2);
+    }
+}
+
+TEST_CASE(
     "solver of chapter 8: its pairs are stiffer than chapter 7's by a factor, and as stiff as a scene's depth asks")
 {
     for (const double dt : {0.004, 0.01}) {
