@@ -301,27 +301,41 @@ TEST_CASE(
     CHECK((ground.normal - Vec3::UnitY()).norm() < 1e-12);
 }
 
+namespace {
+
+/// What the second search finds where a cube of 0.3 m above the ground, which has no pair at first, is pushed down.
+/// @param ends_at  height of its lowest corner at the end of the step [m]
+Contacts pairs_of_pushed_cube(World& world, const Quaternion& tilt, double ends_at, double dt)
+{
+    const double size = 0.3, gap = 0.05;
+    world.planes.push_back({"ground"});
+    add_rigid(world, placed(box(Vec3::Ones()), size, tilt, {0, size / 2 + gap, 0}));
+    predict(world, dt);
+    ContactSearch search;
+    Contacts contacts;
+    renew_pairs(search, world, dt, contacts);
+    REQUIRE(contacts.empty());
+    Body& cube = *world.bodies[0];
+    double lowest = gap;
+    for (const Vec3& corner : cube.positions_t1())
+        lowest = std::min(lowest, corner.y());
+    for (int v = 0; v < 8; ++v)
+        cube.apply_impulse(v, Vec3(0, ends_at - lowest, 0) / dt * cube.mass() / 8);
+    cube.update_prediction(dt);
+    append_pairs_brought_inside(search, world, dt, contacts);
+    return contacts;
+}
+
+}  // namespace
+
 TEST_CASE("solver of chapter 8: the second search adds only what came deeper than the wanted depth")
 {
     for (const double parts : {0.5, 2.0}) {
         World world;
         world.gravity.setZero();
-        world.planes.push_back({"ground"});
-        const double size = 0.3, dt = 0.004, gap = 0.05;
-        add_rigid(world, cube_at({0, size / 2 + gap, 0}, size));
-        predict(world, dt);
-        ContactSearch search;
-        Contacts contacts;
-        renew_pairs(search, world, dt, contacts);
-        REQUIRE(contacts.empty());
-        Body& cube = *world.bodies[0];
-        for (int v = 0; v < 8; ++v)
-            cube.apply_impulse(
-                v, -Vec3(0, gap + parts * scale_parts.wanted_depth * size, 0) / dt * cube.mass() / 8);
-        cube.update_prediction(dt);
-        append_pairs_brought_inside(search, world, dt, contacts);
+        const double depth = parts * scale_parts.wanted_depth * 0.3;
         CAPTURE(parts);
-        CHECK(contacts.empty() == (parts < 1));
+        CHECK(pairs_of_pushed_cube(world, Quaternion::Identity(), -depth, 0.004).empty() == (parts < 1));
     }
 }
 
@@ -330,24 +344,10 @@ TEST_CASE(
 {
     for (const double dt : {0.004, 0.02}) {
         World world;
-        world.planes.push_back({"ground"});
-        const double size = 0.3, gap = 0.05, margin = 1.5 * world.gravity.norm() * dt * dt;
-        const Quaternion tilt(Eigen::AngleAxisd(0.4 * margin / size, Vec3::UnitZ()));
-        add_rigid(world, placed(box(Vec3::Ones()), size, tilt, {0, size / 2 + gap, 0}));
-        predict(world, dt);
-        ContactSearch search;
-        Contacts contacts;
-        renew_pairs(search, world, dt, contacts);
-        REQUIRE(contacts.empty());
-        Body& cube = *world.bodies[0];
-        double lowest = gap;
-        for (const Vec3& corner : cube.positions_t1())
-            lowest = std::min(lowest, corner.y());
-        for (int v = 0; v < 8;
-             ++v)  // two corners a tenth of the margin deep, two others as high as three tenths
-            cube.apply_impulse(v, Vec3(0, -lowest - 0.1 * margin, 0) / dt * cube.mass() / 8);
-        cube.update_prediction(dt);
-        append_pairs_brought_inside(search, world, dt, contacts);
+        const double margin = 1.5 * world.gravity.norm() * dt * dt;
+        const Quaternion tilt(Eigen::AngleAxisd(0.4 * margin / 0.3, Vec3::UnitZ()));
+        // two corners a tenth of the margin deep, two others as high as three tenths
+        const Contacts contacts = pairs_of_pushed_cube(world, tilt, -0.1 * margin, dt);
         CAPTURE(dt);
         CHECK(contacts.size() == 4);
         CHECK(std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
