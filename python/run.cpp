@@ -61,7 +61,7 @@ namespace {
 SurfaceMesh surface_from(const Rows<double>& vertices, const Rows<int>& faces, Border border)
 {
     SurfaceMesh mesh{points_of(vertices, "vertices"), rows_of<int, 3>(faces, "faces")};
-    check_surface(mesh, "the surface", border);
+    check_surface(mesh, "its mesh", border);
     return mesh;
 }
 

@@ -430,7 +430,7 @@ TEST_CASE("scene: an open surface may be a static body, and a rigid one only as 
               .faces()
               .size() == 24);
     CHECK(complaint(R"({"/bodies/floor": {"type": "rigid", "mass": 1}})")
-              .find("ball.json: /bodies/1/shape: the surface: ") == 0);
+              .find("ball.json: /bodies/1/shape: its mesh: ") == 0);
     const Scene sheet = ball(R"({"/bodies/floor": {"type": "rigid", "mass": 3, "sheet": true}})");
     CHECK(sheet.world.bodies[1]->mass() == 3);
     CHECK_FALSE(sheet.world.bodies[1]->is_static());
