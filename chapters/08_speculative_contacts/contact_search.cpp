@@ -41,7 +41,7 @@ public:
         const auto a = static_cast<std::size_t>(body_a), b = static_cast<std::size_t>(body_b);
         const double size = std::min(world_.bodies[a]->size(), world_.bodies[b]->size());
         return {margin_, std::min(search_parts.inside * size, std::max(depths_[a], depths_[b])),
-                search_parts.still_held * size, faces_tell_[a]};
+                faces_tell_[a]};
     }
 
 private:
@@ -87,7 +87,7 @@ void append_vertex_pairs(const World& world, const CandidateSearch& search, cons
         for (; first <= i; ++first)
             if (!meetings.empty())
                 ground.look_at(a, vertex, b, all[first][3]);
-        for (const FaceMeeting& chosen : choose_walls(b, std::move(meetings), reach.held)) {
+        for (const FaceMeeting& chosen : choose_walls(b, std::move(meetings))) {
             const auto [f0, f1, f2] = b.face(chosen.face);
             pair.feature_b = chosen.face;
             pair.vertices = {vertex, f0, f1, f2};

@@ -15,11 +15,10 @@ struct Meeting {
     /// of two meetings of a vertex that with the smaller cost counts first: at the start its distance from the face [m],
     /// in a crossing the moment
     double cost = 0;
-    double depth_t1 = 0;  ///< at the end of the step [m]
+    bool passes =
+        false;  ///< a vertex the face within the step, also where it is near at the start; or it ends near it
     double orientation = 1;
     PairWeights weights{};
-
-    bool is_crossing() const { return tau > 0; }
 };
 
 /// How far the two points of a pair move against each other in a step [m].

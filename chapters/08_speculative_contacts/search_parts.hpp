@@ -19,10 +19,6 @@ struct SearchParts {
     /// of the depth of a body's deepest pair [1]: how deep its other features may be that have no pair yet, since it turns. Once as
     /// much loses corners to rounding; ten times takes for inside what lies behind a face beyond an edge.
     double deeper = 2;
-    /// of the smaller body's size [1]: how deep behind a face lies what the face still holds. As long as it does, other faces
-    /// that the vertex passes count as well; deeper, they are the far side of the same wall. With none, a heap swallows a
-    /// body whose corner is pressed into one wall and passes another.
-    double still_held = 5e-3;
     /// sine by which a neighbour may pass the plane of a pair: a body that comes down on a side has all of its corners
     /// in play before it lies flat.
     double cone_sine = 0.2;
@@ -54,7 +50,6 @@ inline constexpr SearchParts search_parts;
 struct Reach {
     double margin = 0;       ///< apart
     double inside = 0;       ///< inside each other at the start of the step
-    double held = 0;         ///< behind a face that still holds
     bool faces_tell = true;  ///< the outer side of A; not where elements are inside out
 
     /// How far a feature goes on beyond a border at which no other one takes over [m].

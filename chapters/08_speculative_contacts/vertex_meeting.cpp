@@ -106,7 +106,8 @@ std::optional<Meeting> find_meeting(const SurfaceStep& a, int vertex, const Surf
     if (!meeting && foot_t0->depth > 0 && foot_t1->depth > 0 && foot_t1->depth <= reach.margin)
         meeting = pair.near_at(1, *foot_t1);
     if (meeting)
-        meeting->depth_t1 = foot_t1->depth;
+        meeting->passes = meeting->tau > 0 ||
+                          (foot_t0->depth > 0 && foot_t1->depth < 0 && pair.crossing().has_value());
     return meeting;
 }
 //! [find_meeting]

@@ -31,20 +31,19 @@ bool are_one_wall(const SurfaceMoment& surface, int face, int other)
 }  // namespace
 
 //! [choose_walls]
-std::vector<FaceMeeting> choose_walls(const SurfaceStep& step, std::vector<FaceMeeting> meetings, double held)
+std::vector<FaceMeeting> choose_walls(const SurfaceStep& step, std::vector<FaceMeeting> meetings)
 {
     std::sort(meetings.begin(), meetings.end(), [](const FaceMeeting& one, const FaceMeeting& other) {
-        return std::tuple(one.meeting.is_crossing(), one.meeting.cost, one.face) <
-               std::tuple(other.meeting.is_crossing(), other.meeting.cost, other.face);
+        return std::tuple(one.meeting.tau > 0, one.meeting.cost, one.face) <
+               std::tuple(other.meeting.tau > 0, other.meeting.cost, other.face);
     });
     std::vector<FaceMeeting> chosen;
     for (const FaceMeeting& next : meetings) {
         const SurfaceMoment surface{step, next.meeting.tau};
         const bool counts = std::all_of(chosen.begin(), chosen.end(), [&](const FaceMeeting& one) {
-            const bool is_outside = one.meeting.depth_t1 > -held && next.meeting.is_crossing();
             return !are_one_wall(surface, one.face, next.face) &&
-                   (is_outside || (stands_before(surface, one.face, next.face) &&
-                                   stands_before(surface, next.face, one.face)));
+                   (next.meeting.passes || (stands_before(surface, one.face, next.face) &&
+                                            stands_before(surface, next.face, one.face)));
         });
         if (counts)
             chosen.push_back(next);

@@ -65,7 +65,7 @@ TEST_CASE("edge meeting: near or inside at the start, and within the step, there
             const auto meeting = on_roof(from, to, reach, size, turn);
             if (!meeting)
                 return -1;
-            return meeting->is_crossing() ? 1 : 0;
+            return meeting->tau > 0 ? 1 : 0;
         };
         CAPTURE(size);
         const int start = 0, crossing = 1;
@@ -128,7 +128,7 @@ TEST_CASE("edge meeting: what passes within the step has a pair, as chapter 2's 
             continue;
         }
         REQUIRE(meeting);
-        CHECK(meeting->is_crossing());
+        CHECK(meeting->tau > 0);
         CHECK(meeting->tau == doctest::Approx(before).epsilon(1e-6));
         // Both feet are the place where they meet.
         const auto along = [](const MovingSurface& surface, int edge) {

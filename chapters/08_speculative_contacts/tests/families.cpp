@@ -39,7 +39,11 @@ TEST_CASE(
                                  // an edge slides through the corner of a notch, from edge to edge
                                  HeapPlan{4, 8, 0.01, 0.5, 73, 0},
                                  // from behind a face round its edge, and then through it
-                                 HeapPlan{4, 8, 0.02, 0.1, 74, 30}}) {
+                                 HeapPlan{4, 8, 0.02, 0.1, 74, 30},
+                                 // it slides past a corner, and passes another face than the nearest ones
+                                 HeapPlan{6, 8, 0.005, 0, 187, 0},
+                                 // behind a face's plane at first, beyond its edge, it passes another face
+                                 HeapPlan{6, 8, 0.02, 0.1, 184, 30}}) {
         CAPTURE(family_name(plan.family));
         Scene scene = random_heap(plan);
         const chapter07::DepthOutcome outcome = chapter07::measure_depths(scene, 1, chapter08_solver);

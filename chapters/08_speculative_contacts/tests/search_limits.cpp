@@ -25,12 +25,6 @@ SurfaceMesh cube_at(const Vec3& centre, double size = 1)
     return placed(box(Vec3::Ones()), size, Quaternion::Identity(), centre);
 }
 
-double cube_size(double edge)
-{
-    return RigidBody("one", cube_at(Vec3::Zero(), edge), mass_properties(cube_at(Vec3::Zero(), edge), 1))
-        .size();
-}
-
 void add_static(World& world, const SurfaceMesh& mesh)
 {
     world.bodies.push_back(std::make_unique<StaticBody>(
@@ -467,38 +461,4 @@ TEST_CASE("contact search: the deepest pair of either body counts")
     };
     CHECK(pairs(below.known) == 4);
     CHECK(pairs({}) == 0);
-}
-
-TEST_CASE(
-    "contact search: how deep a wall may hold what passes another one is a part of the smaller body's size")
-{
-    for (const double size : {0.01, 1.0, 100.0})
-        for (const double part : {0.5, 2.0}) {
-            const double dt = 0.01;
-            World world;
-            world.gravity.setZero();
-            // a floor, and a plate that stands through it
-            SurfaceMesh walls = placed(box({4, 1, 4}), size, Quaternion::Identity(), Vec3(0, -0.5, 0) * size);
-            const SurfaceMesh plate = placed(box({0.1, 1.4, 4}), size, Quaternion::Identity(),
-                                             Vec3(0.05, 0.3, 0) * size);
-            for (const Face& face : plate.faces)
-                walls.faces.push_back({face[0] + 8, face[1] + 8, face[2] + 8});
-            walls.vertices.insert(walls.vertices.end(), plate.vertices.begin(), plate.vertices.end());
-            add_static(world, walls);
-            const double margin = search_parts.nearness * size,
-                         deep = part * search_parts.still_held * cube_size(size);
-            add_rigid(world, cube_at(Vec3(-0.51, 0.5, 0) * size + Vec3(0, 0.5 * margin, 0), size),
-                      Vec3(0.06 * size, -0.5 * margin - deep, 0) / dt);
-            predict(world, dt);
-            const auto found = ContactSearch().find(world, {}, dt);
-            const bool meets_plate = std::any_of(found.begin(), found.end(), [&](const Contact& pair) {
-                return pair.kind == ContactKind::vertex_face && pair.body_a == 1 &&
-                       world.bodies[1]->positions_t0()[static_cast<std::size_t>(pair.feature_a)].y() <
-                           0.1 * size &&
-                       contact_geometry(world, pair, 0).normal.x() < -0.9;
-            });
-            CAPTURE(size);
-            CAPTURE(part);
-            CHECK(meets_plate == (part < 1));
-        }
 }
