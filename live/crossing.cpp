@@ -1,6 +1,5 @@
 #include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/overlaps.hpp"
-#include "chapters/09_deep_contacts/surface_regions.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "live/figures.hpp"
 

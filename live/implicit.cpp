@@ -1,5 +1,5 @@
 #include "chapters/01_particle_plane/amplification.hpp"
-#include "chapters/07_implicit_contact/implicit_amplification.hpp"
+#include "chapters/07_implicit_contact/experiments/implicit_amplification.hpp"
 #include "live/figures.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,16 +1,14 @@
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 
-#include "chapters/04_friction/surface_turn.hpp"
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
-#include "chapters/07_implicit_contact/elastic_ends.hpp"
-#include "chapters/07_implicit_contact/island_impact.hpp"
 #include "chapters/07_implicit_contact/limit_search.hpp"
-#include "chapters/07_implicit_contact/pressing_mass.hpp"
-#include "chapters/07_implicit_contact/solve_accuracy.hpp"
-#include "common/simulation/contact_geometry.hpp"
+#include "chapters/07_implicit_contact/restitution.hpp"
+#include "common/fem/elastic_body.hpp"
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
+#include <string>
 
 namespace enduring {
 namespace {
@@ -82,11 +80,11 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     record.pairs = static_cast<int>(step.problem.rows.size());
     const double least = least_speed(world, island, dt);
     AndersonMixing mixing(settings.mixing_rounds);
-    const std::vector<DeformableBody*> soft = soft_bodies(world, island);
+    const bool is_soft = follows_end(world, island);
     double missing = 0;  // of elastic forces, as a part of what the step changes
     for (;; ++record.rounds) {
         if (missing > small_imbalance) {
-            missing = approach_ends(soft, dt);
+            missing = approach_ends(world, island, dt);
             mixing = AndersonMixing(settings.mixing_rounds);
         }
         update_kinematics(world, step);
@@ -109,7 +107,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
                                                                        least, steps_left);
         record.newton_steps += solution.newton_steps;
         const Eigen::VectorXd next = mixing.next(begin.impulses, solution.impulses);
-        if (!soft.empty())  // their elements feel what contact changes
+        if (is_soft)  // their elements feel what contact changes
             missing += changed_part(step.problem, begin.impulses, next, least);
         apply_impulses(world, step, next);
     }
@@ -176,35 +174,53 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
 }
 //! [islands]
 
-//! [remember_pairs]
-namespace {
-
-/// Whether its surfaces were apart at the start of the step or just touched, and its spring carried nothing. What pressed then rests, or is an
-/// impact of an earlier step.
-bool was_open(const World& world, const Contact& contact)
+//! [settle]
+void settle_soft_bodies(World& world, double dt)
 {
-    const double least = restitution_limits.least_length * natural_length(world, contact);
-    return contact.load <= contact.stiffness * least && contact_geometry(world, contact, 0).depth > -least;
+    for (const auto& body : world.bodies)
+        if (!(body->settle(dt) <= small_imbalance))
+            world.attempt.trouble = StepTrouble::unsolved;
+}
+//! [settle]
+
+bool follows_end(const World& world, const Island& island)
+{
+    return std::any_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
+        return world.bodies[static_cast<std::size_t>(body)]->approaches_end();
+    });
 }
 
-}  // namespace
-
-void remember_pairs(const World& world, Contacts& contacts, double dt)
+double approach_ends(World& world, const Island& island, double dt)
 {
-    for (Contact& contact : contacts) {
-        const bool is_open = was_open(world, contact);
-        if (contact.held()) {  // its spring lets go: where the pair pushes again, it begins as a new one does
-            contact.stiffness = 0;
-            contact.stretch.setZero();
-            continue;
-        }
-        contact.load = contact.impulse.norm() / dt;
-        contact.stretch = contact.stiffness > 0 ? Vec3(contact.friction / (-contact.stiffness * dt))
-                                                : Vec3(Vec3::Zero());
-        contact.stretch = surface_turn(world, contact) * contact.stretch;
-        contact.start = is_open ? 1 : 0;  // behind surface_turn, which asks for that of the search
-    }
+    double most = 0;
+    for (const int place : island.bodies)
+        if (Body& body = *world.bodies[static_cast<std::size_t>(place)]; body.approaches_end())
+            most = std::max(most, body.approach_end(dt));
+    return most;
 }
-//! [remember_pairs]
+
+//! [add_solve]
+void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSettings settings)
+{
+    settings.friction = coefficients_of(parameters.friction);
+    if (parameters.wanted_depth)
+        settings.stiffness.wanted_depth = parameters.wanted_depth;
+    solver.max_halvings = max_halvings;
+    solver.finds_stiffness = true;
+    const std::string first = solver.passes(StepStage::refresh).front().name;
+    solver.insert_before(first, "settle soft bodies",
+                         [](World& world, Contacts&, double dt) { settle_soft_bodies(world, dt); });
+    solver.append(StepStage::respond, "solve contacts",
+                  [settings, matrices = std::make_shared<IslandMatrices>()](World& world, Contacts& contacts,
+                                                                            double dt) {
+                      solve_contacts(world, contacts, settings, *matrices, dt);
+                  });
+    solver.append(StepStage::finish, "remember pairs", remember_pairs);
+    solver.append(StepStage::settle, "restitution",
+                  [friction = settings.friction](World& world, Contacts& contacts, double dt) {
+                      restitute(world, contacts, friction, dt);
+                  });
+}
+//! [add_solve]
 
 }  // namespace enduring

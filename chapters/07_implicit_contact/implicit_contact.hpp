@@ -69,9 +69,34 @@ struct ImplicitSettings {
 void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings,
                     IslandMatrices& matrices, double dt);
 
-/// Before the step is settled: what each pair hands on to the next one,
-/// its load and the stretch of its friction. One that is held holds nothing: its spring has let go. Its `start` says from here on
-/// whether it endures, or was open when the step began and pushes from its end.
-void remember_pairs(const World& world, Contacts& contacts, double dt);
+/// Refresh, before anything is looked for: brings the elastic forces of soft bodies to where the step ends without contact. What is
+/// left makes the step shorter, as an unsolved one.
+void settle_soft_bodies(World& world, double dt);
+
+/// Whether inner forces of an island's bodies have settled in this step. A solver without that pass keeps the linear step.
+bool follows_end(const World& world, const Island& island);
+
+/// Brings them nearer to where the step ends now.
+/// @return  what was missing, of the body that missed most (Body::approach_end())
+double approach_ends(World& world, const Island& island, double dt);
+
+/// What counts as a momentum at all: what gravity gives to all bodies of an island in a step, or if that is more, what
+/// the rounding of their coordinates does [sqrt(kg) m/s].
+double least_speed(const World& world, const Island& island, double dt);
+
+/// Residual to which the convex problem of a round is solved. Its normals, its limits and its soft masses are those of the last
+/// motion, so a round seldom takes away more than a thousandth of what is left on the bodies. In a jam the limits are wrong by
+/// more than the convex problem is: then a tenth of its own residual is taken away.
+/// @param on_bodies  with the limits that the motion makes
+/// @param of_round   with those of the round, where it begins
+double sharp_enough(double on_bodies, double of_round, double tolerance);
+
+/// Residual that rounding may leave, whatever the impulses are: a spring answers the last digit of a coordinate with k dt times
+/// it. A stiff spring in a short step, in which weight does little, so leaves more than a millionth.
+double rounding_residual(const World& world, const StepProblem& step, double least_speed);
+
+/// Gives a solver that finds pairs this chapter's solve of them.
+/// @param parameters  of a scene: its coefficients of friction and its depth come before those of the settings
+void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSettings settings);
 
 }  // namespace enduring

@@ -1,8 +1,5 @@
-#include "chapters/07_implicit_contact/island_impact.hpp"
-
-#include "common/simulation/contact_geometry.hpp"
+#include "chapters/07_implicit_contact/restitution.hpp"
 #include "common/simulation/natural_units.hpp"
-#include "common/simulation/rigid_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +24,14 @@ double speed_after(const PairImpact& impact, double leaving)
 }
 //! [touching_speed]
 
+void ImpulseWork::add(const Struck& pair, const Vec3& impulse, const Vec3& friction)
+{
+    const double against_running = friction.dot(pair.running);
+    slope += impulse.dot(pair.velocity) + against_running;
+    fall += impulse.dot(pair.acceleration);
+    driven -= impulse.dot(pair.velocity_driven) + against_running;
+}
+
 namespace {
 
 /// Whether a pair carried an impulse, and not what rounding leaves of none.
@@ -37,11 +42,13 @@ bool has_pushed(const World& world, const Contact& contact, double dt)
                contact.stiffness * dt * restitution_limits.least_length * natural_length(world, contact);
 }
 
-Struck struck(const World& world, const Contact& contact, double dt)
+Struck struck(const World& world, const Contact& contact, const FrictionCoefficients& friction, double dt)
 {
     Struck one;
     one.normal = contact.impulse.normalized();
+    one.running = running_of_surfaces(world, contact);
     one.restitution = pair_restitution(world, contact);
+    one.mu = pair_friction(world, contact, friction).mu_d;
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const Body& body = body_of_vertex(world, contact, i);
         const auto vertex = static_cast<std::size_t>(i);
@@ -53,6 +60,7 @@ Struck struck(const World& world, const Contact& contact, double dt)
             one.velocity_driven += velocity;
     }
     one.impact.dt = dt;
+    one.impact.acceleration = one.normal.dot(one.acceleration);
     one.impact.pressed = std::max(0.0, -contact_geometry(world, contact, 1).depth);
     one.impact.gap_t0 = std::max(0.0, -one.impact.pressed - dt * one.normal.dot(one.velocity));
     return one;
@@ -75,38 +83,23 @@ MatrixXd response_of(const IslandImpact& island)
 /// Velocities of the coordinates in contact, behind the commit.
 VectorXd velocities_of(const World& world, const StepProblem& step)
 {
-    VectorXd velocities = VectorXd::Zero(step.problem.size);
-    for (std::size_t place = 0; place < step.bodies.size(); ++place) {
-        if (step.problem.blocks[place].size() == 0)
-            continue;
-        const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
-        Eigen::Index next = step.problem.blocks[place].first;
-        if (const auto* rigid = dynamic_cast<const RigidBody*>(&body)) {
-            velocities.segment<6>(next) << rigid->motion().velocity(), rigid->motion().angular_velocity();
-            continue;
-        }
-        for (const int vertex : step.vertices[place]) {
-            velocities.segment<3>(next) = body.velocity(vertex);
-            next += 3;
-        }
-    }
+    VectorXd velocities(step.problem.size);
+    for (std::size_t place = 0; place < step.bodies.size(); ++place)
+        if (const BodyBlock& block = step.problem.blocks[place]; block.size() > 0)
+            velocities.segment(block.first, block.size()) =
+                world.bodies[static_cast<std::size_t>(step.bodies[place])]->contact_velocity(
+                    step.vertices[place]);
     return velocities;
 }
 
-//! [lost]
-/// The momentum of all impulses of the step, and the kinetic energy that they took away. They acted with the levers of the free end: on a body
-/// that spins, those behind the commit would tell another energy.
-void find_lost(const World& world, const StepProblem& acted, IslandImpact& island)
+/// The momentum of all impulses of the step, with its levers.
+VectorXd momentum_of(const StepProblem& step)
 {
-    island.momentum = VectorXd::Zero(acted.problem.size);
-    for (std::size_t i = 0; i < acted.of_row.size(); ++i) {
-        const Contact& contact = *acted.of_row[i];
-        acted.problem.rows[i].add_impulse(contact.impulse + contact.friction, island.momentum);
-    }
-    const VectorXd halfway = velocities_of(world, acted) - times_response(acted.problem, island.momentum) / 2;
-    island.lost -= island.momentum.dot(halfway);
+    VectorXd momentum = VectorXd::Zero(step.problem.size);
+    for (std::size_t i = 0; i < step.of_row.size(); ++i)
+        step.problem.rows[i].add_impulse(step.of_row[i]->impulse + step.of_row[i]->friction, momentum);
+    return momentum;
 }
-//! [lost]
 
 }  // namespace
 
@@ -136,24 +129,19 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
     IslandImpact island;
     island.step = set_up(world, part, {}, friction, {0, dt}, false);
     const StepProblem& step = island.step;
-    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
-        const Contact& contact = *step.of_row[i];
-        island.pairs.push_back(struck(world, contact, dt));
-        island.pairs.back().mu = pair_friction(world, contact, friction).mu_d;
-        island.pairs.back().running = running_of_surfaces(world, contact);
-        const Vec3 impulse = contact.impulse + contact.friction;
-        island.fall += impulse.dot(island.pairs.back().acceleration);
-        // the work of what moves as given, and of surfaces that run
-        island.lost -= impulse.dot(island.pairs.back().velocity_driven) +
-                       contact.friction.dot(island.pairs.back().running);
+    for (const Contact* contact : step.of_row) {
+        island.pairs.push_back(struck(world, *contact, friction, dt));
+        island.work.add(island.pairs.back(), contact->impulse + contact->friction, contact->friction);
     }
-    find_lost(world, set_up(world, part, {}, friction, {1, dt}, false), island);
-    const VectorXd change = times_response(step.problem, island.momentum);
+    // The impulses acted with the levers of the free end: on a body that spins, those behind the commit would tell another energy.
+    const StepProblem acted = set_up(world, part, {}, friction, {1, dt}, false);
+    const VectorXd momentum = momentum_of(acted),
+                   halfway = velocities_of(world, acted) - times_response(acted.problem, momentum) / 2;
+    island.lost = island.work.driven - momentum.dot(halfway);
+    const VectorXd change = times_response(step.problem, momentum);
     for (std::size_t i = 0; i < island.pairs.size(); ++i) {
         Struck& pair = island.pairs[i];
-        const PairRow& row = step.problem.rows[i];
-        pair.impact.free_speed = pair.normal.dot(pair.velocity - row.rate_of(change));
-        pair.impact.acceleration = pair.normal.dot(pair.acceleration);
+        pair.impact.free_speed = pair.normal.dot(pair.velocity - step.problem.rows[i].rate_of(change));
         const double least = std::max(restitution_limits.least_speed * world.gravity.norm() * dt,
                                       scale_parts.least_answer * natural_length(world, *step.of_row[i]) / dt);
         pair.meets = pair.restitution > 0 && !step.of_row[i]->endures() &&

@@ -1,5 +1,8 @@
 #include "chapters/07_implicit_contact/pair_memory.hpp"
 
+#include "chapters/04_friction/surface_turn.hpp"
+#include "chapters/07_implicit_contact/restitution.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -53,5 +56,81 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
                                     std::max(contact.rest_offset, at_most)});
 }
 //! [adapt_stiffness]
+
+//! [pressing_masses]
+std::vector<double> pressing_masses(const World& world, const StepProblem& step)
+{
+    const std::vector<PairRow>& rows = step.problem.rows;
+    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
+    for (const PairRow& row : rows)
+        row.add_impulse(row.acting, momentum);
+    const Eigen::VectorXd change = times_response(step.problem, momentum);
+    double approach = world.gravity.norm() * step.problem.step.dt;  // what rests approaches with this
+    for (const PairRow& row : rows)
+        approach = std::max(approach, row.law.normal.dot(row.rate_of(change) - row.velocity));
+    std::vector<double> masses;
+    masses.reserve(rows.size());
+    for (const PairRow& row : rows)
+        masses.push_back(approach > 0 ? row.law.normal.dot(row.acting) / approach : 0);
+    return masses;
+}
+//! [pressing_masses]
+
+//! [stiffen_where_pressed]
+bool stiffen_where_pressed(const World& world, StepProblem& step, const StiffnessChoice& choice)
+{
+    const double dt = step.problem.step.dt;
+    const std::vector<double> masses = pressing_masses(world, step);
+    bool any = false;
+    for (std::size_t i = 0; i < masses.size(); ++i) {
+        Contact& contact = *step.of_row[i];
+        PairLaw& law = step.problem.rows[i].law;
+        const double load = law.normal.dot(step.problem.rows[i].acting) / dt;
+        const double depth = choice.of_pair(natural_units(world, contact, dt)).depth();
+        const double wanted = std::min(choice.k_dt2_over_m * masses[i] / (dt * dt), load / depth);
+        if (wanted < choice.at_once * contact.stiffness)
+            continue;
+        const double most = choice.max_k_dt2_over_m * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
+        if (most < choice.at_once * contact.stiffness)
+            continue;
+        stiffen(contact, depth_at_start(world, contact), std::min(wanted, most));
+        law.stiffness = contact.stiffness;
+        law.stretch = contact.stretch;
+        any = true;
+    }
+    return any;
+}
+//! [stiffen_where_pressed]
+
+//! [remember_pairs]
+namespace {
+
+/// Whether its surfaces were apart at the start of the step or just touched, and its spring carried nothing. What pressed then rests, or is an
+/// impact of an earlier step.
+bool was_open(const World& world, const Contact& contact)
+{
+    const double least = restitution_limits.least_length * natural_length(world, contact);
+    return contact.load <= contact.stiffness * least && contact_geometry(world, contact, 0).depth > -least;
+}
+
+}  // namespace
+
+void remember_pairs(const World& world, Contacts& contacts, double dt)
+{
+    for (Contact& contact : contacts) {
+        const bool is_open = was_open(world, contact);
+        if (contact.held()) {  // its spring lets go: where the pair pushes again, it begins as a new one does
+            contact.stiffness = 0;
+            contact.stretch.setZero();
+            continue;
+        }
+        contact.load = contact.impulse.norm() / dt;
+        contact.stretch = contact.stiffness > 0 ? Vec3(contact.friction / (-contact.stiffness * dt))
+                                                : Vec3(Vec3::Zero());
+        contact.stretch = surface_turn(world, contact) * contact.stretch;
+        contact.start = is_open ? 1 : 0;  // behind surface_turn, which asks for that of the search
+    }
+}
+//! [remember_pairs]
 
 }  // namespace enduring

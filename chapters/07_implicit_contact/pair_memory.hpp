@@ -7,8 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace enduring {
+
+struct StepProblem;
 
 /// What decides a pair's stiffness, the same for all scenes.
 struct StiffnessChoice {
@@ -55,5 +58,20 @@ void stiffen(Contact& contact, double depth_t0, double stiffness);
 /// @param max_load  that others can bring upon a pair [N]
 void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
                      double max_load = std::numeric_limits<double>::infinity());
+
+/// The mass that each pair stops in this step [kg]: its impulse over the fastest approach of any pair, without all
+/// pairs' impulses, and at least over what gravity gives in a step. It is more than the mass that the pair feels itself where other bodies press through its own.
+std::vector<double> pressing_masses(const World& world, const StepProblem& step);
+
+/// Makes pairs as stiff at once as the mass that presses them asks for, where this is more than twice what they
+/// are, but no stiffer than their load asks for; no force changes.
+/// @param step  as it is solved
+/// @return      whether there was any: then the step's problem is another one
+bool stiffen_where_pressed(const World& world, StepProblem& step, const StiffnessChoice& choice);
+
+/// Before the step is settled: what each pair hands on to the next one,
+/// its load and the stretch of its friction. One that is held holds nothing: its spring has let go. Its `start` says from here on
+/// whether it endures, or was open when the step began and pushes from its end.
+void remember_pairs(const World& world, Contacts& contacts, double dt);
 
 }  // namespace enduring

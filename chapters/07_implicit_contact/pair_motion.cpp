@@ -1,4 +1,4 @@
-#include "chapters/07_implicit_contact/pair_motion.hpp"
+#include "chapters/07_implicit_contact/step_problem.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 #include "chapters/07_implicit_contact/restitution.hpp"
 
 #include "chapters/07_implicit_contact/generalized_reflection.hpp"
-#include "chapters/07_implicit_contact/island_impact.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -48,7 +47,7 @@ Bounce bounce_of(const IslandImpact& island)
 {
     VectorXd impulses;
     const VectorXd leaving = leaving_velocities(island, impulses);
-    const double least = 1e-9 * impulses.cwiseAbs().maxCoeff();
+    const double least = 1e-9 * impulses.lpNorm<Eigen::Infinity>();
     Bounce bounce;
     std::vector<double> speeds;
     for (Eigen::Index i = 0; i < leaving.size(); ++i) {
@@ -68,8 +67,6 @@ Bounce bounce_of(const IslandImpact& island)
 VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
 {
     VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
-    if (bounce.pairs.empty())
-        return all;
     VectorXd missing = bounce.speeds;
     for (Eigen::Index i = 0; i < missing.size(); ++i) {
         const Struck& pair =
@@ -104,27 +101,9 @@ void let_go(const IslandImpact& island, const Bounce& bounce)
 }
 
 //! [rub]
-/// What acts on the pairs of an island to send them back.
-struct SendingBack {
-    VectorXd impulses;           ///< along the normals [N s]
-    std::vector<Vec3> friction;  ///< [N s]
-    VectorXd momentum;           ///< of both
-    double slope = 0;            ///< impulses . velocities before, with surfaces that run [J]
-    double fall = 0;             ///< g . p of these impulses [J/s]
-    double driven = 0;           ///< work of bodies that move as given, and of surfaces that run [J]
-};
-
-void add_push(const IslandImpact& island, std::size_t pair, const Vec3& impulse, SendingBack& back)
-{
-    island.step.problem.rows[pair].add_impulse(impulse, back.momentum);
-    back.slope += impulse.dot(island.pairs[pair].velocity);
-    back.fall += impulse.dot(island.pairs[pair].acceleration);
-    back.driven -= impulse.dot(island.pairs[pair].velocity_driven);
-}
-
 /// Friction of the impulses along the normals, against the slip at the moment at which the pairs that bounce are stopped: no more than
 /// mu times the impulse of its pair, and no more than stops it.
-void rub(const IslandImpact& island, const Bounce& bounce, SendingBack& back)
+std::vector<Vec3> friction_of(const IslandImpact& island, const Bounce& bounce, const VectorXd& impulses)
 {
     const StepProblem& step = island.step;
     const VectorXd stopping = impulses_for(
@@ -134,54 +113,60 @@ void rub(const IslandImpact& island, const Bounce& bounce, SendingBack& back)
         step.problem.rows[i].add_impulse(stopping[static_cast<Eigen::Index>(i)] * island.pairs[i].normal,
                                          stopped);
     VectorXd change = times_response(step.problem, stopped);
+    std::vector<Vec3> friction(island.pairs.size(), Vec3::Zero());
     for (int sweep = 0; sweep < restitution_limits.friction_sweeps; ++sweep)
         for (std::size_t i = 0; i < island.pairs.size(); ++i) {
             const Struck& pair = island.pairs[i];
-            const double limit = pair.mu * back.impulses[static_cast<Eigen::Index>(i)];
+            const double limit = pair.mu * impulses[static_cast<Eigen::Index>(i)];
             if (!(limit > 0))
                 continue;
             const PairRow& row = step.problem.rows[i];
             const Mat3 along = Mat3::Identity() - pair.normal * pair.normal.transpose();
             const Vec3 slip = along * (pair.velocity + pair.running + row.rate_of(change));
             const double largest = (along * row.response(step.problem.blocks) * along).operatorNorm();
-            Vec3 next = back.friction[i] - slip / largest;
+            Vec3 next = friction[i] - slip / largest;
             if (next.norm() > limit)
                 next *= limit / next.norm();
             VectorXd added = VectorXd::Zero(step.problem.size);
-            row.add_impulse(next - back.friction[i], added);
+            row.add_impulse(next - friction[i], added);
             change += times_response(step.problem, added);
-            back.friction[i] = next;
+            friction[i] = next;
         }
-    for (std::size_t i = 0; i < island.pairs.size(); ++i) {
-        add_push(island, i, back.friction[i], back);
-        const double against_running = back.friction[i].dot(island.pairs[i].running);
-        back.slope += against_running;
-        back.driven -= against_running;
-    }
+    return friction;
 }
 //! [rub]
 
 //! [send_back]
-void send_back(World& world, IslandImpact& island, const Bounce& bounce, double dt)
+void send_back(World& world, const IslandImpact& island, const Bounce& bounce, double dt)
 {
-    SendingBack back{impulses_for(island, bounce), std::vector<Vec3>(island.pairs.size(), Vec3::Zero()),
-                     VectorXd::Zero(island.step.problem.size)};
+    const StepProblem& step = island.step;
+    const VectorXd impulses = impulses_for(island, bounce);
+    const std::vector<Vec3> friction = friction_of(island, bounce, impulses);
+    VectorXd momentum = VectorXd::Zero(step.problem.size);
+    ImpulseWork work;
+    const auto along_normal = [&](std::size_t i) {
+        return Vec3(impulses[static_cast<Eigen::Index>(i)] * island.pairs[i].normal);
+    };
+    const auto add = [&](std::size_t i, const Vec3& impulse, const Vec3& of_friction) {
+        step.problem.rows[i].add_impulse(impulse, momentum);
+        work.add(island.pairs[i], impulse, of_friction);
+    };
     for (std::size_t i = 0; i < island.pairs.size(); ++i)
-        add_push(island, i, back.impulses[static_cast<Eigen::Index>(i)] * island.pairs[i].normal, back);
-    rub(island, bounce, back);
+        add(i, along_normal(i), Vec3::Zero());
+    for (std::size_t i = 0; i < island.pairs.size(); ++i)
+        add(i, friction[i], friction[i]);
     // What steps keep in a fall is E + dt / 2 g . p, with the momentum p: of this nothing is gained.
-    const double of_step = dt / 2 * island.fall, of_this = dt / 2 * back.fall;
-    const double curvature = back.momentum.dot(times_response(island.step.problem, back.momentum));
-    const double part = allowed_part(back.slope + of_this, curvature, island.lost + of_step);
+    const double of_step = dt / 2 * island.work.fall, of_this = dt / 2 * work.fall;
+    const double curvature = momentum.dot(times_response(step.problem, momentum));
+    const double part = allowed_part(work.slope + of_this, curvature, island.lost + of_step);
     for (std::size_t i = 0; i < island.pairs.size(); ++i) {
-        Contact& contact = *island.step.of_row[i];
-        contact.impulse += part * back.impulses[static_cast<Eigen::Index>(i)] * island.pairs[i].normal;
-        contact.friction += part * back.friction[i];
+        step.of_row[i]->impulse += part * along_normal(i);
+        step.of_row[i]->friction += part * friction[i];
     }
     let_go(island, bounce);
-    kick(world, island.step, part * back.momentum);
-    world.driven += part * back.driven;
-    world.attempt.put_in += part * back.driven + std::max(0.0, -of_step - part * of_this);
+    kick(world, step, part * momentum);
+    world.driven += part * work.driven;
+    world.attempt.put_in += part * work.driven + std::max(0.0, -of_step - part * of_this);
 }
 //! [send_back]
 
@@ -196,13 +181,8 @@ void restitute(World& world, Contacts& contacts, const FrictionCoefficients& fri
         const Island part = struck_part(world, island, dt);
         if (part.contacts.empty())
             continue;
-        IslandImpact impact = impact_of(world, part, friction, dt);
-        const bool any_meets = std::any_of(impact.pairs.begin(), impact.pairs.end(),
-                                           [](const Struck& pair) { return pair.meets; });
-        if (!any_meets)
-            continue;
-        const Bounce bounce = bounce_of(impact);
-        if (!bounce.pairs.empty())
+        const IslandImpact impact = impact_of(world, part, friction, dt);
+        if (const Bounce bounce = bounce_of(impact); !bounce.pairs.empty())
             send_back(world, impact, bounce, dt);
     }
 }

@@ -1,4 +1,4 @@
-#include "chapters/07_implicit_contact/solve_accuracy.hpp"
+#include "chapters/07_implicit_contact/implicit_contact.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
 

@@ -1,7 +1,6 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 
 #include "chapters/06_redefinition/solver.hpp"
-#include "chapters/07_implicit_contact/solve_passes.hpp"
 
 #include <utility>
 
@@ -15,7 +14,7 @@ Solver chapter07_solver(const ContactParameters& parameters, ImplicitSettings se
     Solver solver = chapter06_solver(frictionless);
     solver.name = "chapter 7";
     solver.remove("impulses");
-    add_solve(solver, settings_for(parameters, std::move(settings)));
+    add_solve(solver, parameters, std::move(settings));
     return solver;
 }
 //! [solver]

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
-#include "common/simulation/contact_parameters.hpp"
 
 namespace enduring {
 

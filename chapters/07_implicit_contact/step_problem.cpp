@@ -1,9 +1,5 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
-#include "chapters/07_implicit_contact/pair_motion.hpp"
-#include "common/simulation/deformable_body.hpp"
-#include "common/simulation/rigid_body.hpp"
-
 #include <algorithm>
 #include <optional>
 
@@ -122,27 +118,15 @@ double mass_of(const PairRow& row, const ContactProblem& problem)
 //! [max_load]
 namespace {
 
-/// What presses a body beside its weight: forces from outside, torques at the arm of the body's size, and its own elements [N].
-double pressing_force(const Body& body, double dt)
-{
-    if (const auto* rigid = dynamic_cast<const RigidBody*>(&body))
-        return (rigid->load_momentum().norm() + rigid->load_turning().norm() / rigid->size()) / dt;
-    if (const auto* soft = dynamic_cast<const DeformableBody*>(&body))
-        return soft->elastic().external_forces().colwise().norm().sum() +
-               soft->elastic().elastic_forces().colwise().norm().sum();
-    return 0;
-}
-
 double load_of(const Body& body, const Vec3& gravity, double dt)
 {
     constexpr double lever = 10;
-    return lever * (body.mass() * gravity.norm() + pressing_force(body, dt)) +
+    return lever * (body.mass() * gravity.norm() + body.pressing_force(dt)) +
            body.mass() * body.mean_velocity().norm() / dt;
 }
 
-}  // namespace
-
-double max_load(const World& world, const Island& island, double dt)
+/// As max_load() of an island, where no other bodies can bring anything upon a pair.
+double max_load_of(const World& world, const Island& island, double dt)
 {
     double load = 0;
     for (const int body : island.bodies)
@@ -150,6 +134,8 @@ double max_load(const World& world, const Island& island, double dt)
     return load;
 }
 //! [max_load]
+
+}  // namespace
 
 double max_load(const World& world, double dt)
 {
@@ -168,7 +154,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
     step.vertices = touched_vertices(island);
     add_blocks(world, step);
     step.problem.rows.reserve(island.contacts.size());
-    const double most = first ? max_load(world, island, step_law.dt) : 0;
+    const double most = first ? max_load_of(world, island, step_law.dt) : 0;
     for (Contact* const of_row : island.contacts) {
         Contact& contact = *of_row;
         PairRow row;

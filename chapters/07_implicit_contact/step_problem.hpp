@@ -3,6 +3,7 @@
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 #include "chapters/07_implicit_contact/islands.hpp"
 #include "chapters/07_implicit_contact/pair_memory.hpp"
+#include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/contact_parameters.hpp"
 #include "common/simulation/step.hpp"
 
@@ -33,8 +34,12 @@ double mass_of(const PairRow& row, const ContactProblem& problem);
 /// What can be brought upon a pair [N]: the weight of all bodies, forces and torques from outside and what elements push, all with a
 /// lever as a wedge has it, and what stops the motion. What presses harder than this comes from the pairs themselves.
 double max_load(const World& world, double dt);
-/// The same of an island, where no other bodies can bring anything upon a pair.
-double max_load(const World& world, const Island& island, double dt);
+
+/// A pair's normal where its force acts; zero where its features have none.
+Vec3 normal_of(const PairStep& step, double tau);
+
+/// Sets a row to where the bodies move now: normal, depth, velocity, and what acts.
+void update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row);
 
 /// Brings normals, velocities and acting impulses of all rows to the present prediction. Friction's limits are taken from the
 /// normal impulses that act, not from what the pairs answer to the motion: this enlarges an error of the motion by h.

@@ -1,6 +1,5 @@
 #include "chapters/08_speculative_contacts/solver.hpp"
 
-#include "chapters/07_implicit_contact/solve_passes.hpp"
 #include "chapters/08_speculative_contacts/contact_memory.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/natural_units.hpp"
@@ -53,7 +52,7 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
                   [search](World& world, Contacts& contacts, double dt) {
                       append_pairs_brought_inside(*search, world, dt, contacts);
                   });
-    add_solve(solver, settings_for(parameters, std::move(settings)));
+    add_solve(solver, parameters, std::move(settings));
     return solver;
 }
 //! [solver]

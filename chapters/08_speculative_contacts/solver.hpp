@@ -2,7 +2,6 @@
 
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "chapters/08_speculative_contacts/contact_search.hpp"
-#include "common/simulation/contact_parameters.hpp"
 
 #include <functional>
 #include <memory>

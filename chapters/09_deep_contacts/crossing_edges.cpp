@@ -1,4 +1,4 @@
-#include "chapters/09_deep_contacts/crossing_edges.hpp"
+#include "chapters/09_deep_contacts/inside_pairs.hpp"
 
 #include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/05_categorisation/category.hpp"

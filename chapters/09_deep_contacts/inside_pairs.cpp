@@ -2,7 +2,6 @@
 
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
-#include "chapters/09_deep_contacts/crossing_edges.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
@@ -32,11 +31,6 @@ void append_pairs_of(int body_a, const StillSurface& inner, const std::vector<in
 }
 //! [append]
 
-StillSurface still(const Body& body, const FaceTree& tree)
-{
-    return {body.surface(), body.positions_t0(), tree};
-}
-
 }  // namespace
 
 void InsidePairs::fit_trees(const World& world)
@@ -55,11 +49,9 @@ void InsidePairs::fit_trees(const World& world)
         trees_[i].refit({bodies_[i]->surface(), bodies_[i]->positions_t0(), bodies_[i]->positions_t0()});
 }
 
-void InsidePairs::note_direction(int body_a, const std::vector<int>& vertices, int body_b,
-                                 const Vec3& direction)
+StillSurface InsidePairs::still(int body) const
 {
-    for (const int vertex : vertices)
-        direction_of_vertex_[{body_a, vertex, body_b}] = direction;
+    return {bodies_[body]->surface(), bodies_[body]->positions_t0(), trees_[body]};
 }
 
 void InsidePairs::trace(const World& world)
@@ -73,7 +65,7 @@ void InsidePairs::trace(const World& world)
             if ((a.is_static() && b.is_static()) || !a.surface().is_closed() || !b.surface().is_closed() ||
                 !trees_[i].box().overlaps(trees_[j].box()))
                 continue;
-            if (auto found = find_overlaps(still(a, trees_[i]), still(b, trees_[j])); !found.empty())
+            if (auto found = find_overlaps(still(i), still(j)); !found.empty())
                 overlaps_.push_back({i, j, std::move(found)});
         }
 }
@@ -82,16 +74,18 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
 {
     direction_of_vertex_.clear();
     const VertexContacts in_contact(contacts);
+    const auto append_of = [&](int body_a, const std::vector<int>& vertices, int body_b,
+                               const Vec3& direction) {
+        append_pairs_of(body_a, still(body_a), vertices, body_b, still(body_b), direction, in_contact,
+                        contacts);
+        for (const int vertex : vertices)
+            direction_of_vertex_[{body_a, vertex, body_b}] = direction;
+    };
     for (const auto& [i, j, overlaps] : overlaps_)
         for (const Overlap& overlap : overlaps) {
-            const auto &of_a = overlap.vertices_of_a, &of_b = overlap.vertices_of_b;
-            const StillSurface a = still(*bodies_[i], trees_[i]), b = still(*bodies_[j], trees_[j]);
-            const Vec3 out_of_b = overlap.separation_direction, out_of_a = -out_of_b;
-            append_pairs_of(i, a, of_a, j, b, out_of_b, in_contact, contacts);
-            append_pairs_of(j, b, of_b, i, a, out_of_a, in_contact, contacts);
+            append_of(i, overlap.vertices_of_a, j, overlap.separation_direction);
+            append_of(j, overlap.vertices_of_b, i, -overlap.separation_direction);
             append_crossing_edges(world, i, j, overlap, contacts);
-            note_direction(i, of_a, j, out_of_b);
-            note_direction(j, of_b, i, out_of_a);
         }
 }
 

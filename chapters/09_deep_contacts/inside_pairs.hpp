@@ -10,6 +10,16 @@
 
 namespace enduring {
 
+/// Appends a pair for each two edges that cross on the border of an overlap and have none, where everything lies
+/// at the start of the step: both feet lie on their edges, inside the other body, and the pair pushes along the
+/// separation direction, give or take 45 degrees. The pairs endure.
+///
+/// Where the corners of two boxes lie beside each other there is no vertex in either box, and nothing but two edges
+/// that hold them apart.
+/// @param overlap  of body_a with body_b, places in World::bodies
+void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap,
+                           Contacts& contacts);
+
 /// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
 /// which the separation direction of their overlap leads; and the edges that cross on its border without one. It needs no
 /// history. Between bodies with closed surfaces only.
@@ -21,12 +31,6 @@ public:
     void trace(const World& world);
     /// A pair for each vertex in a traced overlap that has none in the list, and for edges that cross on its border.
     void append_pairs(const World& world, Contacts& contacts);
-    /// Both.
-    void append_missing(const World& world, Contacts& contacts)
-    {
-        trace(world);
-        append_pairs(world, contacts);
-    }
 
     /// How much of the separation direction of its overlap lies along a pair's normal, in [0, 1]; 1 where no vertex
     /// of it is in an overlap. Asked after append_pairs().
@@ -40,8 +44,7 @@ private:
     };
 
     void fit_trees(const World& world);
-
-    void note_direction(int body_a, const std::vector<int>& vertices, int body_b, const Vec3& direction);
+    StillSurface still(int body) const;
 
     using Key = std::tuple<int, int, int>;     ///< body_a, vertex, body_b
     std::map<Key, Vec3> direction_of_vertex_;  ///< of this step

@@ -3,7 +3,6 @@
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "chapters/08_speculative_contacts/contact_search.hpp"
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
-#include "common/simulation/contact_parameters.hpp"
 
 #include <memory>
 

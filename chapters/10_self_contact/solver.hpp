@@ -1,8 +1,6 @@
 #pragma once
 
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
-#include "common/simulation/contact_parameters.hpp"
-#include "common/simulation/step.hpp"
 
 namespace enduring {
 

@@ -113,6 +113,8 @@ public:
     /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
     virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/)
     {}
+    /// Their values in the state.
+    virtual Eigen::VectorXd contact_velocity(std::span<const int> /*touched*/) const { return {}; }
     /// After a step of dt [s] is committed, adds an impulse on the coordinates to the velocities; nothing moves.
     void kick(std::span<const int> touched, const Eigen::VectorXd& impulse, double dt)
     {
@@ -120,6 +122,17 @@ public:
         update_prediction(dt);
         positions_t1_ = positions_t0_;
     }
+
+    /// Brings inner forces to where the step ends as it is predicted: contact is answered there.
+    /// @return  the imbalance that is left [1]
+    virtual double settle(double /*dt*/) { return 0; }
+    /// Whether it has inner forces that have settled in this step, so that they can follow what contact changes.
+    virtual bool approaches_end() const { return false; }
+    /// Brings them nearer to where the step ends now.
+    /// @return  the imbalance that there was [1]
+    virtual double approach_end(double /*dt*/) { return 0; }
+    /// What presses it beside its weight: forces from outside, torques at the arm of its size, and its own elements [N].
+    virtual double pressing_force(double /*dt*/) const { return 0; }
 
     /// The work of forces from outside but gravity in the step as it is predicted [J].
     virtual double driven_work(double /*dt*/) const { return 0; }

@@ -288,6 +288,20 @@ void DeformableBody::commit(double dt)
     positions_t0_ = positions_t1_;
 }
 
+Eigen::VectorXd DeformableBody::contact_velocity(std::span<const int> touched) const
+{
+    Eigen::VectorXd velocities(3 * static_cast<Eigen::Index>(touched.size()));
+    for (std::size_t i = 0; i < touched.size(); ++i)
+        velocities.segment<3>(static_cast<Eigen::Index>(3 * i)) = velocity(touched[i]);
+    return velocities;
+}
+
+double DeformableBody::pressing_force(double) const
+{
+    return elastic_.external_forces().colwise().norm().sum() +
+           elastic_.elastic_forces().colwise().norm().sum();
+}
+
 double DeformableBody::approach_end(double dt)
 {
     double missing = 0;

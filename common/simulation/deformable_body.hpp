@@ -81,11 +81,13 @@ public:
     ContactMass contact_mass(std::span<const int> touched) const override;
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
+    Eigen::VectorXd contact_velocity(std::span<const int> touched) const override;
 
     std::unique_ptr<Trial> begin_trial() const override;
     const MassParts& mass_parts() const override { return *parts_; }
 
     bool is_driven() const override { return Body::is_driven() || !forces_.empty() || !grips_.empty(); }
+    double pressing_force(double dt) const override;
     double driven_work(double dt) const override
     {
         return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum() + grip_work_;
@@ -105,12 +107,11 @@ public:
     Vec3 angular_momentum(const Vec3& about) const override { return elastic_.angular_momentum(about); }
     int inverted_elements() const override { return elastic_.inverted_elements(); }
 
-    /// Brings elastic forces nearer to those where the step ends now (ElasticBody::approach_end()).
-    /// @return  the imbalance that there was [1]
-    double approach_end(double dt);
-    /// Does so until the imbalance is small (ElasticBody::settle()). All impulses take the implicit response from here on.
-    /// @return  what is left [1]
-    double settle(double dt);
+    /// See ElasticBody::approach_end().
+    double approach_end(double dt) override;
+    /// Approaches until the imbalance is small (ElasticBody::settle()). All impulses take the implicit response from here on.
+    double settle(double dt) override;
+    bool approaches_end() const override { return elastic_.approaches_end(); }
 
     const ElasticBody& elastic() const { return elastic_; }
     const SurfaceEmbedding& embedding() const { return embedding_; }

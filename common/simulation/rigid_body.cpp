@@ -175,6 +175,16 @@ void RigidBody::apply_contact_impulse(std::span<const int>, const Eigen::VectorX
     motion_.apply_momentum(impulse.head<3>(), impulse.tail<3>());
 }
 
+Eigen::VectorXd RigidBody::contact_velocity(std::span<const int>) const
+{
+    return (Eigen::VectorXd(6) << motion_.velocity(), motion_.angular_velocity()).finished();
+}
+
+double RigidBody::pressing_force(double dt) const
+{
+    return (load_momentum_.norm() + load_turning_.norm() / size()) / dt;
+}
+
 std::unique_ptr<Trial> RigidBody::begin_trial() const
 {
     return std::make_unique<RigidTrial>(motion_, positions_t0_);

@@ -40,6 +40,7 @@ public:
     ContactMass contact_mass(std::span<const int> touched) const override;
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
+    Eigen::VectorXd contact_velocity(std::span<const int> touched) const override;
 
     std::unique_ptr<Trial> begin_trial() const override;
 
@@ -47,6 +48,7 @@ public:
     {
         return Body::is_driven() || !loads_.empty() || !motion_.free_directions().hold_none();
     }
+    double pressing_force(double dt) const override;
     double driven_work(double /*dt*/) const override
     {
         return load_momentum_.dot(motion_.velocity_at(motion_.pose().position)) +
@@ -65,9 +67,6 @@ public:
     Vec3 angular_momentum(const Vec3& about) const override { return motion_.angular_momentum(about); }
 
     const RigidMotion& motion() const { return motion_; }
-    /// What the loads do in the step that is predicted: momentum [N s], and angular momentum about the body's origin [N m s].
-    const Vec3& load_momentum() const { return load_momentum_; }
-    const Vec3& load_turning() const { return load_turning_; }
 
 private:
     const Vec3& start_of(int vertex) const { return positions_t0_[vertex]; }

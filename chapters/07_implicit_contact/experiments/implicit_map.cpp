@@ -1,7 +1,7 @@
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/07_implicit_contact/experiments/experiments.hpp"
+#include "chapters/07_implicit_contact/experiments/implicit_amplification.hpp"
 #include "chapters/07_implicit_contact/experiments/measured_radius.hpp"
-#include "chapters/07_implicit_contact/implicit_amplification.hpp"
 
 #include <algorithm>
 #include <cmath>

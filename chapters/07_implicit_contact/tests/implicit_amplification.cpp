@@ -1,4 +1,4 @@
-#include "chapters/07_implicit_contact/implicit_amplification.hpp"
+#include "chapters/07_implicit_contact/experiments/implicit_amplification.hpp"
 
 #include "chapters/01_particle_plane/amplification.hpp"
 #include "chapters/07_implicit_contact/experiments/measured_radius.hpp"

@@ -1,4 +1,4 @@
-#include "chapters/07_implicit_contact/pressing_mass.hpp"
+#include "chapters/07_implicit_contact/step_problem.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/static_body.hpp"
 

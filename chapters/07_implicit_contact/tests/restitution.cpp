@@ -1,5 +1,4 @@
 #include "chapters/07_implicit_contact/restitution.hpp"
-#include "chapters/07_implicit_contact/island_impact.hpp"
 
 #include "chapters/07_implicit_contact/generalized_reflection.hpp"
 #include "chapters/07_implicit_contact/implicit_contact.hpp"

@@ -1,4 +1,4 @@
-#include "chapters/07_implicit_contact/solve_accuracy.hpp"
+#include "chapters/07_implicit_contact/implicit_contact.hpp"
 
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"

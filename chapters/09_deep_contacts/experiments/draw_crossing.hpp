@@ -1,7 +1,6 @@
 #pragma once
 
-#include "chapters/09_deep_contacts/intersection_curve.hpp"
-#include "chapters/09_deep_contacts/surface_regions.hpp"
+#include "chapters/09_deep_contacts/overlaps.hpp"
 #include "common/experiments/render/stage.hpp"
 #include "common/simulation/step.hpp"
 

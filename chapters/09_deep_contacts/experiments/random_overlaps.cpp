@@ -1,7 +1,7 @@
 #include "chapters/09_deep_contacts/experiments/random_overlaps.hpp"
 
 #include "chapters/02_collision_detection/edge_triangle.hpp"
-#include "chapters/09_deep_contacts/surface_regions.hpp"
+#include "chapters/09_deep_contacts/overlaps.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/read_gmsh.hpp"
 #include "common/geometry/round_shapes.hpp"

@@ -1,4 +1,3 @@
-#include "chapters/09_deep_contacts/crossing_edges.hpp"
 #include "chapters/09_deep_contacts/experiments/crossed_beams.hpp"
 #include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/inside_pairs.hpp"

@@ -71,7 +71,8 @@ TEST_CASE("inside pairs: each vertex inside gets one pair, none outside does, an
     const World world = block_in_floor(0.13, 0.3);
     InsidePairs inside;
     Contacts contacts;
-    inside.append_missing(world, contacts);
+    inside.trace(world);
+    inside.append_pairs(world, contacts);
     std::map<std::pair<int, int>, int> pairs;
     for (const Contact& contact : contacts)
         ++pairs[{contact.body_a, contact.feature_a}];
@@ -84,7 +85,8 @@ TEST_CASE("inside pairs: each vertex inside gets one pair, none outside does, an
         }
     CHECK(all > 3);
     const std::size_t before = contacts.size();
-    inside.append_missing(world, contacts);
+    inside.trace(world);
+    inside.append_pairs(world, contacts);
     CHECK(contacts.size() == before);
 }
 

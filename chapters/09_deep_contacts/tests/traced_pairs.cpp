@@ -89,7 +89,8 @@ TEST_CASE("inside pairs: a pair acts where the separation direction passes its f
         const int block = floor_first ? 1 : 0;
         InsidePairs inside;
         Contacts contacts;
-        inside.append_missing(world, contacts);
+        inside.trace(world);
+        inside.append_pairs(world, contacts);
         int pairs = 0;
         for (const Contact& contact : contacts) {
             if (contact.kind != ContactKind::vertex_face)
@@ -110,7 +111,8 @@ TEST_CASE("inside pairs: none between bodies that cannot move, nor where a surfa
     const auto pairs_of = [](const World& world) {
         InsidePairs inside;
         Contacts contacts;
-        inside.append_missing(world, contacts);
+        inside.trace(world);
+        inside.append_pairs(world, contacts);
         return contacts.size();
     };
     World fixed;
@@ -136,13 +138,15 @@ TEST_CASE("inside pairs: bodies that moved since the last trace are traced where
     World world = block_in_floor(0.13);
     InsidePairs inside;
     Contacts first, second;
-    inside.append_missing(world, first);
+    inside.trace(world);
+    inside.append_pairs(world, first);
     world.bodies[1]->predict(Vec3(0, 0, 0), 1);
     for (int v = 0; v < world.bodies[1]->surface().vertex_count(); ++v)
         world.bodies[1]->apply_impulse(v, Vec3(0, 1, 0));
     world.bodies[1]->update_prediction(1);
     world.bodies[1]->commit(1);
-    inside.append_missing(world, second);
+    inside.trace(world);
+    inside.append_pairs(world, second);
     CHECK(first.size() > 0);
     CHECK(second.empty());
 }
@@ -160,7 +164,8 @@ TEST_CASE(
             body->predict(Vec3::Zero(), 0.01);
         InsidePairs inside;
         Contacts contacts;
-        inside.append_missing(world, contacts);
+        inside.trace(world);
+        inside.append_pairs(world, contacts);
         const Body &b = *world.bodies[static_cast<std::size_t>(block)],
                    &f = *world.bodies[static_cast<std::size_t>(floor)];
         const int deep = vertex_where(b, [](const Vec3&x) { return x.y() < -0.1; }),
@@ -272,7 +277,8 @@ TEST_CASE(
             body->predict(Vec3::Zero(), 0.01);  // it will have left
         InsidePairs inside;
         Contacts contacts;
-        inside.append_missing(world, contacts);
+        inside.trace(world);
+        inside.append_pairs(world, contacts);
         int pairs = 0;
         for (const Contact& contact : contacts) {
             if (contact.kind != ContactKind::edge_edge)
@@ -302,7 +308,8 @@ TEST_CASE("inside pairs: what pokes through any face of a box gets its pairs wit
         add_rigid(world, moved(box(Vec3::Constant(0.1)), middle + Vec3(1e-3, 2e-3, 3e-3)));
         InsidePairs inside;
         Contacts contacts;
-        inside.append_missing(world, contacts);
+        inside.trace(world);
+        inside.append_pairs(world, contacts);
         const auto with_face = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
             return contact.kind == ContactKind::vertex_face && contact.body_a == 1 &&
                    contact.feature_b == face;

@@ -1,5 +1,5 @@
 #include "chapters/09_deep_contacts/experiments/random_overlaps.hpp"
-#include "chapters/09_deep_contacts/surface_regions.hpp"
+#include "chapters/09_deep_contacts/overlaps.hpp"
 #include "common/geometry/box_shapes.hpp"
 
 #include <doctest/doctest.h>
