@@ -1,4 +1,4 @@
-#include "chapters/07_implicit_contact/generalized_reflection.hpp"
+#include "chapters/07_implicit_contact/restitution.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "chapters/07_implicit_contact/restitution.hpp"
 
-#include "chapters/07_implicit_contact/generalized_reflection.hpp"
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 

@@ -1,6 +1,5 @@
 #include "chapters/07_implicit_contact/restitution.hpp"
 
-#include "chapters/07_implicit_contact/generalized_reflection.hpp"
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "common/geometry/box_shapes.hpp"

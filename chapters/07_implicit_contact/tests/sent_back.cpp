@@ -1,4 +1,3 @@
-#include "chapters/07_implicit_contact/generalized_reflection.hpp"
 #include "chapters/07_implicit_contact/restitution.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/simulation/energy.hpp"
