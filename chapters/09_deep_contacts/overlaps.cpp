@@ -180,12 +180,12 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
         double size = 0;
     };
     std::map<int, Sum> sums;
-    for (int vertex = 0; vertex < a.topology.vertex_count(); ++vertex)
-        if (volumes.is_inside(vertex, true))
-            sums[volumes.of_vertex(vertex, true)].overlap.vertices_of_a.push_back(vertex);
-    for (int vertex = 0; vertex < b.topology.vertex_count(); ++vertex)
-        if (volumes.is_inside(vertex, false))
-            sums[volumes.of_vertex(vertex, false)].overlap.vertices_of_b.push_back(vertex);
+    for (const bool of_a : {true, false})
+        for (int vertex = 0; vertex < (of_a ? a : b).topology.vertex_count(); ++vertex)
+            if (volumes.is_inside(vertex, of_a)) {
+                Overlap& overlap = sums[volumes.of_vertex(vertex, of_a)].overlap;
+                (of_a ? overlap.vertices_of_a : overlap.vertices_of_b).push_back(vertex);
+            }
     for (std::size_t i = 0; i < intersection.curves.size(); ++i) {
         const Vec3 area = vector_area(intersection, intersection.curves[i], a, b);
         Sum& sum = sums[volumes.of_curve(i)];

@@ -1,7 +1,5 @@
 #include "chapters/09_deep_contacts/piercing.hpp"
 
-#include "chapters/09_deep_contacts/exact_side.hpp"
-
 #include <cmath>
 
 namespace enduring {

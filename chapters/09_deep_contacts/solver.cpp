@@ -2,6 +2,7 @@
 
 #include "chapters/07_implicit_contact/step_problem.hpp"
 #include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/09_deep_contacts/inside_pairs.hpp"
 
 #include <utility>
 

@@ -2,7 +2,6 @@
 
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "chapters/08_speculative_contacts/contact_search.hpp"
-#include "chapters/09_deep_contacts/inside_pairs.hpp"
 
 #include <memory>
 

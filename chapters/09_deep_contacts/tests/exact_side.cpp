@@ -1,4 +1,4 @@
-#include "chapters/09_deep_contacts/exact_side.hpp"
+#include "chapters/09_deep_contacts/piercing.hpp"
 
 #include <doctest/doctest.h>
 

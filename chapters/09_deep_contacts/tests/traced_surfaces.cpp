@@ -1,6 +1,6 @@
-#include "chapters/09_deep_contacts/exact_side.hpp"
 #include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/overlaps.hpp"
+#include "chapters/09_deep_contacts/piercing.hpp"
 #include "chapters/09_deep_contacts/tests/moved.hpp"
 #include "common/geometry/box_shapes.hpp"
 
