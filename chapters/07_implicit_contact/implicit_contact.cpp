@@ -3,6 +3,7 @@
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
 #include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/restitution.hpp"
+#include "chapters/07_implicit_contact/taken_energy.hpp"
 #include "common/fem/elastic_body.hpp"
 
 #include <algorithm>
@@ -111,6 +112,9 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             missing += changed_part(step.problem, begin.impulses, next, least);
         apply_impulses(world, step, next);
     }
+    if (!world.attempt.may_be_halved)
+        if (const double part = part_that_takes(world, step); part < 1)
+            apply_impulses(world, step, part * impulses_acting(step.problem));
     if (!(record.residual <= settings.kept_residual))
         outcome.trouble = StepTrouble::unsolved;
     else if (largest_compression(world, step) > settings.kept_depth)

@@ -80,18 +80,6 @@ MatrixXd response_of(const IslandImpact& island)
     return along.transpose() * answers;
 }
 
-/// Velocities of the coordinates in contact, behind the commit.
-VectorXd velocities_of(const World& world, const StepProblem& step)
-{
-    VectorXd velocities(step.problem.size);
-    for (std::size_t place = 0; place < step.bodies.size(); ++place)
-        if (const BodyBlock& block = step.problem.blocks[place]; block.size() > 0)
-            velocities.segment(block.first, block.size()) =
-                world.bodies[static_cast<std::size_t>(step.bodies[place])]->contact_velocity(
-                    step.vertices[place]);
-    return velocities;
-}
-
 /// The momentum of all impulses of the step, with its levers.
 VectorXd momentum_of(const StepProblem& step)
 {

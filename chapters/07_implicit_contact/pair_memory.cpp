@@ -39,7 +39,10 @@ void stiffen(Contact& contact, double depth_t0, double stiffness)
 void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
                      double max_load)
 {
-    const double wanted = wanted_stiffness(mass, contact.load, choice, dt);
+    // What presses harder than all that others bring comes from what cannot give way: no stiffness makes it less deep.
+    const double asked = wanted_stiffness(mass, std::min(contact.load, max_load), choice, dt);
+    const double wanted = std::clamp(contact.stiffness, asked,
+                                     wanted_stiffness(mass, contact.load, choice, dt));
     if (contact.stiffness == 0) {
         contact.stiffness = wanted;
         contact.rest_offset = std::min(0.0, depth_t0);
@@ -85,7 +88,7 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
     for (std::size_t i = 0; i < masses.size(); ++i) {
         Contact& contact = *step.of_row[i];
         PairLaw& law = step.problem.rows[i].law;
-        const double load = law.normal.dot(step.problem.rows[i].acting) / dt;
+        const double load = std::min(law.normal.dot(step.problem.rows[i].acting) / dt, step.max_load);
         const double depth = choice.of_pair(natural_units(world, contact, dt)).depth();
         const double wanted = std::min(choice.k_dt2_over_m * masses[i] / (dt * dt), load / depth);
         if (wanted < choice.at_once * contact.stiffness)
@@ -129,6 +132,9 @@ void remember_pairs(const World& world, Contacts& contacts, double dt)
                                                 : Vec3(Vec3::Zero());
         contact.stretch = surface_turn(world, contact) * contact.stretch;
         contact.start = is_open ? 1 : 0;  // behind surface_turn, which asks for that of the search
+        if (!world.attempt.may_be_halved && contact.stiffness > 0)  // what is not solved presses no spring
+            contact.rest_offset = std::min(
+                0.0, contact_geometry(world, contact, 1).depth + contact.load / contact.stiffness);
     }
 }
 //! [remember_pairs]

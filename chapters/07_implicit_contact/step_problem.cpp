@@ -154,7 +154,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
     step.vertices = touched_vertices(island);
     add_blocks(world, step);
     step.problem.rows.reserve(island.contacts.size());
-    const double most = first ? max_load_of(world, island, step_law.dt) : 0;
+    const double most = step.max_load = max_load_of(world, island, step_law.dt);
     for (Contact* const of_row : island.contacts) {
         Contact& contact = *of_row;
         PairRow row;
@@ -212,6 +212,17 @@ Eigen::VectorXd last_impulses(const World& world, const StepProblem& step)
             step.problem.step.dt * (contact.load * normal - contact.stiffness * contact.stretch);
     }
     return impulses;
+}
+
+Eigen::VectorXd velocities_of(const World& world, const StepProblem& step)
+{
+    Eigen::VectorXd velocities(step.problem.size);
+    for (std::size_t place = 0; place < step.bodies.size(); ++place)
+        if (const BodyBlock& block = step.problem.blocks[place]; block.size() > 0)
+            velocities.segment(block.first, block.size()) =
+                world.bodies[static_cast<std::size_t>(step.bodies[place])]->contact_velocity(
+                    step.vertices[place]);
+    return velocities;
 }
 
 //! [apply_impulses]

@@ -7,6 +7,8 @@
 #include "common/simulation/contact_parameters.hpp"
 #include "common/simulation/step.hpp"
 
+#include <limits>
+
 namespace enduring {
 
 /// The problem of one island in a step, and where it comes from. Masses and levers are those of
@@ -15,7 +17,8 @@ struct StepProblem {
     ContactProblem problem;        ///< with a block for each body, an empty one if it has no coordinates
     std::vector<Contact*> of_row;  ///< the contact of each row
     std::vector<int> bodies;       ///< the island's
-    std::vector<std::vector<int>> vertices;  ///< of each of these, those in touch
+    std::vector<std::vector<int>> vertices;                     ///< of each of these, those in touch
+    double max_load = std::numeric_limits<double>::infinity();  ///< of the island, see max_load() [N]
 };
 
 /// Sets up an island; its enduring and new pairs get their stiffness for the step.
@@ -47,6 +50,9 @@ void update_kinematics(const World& world, StepProblem& step);
 
 /// The impulses of all pairs in the last step, three numbers each [N s]: at rest they are the answer.
 Eigen::VectorXd last_impulses(const World& world, const StepProblem& step);
+
+/// Velocities of the coordinates: behind the commit those of the state, before it those that are predicted.
+Eigen::VectorXd velocities_of(const World& world, const StepProblem& step);
 
 /// Gives each pair this impulse, and brings the difference to the bodies and their prediction.
 void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impulses);

@@ -1,0 +1,45 @@
+#include "chapters/07_implicit_contact/taken_energy.hpp"
+
+#include "chapters/07_implicit_contact/restitution.hpp"
+#include "common/simulation/contact_geometry.hpp"
+
+namespace enduring {
+namespace {
+
+/// The work that bodies which move as given, and surfaces that run, do through a pair [J].
+double given_work(const World& world, const Contact& contact)
+{
+    double work = -contact.friction.dot(running_of_surfaces(world, contact));
+    for (int i = 0; i < contact.vertex_count(); ++i) {
+        const auto vertex = static_cast<std::size_t>(i);
+        if (const Body& body = body_of_vertex(world, contact, i); body.is_static())
+            work -= contact.weights[vertex] *
+                    (contact.impulse + contact.friction).dot(body.velocity(contact.vertices[vertex]));
+    }
+    return work;
+}
+
+}  // namespace
+
+//! [part_that_takes]
+double part_that_takes(const World& world, const StepProblem& step)
+{
+    const double dt = step.problem.step.dt;
+    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
+    double given = 0, held_t0 = 0, held_t1 = 0;  // the latter two of springs, twice
+    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
+        const Contact& contact = *step.of_row[i];
+        const Vec3 impulse = contact.impulse + contact.friction;
+        step.problem.rows[i].add_impulse(impulse, momentum);
+        given += given_work(world, contact);
+        held_t0 += contact.load * contact.load / contact.stiffness +
+                   contact.stiffness * contact.stretch.squaredNorm();
+        held_t1 += impulse.squaredNorm() / (contact.stiffness * dt * dt);
+    }
+    const Eigen::VectorXd change = times_response(step.problem, momentum);
+    const double slope = momentum.dot(velocities_of(world, step) - change) - given;
+    return allowed_part(slope, momentum.dot(change) + held_t1, held_t0 / 2);
+}
+//! [part_that_takes]
+
+}  // namespace enduring
