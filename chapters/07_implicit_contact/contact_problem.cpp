@@ -57,11 +57,13 @@ template <class LawOf>
 Answers answers_by(const ContactProblem& problem, const std::vector<Vec3>& velocities, const LawOf& law_of)
 {
     const auto pairs = static_cast<Eigen::Index>(problem.rows.size());
-    Answers answers{VectorXd(3 * pairs), VectorXd::Zero(problem.size), VectorXd::Zero(problem.size)};
+    Answers answers{{}, VectorXd(3 * pairs), VectorXd::Zero(problem.size), VectorXd::Zero(problem.size)};
+    answers.pushes.reserve(velocities.size());
     for (Eigen::Index i = 0; i < pairs; ++i) {
         const PairRow& row = problem.rows[static_cast<std::size_t>(i)];
         const Vec3& velocity = velocities[static_cast<std::size_t>(i)];
-        const Vec3 impulse = pushed(law_of(row, velocity), velocity, problem.step).total();
+        const Vec3 impulse =
+            answers.pushes.emplace_back(pushed(law_of(row, velocity), velocity, problem.step)).total();
         answers.impulses.segment<3>(3 * i) = impulse;
         row.add_impulse(impulse, answers.total);
         row.add_impulse(impulse - row.acting, answers.unbalanced);

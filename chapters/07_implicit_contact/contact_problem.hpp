@@ -93,6 +93,7 @@ std::vector<Vec3> rates_of(const ContactProblem& problem, const Eigen::VectorXd&
 
 /// What the pairs answer to a change.
 struct Answers {
+    std::vector<PairPush> pushes;
     Eigen::VectorXd impulses;           ///< three numbers for each pair
     Eigen::VectorXd total, unbalanced;  ///< all as momentum of the coordinates; without what acts already
 };

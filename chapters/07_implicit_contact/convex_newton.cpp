@@ -15,21 +15,28 @@ namespace {
 /// How far to go along a direction: to where the slope of the objective,
 /// which only rises, has nearly reached zero.
 /// @param velocities, rates  of the pairs after the change and along the direction: they do not bend along the way
+/// @param impulses           that the pairs answer to the change
 double step_length(const ContactProblem& problem, const VectorXd& change, const VectorXd& direction,
-                   const std::vector<Vec3>& velocities, const std::vector<Vec3>& rates)
+                   const std::vector<Vec3>& velocities, const std::vector<Vec3>& rates,
+                   const VectorXd& impulses)
 {
     const VectorXd mass_direction = times_mass(problem, direction);
     const double slope_t0 = mass_direction.dot(change), curvature = mass_direction.dot(direction);
-    const auto slope_at = [&](double t) {
+    const auto slope_with = [&](double t, const auto& impulse_of) {
         double slope = slope_t0 + t * curvature;
-        for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-            const PairRow& row = problem.rows[i];
-            const PairPush made = pushed(row.law, velocities[i] + t * rates[i], problem.step);
-            slope -= rates[i].dot(made.total() - row.acting);
-        }
+        for (std::size_t i = 0; i < problem.rows.size(); ++i)
+            slope -= rates[i].dot(impulse_of(i) - problem.rows[i].acting);
         return slope;
     };
-    double low = 0, high = 1, slope_low = slope_at(low), slope_high = slope_at(high);
+    const auto slope_at = [&](double t) {
+        return slope_with(t, [&](std::size_t i) {
+            return pushed(problem.rows[i].law, velocities[i] + t * rates[i], problem.step).total();
+        });
+    };
+    double low = 0, high = 1;
+    double slope_low = slope_with(
+        low, [&](std::size_t i) { return impulses.segment<3>(static_cast<Eigen::Index>(3 * i)); });
+    double slope_high = slope_at(high);
     const double enough = 0.1 * std::abs(slope_low);
     while (slope_high < -enough && high < 64) {
         low = high;
@@ -70,10 +77,11 @@ ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix
         solution.converged = solution.residual <= tolerance;
         if (solution.converged || solution.newton_steps == max_steps)
             return solution;
-        const VectorXd direction = matrix.solve(problem, friction.hessians(velocities), -gradient);
+        const VectorXd direction = matrix.solve(problem, friction.hessians(answers.pushes), -gradient);
         const std::vector<Vec3> rates = rates_of(problem, direction);
         friction.follow(velocities, rates);
-        const double part = step_length(problem, solution.change, direction, velocities, rates);
+        const double part = step_length(problem, solution.change, direction, velocities, rates,
+                                        answers.impulses);
         solution.change += part * direction;
         solution.impulses += part * (matrix.tangent(answers.impulses, rates) - solution.impulses);
     }

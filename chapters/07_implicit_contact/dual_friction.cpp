@@ -12,12 +12,12 @@ Vec3 within(double limit, const Vec3& friction)
 //! [slip_stiffening]
 /// By how much a pair is stiffer than its answer says: the answer takes its direction d twice where the
 /// equation takes d and the guess once each, in both orders so that the sum stays symmetric.
-Mat3 missing_stiffness(const PairRow& row, const Vec3& spring, const Vec3& guess, const StepLaw& step)
+Mat3 missing_stiffness(const PairRow& row, const PairPush& push, const Vec3& guess, const StepLaw& step)
 {
-    const double limit = row.law.mu * row.law.lagged_normal_impulse, size = spring.norm();
-    const Vec3 d = spring / size, short_of_it = d - guess / limit;
+    const double size = push.spring.norm();
+    const Vec3 d = push.spring / size, short_of_it = d - guess / push.limit;
     const Mat3 once = d * short_of_it.transpose();
-    return limit / size * row.law.stiffness * step.dt * step.dt * 0.5 * (once + once.transpose());
+    return push.limit / size * row.law.stiffness * step.dt * step.dt * 0.5 * (once + once.transpose());
 }
 //! [slip_stiffening]
 
@@ -31,17 +31,15 @@ DualFriction::DualFriction(const ContactProblem& problem) : problem_(problem)
                                   row.acting - row.law.normal.dot(row.acting) * row.law.normal));
 }
 
-std::vector<Mat3> DualFriction::hessians(const std::vector<Vec3>& velocities) const
+std::vector<Mat3> DualFriction::hessians(const std::vector<PairPush>& pushes) const
 {
     std::vector<Mat3> all;
-    all.reserve(velocities.size());
-    for (std::size_t i = 0; i < problem_.rows.size(); ++i) {
+    all.reserve(pushes.size());
+    for (std::size_t i = 0; i < pushes.size(); ++i) {
         const PairRow& row = problem_.rows[i];
-        const PairAnswer made = answer(row.law, velocities[i], problem_.step);
-        all.push_back(made.hessian);
-        if (made.slips)
-            all.back() += missing_stiffness(row, spring_impulse(row.law, velocities[i], problem_.step),
-                                            guesses_[i], problem_.step);
+        all.push_back(hessian_of(row.law, pushes[i], problem_.step));
+        if (pushes[i].slips)
+            all.back() += missing_stiffness(row, pushes[i], guesses_[i], problem_.step);
     }
     return all;
 }

@@ -22,16 +22,20 @@ struct StepLaw {
     double dt = 0.01;   ///< [s]
 };
 
+/// What a pair pushes, and what the derivative needs besides.
 struct PairPush {
-    Vec3 normal_impulse, friction;  ///< on p [N s]
+    Vec3 normal_impulse, friction = Vec3::Zero();  ///< on p [N s]
+    double slope = 0;  ///< of the normal impulse over the depth at the end [N s/m]
+    double limit = 0;  ///< of friction [N s]
+    Vec3 spring =
+        Vec3::Zero();  ///< what friction's spring would push if it never gave, where there is a limit [N s]
     bool slips = false;
 
     Vec3 total() const { return normal_impulse + friction; }
 };
 
 struct PairAnswer : PairPush {
-    /// minus the derivative of the total by the velocity [kg]; symmetric, never negative
-    Mat3 hessian;
+    Mat3 hessian;  ///< see hessian_of()
 };
 
 /// What the spring along the surface would push if it never gave [N s].
@@ -42,7 +46,9 @@ double normal_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& 
 
 /// @param velocity  of p against q over the step [m/s]
 PairPush pushed(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
-/// The same, and how it changes with the velocity.
+/// Minus the derivative of what a pair pushes by the velocity [kg]; symmetric, never negative.
+Mat3 hessian_of(const PairLaw& pair, const PairPush& push, const StepLaw& step);
+/// Both.
 PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 
 }  // namespace enduring

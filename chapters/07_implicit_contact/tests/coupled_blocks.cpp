@@ -146,5 +146,6 @@ TEST_CASE("dual friction: a guess that is led from a pair that holds to one that
     const PairAnswer own = answer(problem.rows[0].law, problem.rows[0].velocity, problem.step);
     REQUIRE(own.slips);
     REQUIRE_FALSE(answer(problem.rows[0].law, problem.rows[0].velocity + nearly, problem.step).slips);
-    CHECK((friction.hessians({before})[0] - own.hessian).norm() <= 1e-9 * own.hessian.norm());
+    CHECK((friction.hessians(answers_at(problem, {before}).pushes)[0] - own.hessian).norm() <=
+          1e-9 * own.hessian.norm());
 }
