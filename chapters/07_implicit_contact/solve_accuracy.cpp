@@ -50,7 +50,7 @@ double rounding_residual(const World& world, const StepProblem& step, double lea
         const double last_digit = std::numeric_limits<double>::epsilon() *
                                   largest_coordinate(world, *step.of_row[i]),
                      impulse = row.law.stiffness * step.problem.step.dt * last_digit;
-        sum += impulse * impulse / mass_of(row, step.problem);
+        sum += impulse * impulse / mass_along(row.law.normal, step.responses[i]);
     }
     return std::sqrt(sum) / std::max(least_speed, speed_of(step.problem, total));
 }

@@ -66,11 +66,9 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
 
 //! [slides_on]
 /// Whether a pair slips too fast for friction to stop it in this step; else it may hold again.
-bool slides_on(const Contact& contact, const PairRow& row, const ContactProblem& problem,
-               const FrictionCoefficients& friction)
+bool slides_on(const Contact& contact, double mass, const FrictionCoefficients& friction, double dt)
 {
-    return contact.slip > 0 &&
-           contact.slip * mass_of(row, problem) > friction.mu_s * contact.load * problem.step.dt;
+    return contact.slip > 0 && contact.slip * mass > friction.mu_s * contact.load * dt;
 }
 //! [slides_on]
 
@@ -92,12 +90,11 @@ bool gives_way(const PairRow& row)
 //! [rubs]
 /// Whether a pair has a surface to rub on. One that began inside has none before it is let out. Slack tells the two
 /// apart: a loaded spring that was made stiffer is slack no deeper than its load pressed it at its first stiffness.
-bool rubs(const Contact& contact, const PairRow& row, const ContactProblem& problem,
-          const StiffnessChoice& choice)
+bool rubs(const Contact& contact, double mass, const StiffnessChoice& choice, double dt)
 {
     if (contact.rest_offset >= -choice.rubbing_offset * choice.depth())
         return true;
-    const double first = wanted_stiffness(mass_of(row, problem), 0, choice, problem.step.dt);
+    const double first = wanted_stiffness(mass, 0, choice, dt);
     return -contact.rest_offset * first <= contact.load;
 }
 //! [rubs]
@@ -109,10 +106,15 @@ double depth_at_start(const World& world, const Contact& contact)
     return contact_geometry(world, contact, contact.start).depth;
 }
 
+double mass_along(const Vec3& normal, const Mat3& response)
+{
+    const double along = normal.dot(response * normal);
+    return along > 0 ? 1 / along : 0;
+}
+
 double mass_of(const PairRow& row, const ContactProblem& problem)
 {
-    const double response = row.law.normal.dot(row.response(problem.blocks) * row.law.normal);
-    return response > 0 ? 1 / response : 0;
+    return mass_along(row.law.normal, row.response(problem.blocks));
 }
 
 //! [max_load]
@@ -163,14 +165,16 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         const double depth_t0 = depth_at_start(world, contact);
         if (row.law.normal.isZero(0) || !gives_way(row))
             continue;
+        step.responses.push_back(row.response(step.problem.blocks));
+        const double mass = mass_along(row.law.normal, step.responses.back());
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
         if (first || contact.stiffness == 0)
-            adapt_stiffness(contact, depth_t0, mass_of(row, step.problem), own, step_law.dt, most);
+            adapt_stiffness(contact, depth_t0, mass, own, step_law.dt, most);
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
         const FrictionCoefficients& of_pair = pair_friction(world, contact, friction);
-        row.law.mu = !rubs(contact, row, step.problem, own)           ? 0
-                     : slides_on(contact, row, step.problem, of_pair) ? of_pair.mu_d
+        row.law.mu = !rubs(contact, mass, own, step_law.dt)           ? 0
+                     : slides_on(contact, mass, of_pair, step_law.dt) ? of_pair.mu_d
                                                                       : of_pair.mu_s;
         step.problem.rows.push_back(std::move(row));
         step.of_row.push_back(&contact);

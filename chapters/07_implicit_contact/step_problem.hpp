@@ -16,6 +16,7 @@ namespace enduring {
 struct StepProblem {
     ContactProblem problem;        ///< with a block for each body, an empty one if it has no coordinates
     std::vector<Contact*> of_row;  ///< the contact of each row
+    std::vector<Mat3> responses;   ///< PairRow::response() of each row
     std::vector<int> bodies;       ///< the island's
     std::vector<std::vector<int>> vertices;                     ///< of each of these, those in touch
     double max_load = std::numeric_limits<double>::infinity();  ///< of the island, see max_load() [N]
@@ -33,6 +34,8 @@ double depth_at_start(const World& world, const Contact& contact);
 /// The mass that a pair feels along its normal: 1 / (n . W n), with W the change of its velocity per impulse; 0 for one
 /// that nothing moves [kg].
 double mass_of(const PairRow& row, const ContactProblem& problem);
+/// The same with W.
+double mass_along(const Vec3& normal, const Mat3& response);
 
 /// What can be brought upon a pair [N]: the weight of all bodies, forces and torques from outside and what elements push, all with a
 /// lever as a wedge has it, and what stops the motion. What presses harder than this comes from the pairs themselves.
