@@ -57,10 +57,4 @@ Mat3 hessian_of(const PairLaw& pair, const PairPush& push, const StepLaw& step)
 }
 //! [answer]
 
-PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step)
-{
-    const PairPush push = pushed(pair, velocity, step);
-    return {push, hessian_of(pair, push, step)};
-}
-
 }  // namespace enduring

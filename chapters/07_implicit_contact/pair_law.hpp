@@ -34,10 +34,6 @@ struct PairPush {
     Vec3 total() const { return normal_impulse + friction; }
 };
 
-struct PairAnswer : PairPush {
-    Mat3 hessian;  ///< see hessian_of()
-};
-
 /// What the spring along the surface would push if it never gave [N s].
 Vec3 spring_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 
@@ -48,7 +44,5 @@ double normal_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& 
 PairPush pushed(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 /// Minus the derivative of what a pair pushes by the velocity [kg]; symmetric, never negative.
 Mat3 hessian_of(const PairLaw& pair, const PairPush& push, const StepLaw& step);
-/// Both.
-PairAnswer answer(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 
 }  // namespace enduring

@@ -262,7 +262,7 @@ void find_slip(StepProblem& step)
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
         const Vec3 along = row.velocity - row.law.normal.dot(row.velocity) * row.law.normal;
-        step.of_row[i]->slip = answer(row.law, row.velocity, step.problem.step).slips ? along.norm() : 0;
+        step.of_row[i]->slip = pushed(row.law, row.velocity, step.problem.step).slips ? along.norm() : 0;
     }
 }
 

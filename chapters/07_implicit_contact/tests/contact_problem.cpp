@@ -79,7 +79,7 @@ TEST_CASE("contact problem: impulses that act already are not given twice")
     ContactProblem problem = random_problem(4, 5, 20, 1e4);
     const ProblemSolution first = solved(problem, 1e-12);
     for (PairRow& row : problem.rows) {
-        const PairAnswer made = answer(row.law, row.velocity_after(first.change), problem.step);
+        const PairPush made = pushed(row.law, row.velocity_after(first.change), problem.step);
         row.acting = made.normal_impulse + made.friction;
         row.velocity = row.velocity_after(first.change);
     }

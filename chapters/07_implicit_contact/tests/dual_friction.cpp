@@ -39,7 +39,7 @@ ContactProblem slipping_particles()
 Mat3 own_stiffening(const ContactProblem& problem, std::size_t pair)
 {
     const PairRow& row = problem.rows[pair];
-    return answer(row.law, row.velocity, problem.step).hessian;
+    return hessian_of(row.law, pushed(row.law, row.velocity, problem.step), problem.step);
 }
 
 double least_eigenvalue(const Mat3& matrix)

@@ -149,7 +149,7 @@ TEST_CASE("contact problem: every random one is solved with the limits of fricti
             for (PairRow& row : problem.rows) {
                 row.law.lagged_normal_impulse = normal_impulse(row.law, row.velocity_after(solution.change),
                                                                problem.step);
-                const PairAnswer made = answer(row.law, row.velocity_after(solution.change), problem.step);
+                const PairPush made = pushed(row.law, row.velocity_after(solution.change), problem.step);
                 CHECK(made.friction.norm() <= row.law.mu * made.normal_impulse.norm() * (1 + 1e-6) + 1e-9);
             }
         }
@@ -200,7 +200,7 @@ TEST_CASE("limit search: where an error of the limits returns enlarged, it finds
     for (int round = 0; round < 12; ++round) {
         const Eigen::VectorXd change = solved(problem, 1e-12).change;
         const PairRow& row = problem.rows[0];
-        error = std::abs(answer(row.law, row.velocity_after(change), problem.step).normal_impulse.norm() -
+        error = std::abs(pushed(row.law, row.velocity_after(change), problem.step).normal_impulse.norm() -
                          row.law.lagged_normal_impulse);
         limits.advance(problem, change);
     }

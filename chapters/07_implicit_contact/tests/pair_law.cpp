@@ -37,23 +37,24 @@ std::vector<Sample> samples()
 
 const StepLaw step{2.0 / 3, 0.01};
 
-Vec3 impulse(const PairAnswer& made) { return made.normal_impulse + made.friction; }
+Vec3 impulse(const PairPush& made) { return made.normal_impulse + made.friction; }
 
 }  // namespace
 
 TEST_CASE("pair law: the stiffening is minus the derivative of the impulse, symmetric and never negative")
 {
     for (const auto& [pair, velocity] : samples()) {
-        const PairAnswer made = answer(pair, velocity, step);
+        const PairPush made = pushed(pair, velocity, step);
+        const Mat3 hessian = hessian_of(pair, made, step);
         const double by = 1e-6;
         Mat3 measured;
         for (int axis = 0; axis < 3; ++axis)
-            measured.col(axis) = (impulse(answer(pair, velocity - by * Vec3::Unit(axis), step)) -
-                                  impulse(answer(pair, velocity + by * Vec3::Unit(axis), step))) /
+            measured.col(axis) = (impulse(pushed(pair, velocity - by * Vec3::Unit(axis), step)) -
+                                  impulse(pushed(pair, velocity + by * Vec3::Unit(axis), step))) /
                                  (2 * by);
-        CHECK((measured - made.hessian).norm() <= 1e-6);
-        CHECK((made.hessian - made.hessian.transpose()).norm() <= 1e-12);
-        CHECK(Eigen::SelfAdjointEigenSolver<Mat3>(made.hessian).eigenvalues().minCoeff() >= -1e-12);
+        CHECK((measured - hessian).norm() <= 1e-6);
+        CHECK((hessian - hessian.transpose()).norm() <= 1e-12);
+        CHECK(Eigen::SelfAdjointEigenSolver<Mat3>(hessian).eigenvalues().minCoeff() >= -1e-12);
     }
 }
 
@@ -61,7 +62,7 @@ TEST_CASE("pair law: while it holds, friction is the spring from its anchor to w
 {
     int holding = 0;
     for (const auto& [pair, velocity] : samples()) {
-        const PairAnswer made = answer(pair, velocity, step);
+        const PairPush made = pushed(pair, velocity, step);
         if (made.slips || pair.lagged_normal_impulse == 0)
             continue;
         ++holding;
@@ -76,8 +77,8 @@ TEST_CASE("pair law: two velocities and their impulses never agree in direction,
     const std::vector<Sample> all = samples();
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
         const Vec3 &one = all[i].velocity, &other = all[i + 1].velocity;
-        const Vec3 change = impulse(answer(all[i].pair, one, step)) -
-                            impulse(answer(all[i].pair, other, step));
+        const Vec3 change = impulse(pushed(all[i].pair, one, step)) -
+                            impulse(pushed(all[i].pair, other, step));
         CHECK(change.dot(one - other) <= 1e-12);
     }
 }
@@ -87,7 +88,7 @@ TEST_CASE(
 {
     int pushing = 0, slipping = 0;
     for (const auto& [pair, velocity] : samples()) {
-        const PairAnswer made = answer(pair, velocity, step);
+        const PairPush made = pushed(pair, velocity, step);
         CHECK(made.normal_impulse.dot(pair.normal) >= 0);
         CHECK(made.normal_impulse.cross(pair.normal).norm() <= 1e-12);
         CHECK(std::abs(made.friction.dot(pair.normal)) <= 1e-12);
