@@ -100,11 +100,11 @@ double allowed_part(double slope, double curvature, double allowed)
 {
     if (slope + curvature / 2 <= allowed)
         return 1;
-    if (!(allowed > 0) && !(allowed == 0 && slope < 0))
+    if (!(allowed >= 0))
         return 0;
-    const double root = std::sqrt(
-        slope * slope + 2 * curvature * allowed);  // two forms of one number: no difference of equals
-    return std::clamp(slope < 0 ? (root - slope) / curvature : 2 * allowed / (slope + root), 0.0, 1.0);
+    const double root = std::sqrt(slope * slope + 2 * curvature * allowed);
+    // two forms of one number: neither subtracts what may be equal
+    return std::clamp(slope <= 0 ? (root - slope) / curvature : 2 * allowed / (slope + root), 0.0, 1.0);
 }
 
 }  // namespace enduring

@@ -1,4 +1,5 @@
 #include "chapters/07_implicit_contact/restitution.hpp"
+
 #include "common/simulation/natural_units.hpp"
 
 #include <algorithm>
@@ -78,15 +79,6 @@ MatrixXd response_of(const IslandImpact& island)
         answers.col(i) = times_response(island.step.problem, unit);
     }
     return along.transpose() * answers;
-}
-
-/// The momentum of all impulses of the step, with its levers.
-VectorXd momentum_of(const StepProblem& step)
-{
-    VectorXd momentum = VectorXd::Zero(step.problem.size);
-    for (std::size_t i = 0; i < step.of_row.size(); ++i)
-        step.problem.rows[i].add_impulse(step.of_row[i]->impulse + step.of_row[i]->friction, momentum);
-    return momentum;
 }
 
 }  // namespace

@@ -71,7 +71,8 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
 
 /// Before the step is settled: what each pair hands on to the next one,
 /// its load and the stretch of its friction. One that is held holds nothing: its spring has let go. Its `start` says from here on
-/// whether it endures, or was open when the step began and pushes from its end.
+/// whether it endures, or was open when the step began and pushes from its end. In a part that cannot be halved any more its spring
+/// is pressed by what it carries, and by no depth that the solve has left.
 void remember_pairs(const World& world, Contacts& contacts, double dt);
 
 }  // namespace enduring

@@ -121,7 +121,7 @@ std::vector<Vec3> friction_of(const IslandImpact& island, const Bounce& bounce, 
             const PairRow& row = step.problem.rows[i];
             const Mat3 along = Mat3::Identity() - pair.normal * pair.normal.transpose();
             const Vec3 slip = along * (pair.velocity + pair.running + row.rate_of(change));
-            const double largest = (along * row.response(step.problem.blocks) * along).operatorNorm();
+            const double largest = (along * step.responses[i] * along).operatorNorm();
             Vec3 next = friction[i] - slip / largest;
             if (next.norm() > limit)
                 next *= limit / next.norm();

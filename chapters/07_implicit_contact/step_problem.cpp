@@ -229,6 +229,14 @@ Eigen::VectorXd velocities_of(const World& world, const StepProblem& step)
     return velocities;
 }
 
+Eigen::VectorXd momentum_of(const StepProblem& step)
+{
+    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
+    for (std::size_t i = 0; i < step.of_row.size(); ++i)
+        step.problem.rows[i].add_impulse(step.of_row[i]->impulse + step.of_row[i]->friction, momentum);
+    return momentum;
+}
+
 //! [apply_impulses]
 void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impulses)
 {

@@ -57,6 +57,9 @@ Eigen::VectorXd last_impulses(const World& world, const StepProblem& step);
 /// Velocities of the coordinates: behind the commit those of the state, before it those that are predicted.
 Eigen::VectorXd velocities_of(const World& world, const StepProblem& step);
 
+/// The momentum of all pairs' impulses, by the levers of this problem.
+Eigen::VectorXd momentum_of(const StepProblem& step);
+
 /// Gives each pair this impulse, and brings the difference to the bodies and their prediction.
 void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impulses);
 

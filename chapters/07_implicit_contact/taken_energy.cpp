@@ -25,18 +25,14 @@ double given_work(const World& world, const Contact& contact)
 double part_that_takes(const World& world, const StepProblem& step)
 {
     const double dt = step.problem.step.dt;
-    Eigen::VectorXd momentum = Eigen::VectorXd::Zero(step.problem.size);
     double given = 0, held_t0 = 0, held_t1 = 0;  // the latter two of springs, twice
-    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
-        const Contact& contact = *step.of_row[i];
-        const Vec3 impulse = contact.impulse + contact.friction;
-        step.problem.rows[i].add_impulse(impulse, momentum);
-        given += given_work(world, contact);
-        held_t0 += contact.load * contact.load / contact.stiffness +
-                   contact.stiffness * contact.stretch.squaredNorm();
-        held_t1 += impulse.squaredNorm() / (contact.stiffness * dt * dt);
+    for (const Contact* contact : step.of_row) {
+        given += given_work(world, *contact);
+        held_t0 += contact->load * contact->load / contact->stiffness +
+                   contact->stiffness * contact->stretch.squaredNorm();
+        held_t1 += (contact->impulse + contact->friction).squaredNorm() / (contact->stiffness * dt * dt);
     }
-    const Eigen::VectorXd change = times_response(step.problem, momentum);
+    const Eigen::VectorXd momentum = momentum_of(step), change = times_response(step.problem, momentum);
     const double slope = momentum.dot(velocities_of(world, step) - change) - given;
     return allowed_part(slope, momentum.dot(change) + held_t1, held_t0 / 2);
 }

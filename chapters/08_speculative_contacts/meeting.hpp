@@ -15,8 +15,8 @@ struct Meeting {
     /// of two meetings of a vertex that with the smaller cost counts first: at the start its distance from the face [m],
     /// in a crossing the moment
     double cost = 0;
-    bool passes =
-        false;  ///< a vertex the face within the step, also where it is near at the start; or it ends near it
+    /// whether a vertex passes the face within the step, also where it is near at the start; or ends near it
+    bool passes = false;
     double orientation = 1;
     PairWeights weights{};
 };

@@ -3,7 +3,7 @@
 #include "chapters/07_implicit_contact/implicit_contact.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/07_implicit_contact/step_problem.hpp"
-#include "chapters/07_implicit_contact/taken_energy.hpp"
+#include "chapters/07_implicit_contact/tests/cube_above_plane.hpp"
 #include "chapters/07_implicit_contact/tests/only_island.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
@@ -21,42 +21,6 @@
 
 using namespace enduring;
 using namespace enduring::chapter07;
-
-namespace {
-
-/// A corner of a cube of 10 kg with the plane below it; it feels a quarter of the cube's mass.
-Contact corner_on_plane(int vertex = 0)
-{
-    return {ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}};
-}
-constexpr double corner_mass = 2.5;
-
-/// A cube whose lower side is at this height, as it will move in a step.
-World cube_above_plane(double height, double dt, double size = 1, const Vec3& velocity = Vec3::Zero())
-{
-    World world;
-    world.gravity.setZero();
-    world.planes.push_back({"ground"});
-    SurfaceMesh mesh = box(Vec3::Constant(size));
-    for (Vec3& x : mesh.vertices)
-        x.y() += 0.5 * size + height;
-    world.bodies.push_back(
-        std::make_unique<RigidBody>("cube", mesh, with_mass(mass_properties(mesh, 1000), 10), velocity));
-    for (const auto& body : world.bodies)
-        body->predict(world.gravity, dt);
-    return world;
-}
-
-std::vector<int> lower_corners(const Body& cube)
-{
-    std::vector<int> lower;
-    for (int v = 0; v < 8; ++v)
-        if (cube.positions_t0()[static_cast<std::size_t>(v)].y() < cube.centre().y())
-            lower.push_back(v);
-    return lower;
-}
-
-}  // namespace
 
 TEST_CASE("step problem: a pair slides on where mu_s times its load cannot stop what it carries in this step")
 {
@@ -471,40 +435,4 @@ TEST_CASE("solver of chapter 7: friction adds no pass, for the pairs' problem ha
         return names;
     };
     CHECK(passes(MassSplitting{.mu_s = 0.5, .mu_d = 0.4}) == passes(NoFriction{}));
-}
-
-TEST_CASE(
-    "taken energy: of impulses that are too large, pairs give what leaves no more than bodies and springs had")
-{
-    for (const double load : {0.0, 300.0})
-        for (const double times : {0.5, 2.5, 1000.0}) {
-            const double dt = 0.01, speed = 2, k = 1e6;
-            World world = cube_above_plane(0, dt, 1, Vec3(0, -speed, 0));
-            const std::vector<int> lower = lower_corners(*world.bodies[0]);
-            Contacts contacts;
-            for (const int corner : lower) {
-                contacts.push_back(corner_on_plane(corner));
-                contacts.back().stiffness = k;
-                contacts.back().load = load;
-            }
-            StepProblem step = set_up_only_island(world, contacts, {}, {}, {1, dt}, false);
-            Eigen::VectorXd impulses(3 * lower.size());
-            for (std::size_t i = 0; i < lower.size(); ++i)  // once would stop the cube
-                impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = times * corner_mass * speed *
-                                                                        Vec3::UnitY();
-            apply_impulses(world, step, impulses);
-            const double part = part_that_takes(world, step);
-            update_kinematics(world, step);
-            apply_impulses(world, step, part * impulses);
-            const double upwards = world.bodies[0]->mean_velocity().y(),
-                         pushed = part * times * corner_mass * speed / dt,
-                         held = 0.5 * 10 * upwards * upwards + 4 * 0.5 * pushed * pushed / k,
-                         before = 0.5 * 10 * speed * speed + 4 * 0.5 * load * load / k;
-            CAPTURE(load);
-            CAPTURE(times);
-            CHECK((part == 1) == (times < 1));
-            CHECK(held <= before * (1 + 1e-9));
-            if (part < 1)
-                CHECK(held == doctest::Approx(before));
-        }
 }
