@@ -27,8 +27,9 @@ struct SweptBox {
     }
     bool overlaps(const SweptBox& other) const
     {
-        return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&
-               other.low.y() <= high.y() && low.z() <= other.high.z() && other.low.z() <= high.z();
+        // without a branch for each axis: no guess of the processor can be wrong
+        return (low.x() <= other.high.x()) & (other.low.x() <= high.x()) & (low.y() <= other.high.y()) &
+               (other.low.y() <= high.y()) & (low.z() <= other.high.z()) & (other.low.z() <= high.z());
     }
 };
 
