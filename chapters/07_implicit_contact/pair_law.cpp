@@ -26,9 +26,8 @@ PairPush pushed(const PairLaw& pair, const Vec3& velocity, const StepLaw& step)
 
     // A spring that gives: its end moves with p, its impulse never exceeds the limit.
     push.spring = spring_impulse(pair, velocity, step);
-    const double wanted = push.spring.norm();
-    push.slips = wanted > push.limit;
-    push.friction = push.slips ? Vec3(push.limit / wanted * push.spring) : push.spring;
+    push.slips = push.spring.squaredNorm() > push.limit * push.limit;
+    push.friction = push.slips ? Vec3(push.limit / push.spring.norm() * push.spring) : push.spring;
     return push;
 }
 //! [push]
