@@ -182,8 +182,7 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
 void settle_soft_bodies(World& world, double dt)
 {
     for (const auto& body : world.bodies)
-        if (!(body->settle(dt) <= small_imbalance))
-            world.attempt.trouble = StepTrouble::unsolved;
+        body->settle(dt);
 }
 //! [settle]
 

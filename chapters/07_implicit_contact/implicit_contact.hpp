@@ -69,8 +69,8 @@ struct ImplicitSettings {
 void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings,
                     IslandMatrices& matrices, double dt);
 
-/// Refresh, before anything is looked for: brings the elastic forces of soft bodies to where the step ends without contact. What is
-/// left makes the step shorter, as an unsolved one.
+/// Refresh, before anything is looked for: brings the elastic forces of soft bodies to where the step ends without contact. A body
+/// that is inside out may not settle, for its frames jump. Halves would not help it: they jump in the shortest step, too.
 void settle_soft_bodies(World& world, double dt);
 
 /// Whether inner forces of an island's bodies have settled in this step. A solver without that pass keeps the linear step.

@@ -2,9 +2,11 @@
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/energy.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace enduring;
@@ -90,22 +92,29 @@ TEST_CASE("elastic ends: bodies of an island that have not settled in this step 
     CHECK(world.attempt.trouble == StepTrouble::none);
 }
 
-TEST_CASE("elastic ends: a body that does not settle makes the step shorter, wherever it stands among others")
+TEST_CASE("elastic ends: a body that is inside out takes whole steps and gains no energy")
 {
-    for (const std::size_t torn : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
-        CAPTURE(torn);
-        World world = three_bars(1e7);
-        Body& body = *world.bodies[torn];
-        std::mt19937 random(1);
-        std::uniform_real_distribution<double> push(-1e6, 1e6);  // N s, on a bar of 40 kg
-        for (int vertex = 0; vertex < body.surface().vertex_count(); ++vertex)
-            body.apply_impulse(vertex, Vec3(push(random), push(random), push(random)));
-        predict(world);
-        settle_soft_bodies(world, dt);
-        CHECK(world.attempt.trouble == StepTrouble::unsolved);
+    // Its frames jump between two ends, however short the step is, so halves would settle no better.
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        CAPTURE(seed);
+        World world = three_bars(1e4);
+        world.bodies.resize(1);  // nothing touches it
+        world.gravity.setZero();
+        Body& bar = *world.bodies[0];
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> push(-400, 400);  // N s, on a bar of 40 kg
+        for (int vertex = 0; vertex < bar.surface().vertex_count(); ++vertex)
+            bar.apply_impulse(vertex, Vec3(push(random), push(random), push(random)));
+        int inverted = 0;
+        Contacts contacts;
+        const Solver solver = chapter07_solver({});
+        for (int i = 0; i < 20; ++i) {
+            const double before = total_energy(world).total();
+            advance(world, contacts, solver, dt);
+            CHECK(total_energy(world).total() <= 1.001 * before);
+            inverted = std::max(inverted, bar.inverted_elements());
+        }
+        REQUIRE(inverted > 0);
+        CHECK(world.thrown_away == 0);
     }
-    World world = three_bars(1e7);
-    predict(world);
-    settle_soft_bodies(world, dt);
-    CHECK(world.attempt.trouble == StepTrouble::none);
 }
