@@ -27,9 +27,8 @@ struct SweptBox {
     }
     bool overlaps(const SweptBox& other) const
     {
-        // without a branch for each axis: no guess of the processor can be wrong
-        return (low.x() <= other.high.x()) & (other.low.x() <= high.x()) & (low.y() <= other.high.y()) &
-               (other.low.y() <= high.y()) & (low.z() <= other.high.z()) & (other.low.z() <= high.z());
+        // counted, for the processor would often guess wrong at a branch for each axis
+        return (low.array() <= other.high.array()).count() + (other.low.array() <= high.array()).count() == 6;
     }
 };
 
