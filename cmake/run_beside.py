@@ -105,9 +105,12 @@ def quoted(path):
 
 
 def graph_of(plan, edges):
-    """Some edges of the plan as ninja reads them, which begins with what stands first of all that is ready. What no edge makes is there."""
+    """Some edges of the plan as ninja reads them, which begins with what stands first of all that is ready. What no edge makes is there.
+    An edge takes the place of its shell, for that is what ninja waits for when it is stopped; and it hears of Ctrl-C when Python has loaded,
+    which swallows it at times before."""
+    command = f"exec env --block-signal=INT {quoted(sys.executable)} {quoted(ROOT / 'cmake/run_one.py')}"
     lines = ["ninja_required_version = 1.11", "pool compiling", "  depth = 1", "rule edge",
-             f"  command = {quoted(sys.executable)} {quoted(ROOT / 'cmake/run_one.py')} {quoted(Path(plan['runs'], 'plan.json'))} '$name'",
+             f"  command = {command} {quoted(Path(plan['runs'], 'plan.json'))} '$name'",
              "build always: phony"]
     for name in edges:
         edge = plan["edges"][name]
