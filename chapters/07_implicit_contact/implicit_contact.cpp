@@ -208,6 +208,8 @@ void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSett
     settings.friction = coefficients_of(parameters.friction);
     if (parameters.wanted_depth)
         settings.stiffness.wanted_depth = parameters.wanted_depth;
+    if (parameters.max_depenetration_velocity)
+        settings.stiffness.max_depenetration_velocity = parameters.max_depenetration_velocity;
     solver.max_halvings = max_halvings;
     solver.finds_stiffness = true;
     const std::string first = solver.passes(StepStage::refresh).front().name;

@@ -96,7 +96,7 @@ double sharp_enough(double on_bodies, double of_round, double tolerance);
 double rounding_residual(const World& world, const StepProblem& step, double least_speed);
 
 /// Gives a solver that finds pairs this chapter's solve of them.
-/// @param parameters  of a scene: its coefficients of friction and its depth come before those of the settings
+/// @param parameters  of a scene: its coefficients of friction, its depth and its velocity come before those of the settings
 void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSettings settings);
 
 }  // namespace enduring

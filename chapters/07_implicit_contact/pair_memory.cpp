@@ -12,7 +12,7 @@ StiffnessChoice StiffnessChoice::of_pair(const NaturalUnits& units) const
 {
     StiffnessChoice own = *this;
     own.wanted_depth = depth(units.length);
-    own.max_depenetration_velocity = parts.fading_speed * units.speed;
+    own.max_depenetration_velocity = fading_speed(units.speed);
     return own;
 }
 
@@ -52,11 +52,12 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
                                   choice.at_once * contact.load;  // else it is wound up, and would throw
     if (wanted > contact.stiffness || (choice.at_once * wanted < contact.stiffness && carries_its_load))
         stiffen(contact, depth_t0, wanted);
-    // What moves out is not thrown, and a pair that cannot move out is not wound up for ever.
-    const double at_most = depth_t0 + max_load / contact.stiffness;
-    contact.rest_offset = std::min({choice.keep * contact.rest_offset,
-                                    contact.rest_offset + choice.max_depenetration_velocity * dt,
-                                    std::max(contact.rest_offset, at_most)});
+    // What pushes more than others can bring upon it does not move out, and is not wound up. Its load is that of impulses that
+    // moved something; a push that another one cancels is seen in its spring.
+    const double compressed = contact.rest_offset - depth_t0 - choice.depth();
+    if (contact.rest_offset < 0 && std::max(contact.load, contact.stiffness * compressed) <= max_load)
+        contact.rest_offset = std::min(choice.keep * contact.rest_offset,
+                                       contact.rest_offset + contact.outward * choice.fading_speed() * dt);
 }
 //! [adapt_stiffness]
 

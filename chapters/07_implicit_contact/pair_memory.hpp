@@ -21,8 +21,8 @@ struct StiffnessChoice {
     double max_k_dt2_over_m = 1e7;
     /// A pair that lacks this many times its stiffness for the mass that presses it gets it in the same step, and one that is so many
     /// times as stiff as its mass and its load ask for becomes softer. Infinite: a light body under a heavy one sinks through the
-    /// ground until its load counts, and what has landed comes out of the ground too slowly. A half: every landing begins its rounds
-    /// anew.
+    /// ground until its load counts, and what has landed stays as stiff as its impact: heaps take up to four times the steps of Newton's method.
+    /// A half: every landing begins its rounds anew.
     double at_once = 2;
     /// how deep the load that a pair carries may press it [m]; without it, a part of the pair's size
     std::optional<double> wanted_depth{};
@@ -30,13 +30,18 @@ struct StiffnessChoice {
     double keep = 0.9;               ///< part of a spring's rest offset that a step keeps
     /// how many wanted depths the spring of a pair that began inside may still lie below its rest offset when friction sets in
     double rubbing_offset = INFINITY;
-    /// the fastest at which a rest offset fades [m/s]; of a metre, see of_pair()
-    double max_depenetration_velocity = scale_parts.fading_speed * NaturalUnits{}.speed;
+    /// the fastest at which a rest offset fades [m/s]; without it, a part of the pair's natural speed
+    std::optional<double> max_depenetration_velocity{};
 
     /// The wanted depth of a pair of this length [m].
     double depth(double length = NaturalUnits{}.length) const
     {
         return wanted_depth.value_or(parts.wanted_depth * length);
+    }
+    /// The fastest at which a rest offset of a pair with this natural speed fades [m/s].
+    double fading_speed(double natural = NaturalUnits{}.speed) const
+    {
+        return max_depenetration_velocity.value_or(parts.max_depenetration_velocity * natural);
     }
     /// The same for a pair with these units: all its lengths in metres, and its speed.
     StiffnessChoice of_pair(const NaturalUnits& units) const;

@@ -127,8 +127,9 @@ double load_of(const Body& body, const Vec3& gravity, double dt)
            body.mass() * body.mean_velocity().norm() / dt;
 }
 
-/// As max_load() of an island, where no other bodies can bring anything upon a pair.
-double max_load_of(const World& world, const Island& island, double dt)
+}  // namespace
+
+double max_load(const World& world, const Island& island, double dt)
 {
     double load = 0;
     for (const int body : island.bodies)
@@ -136,16 +137,6 @@ double max_load_of(const World& world, const Island& island, double dt)
     return load;
 }
 //! [max_load]
-
-}  // namespace
-
-double max_load(const World& world, double dt)
-{
-    double load = 0;
-    for (const auto& body : world.bodies)
-        load += load_of(*body, world.gravity, dt);
-    return load;
-}
 
 StepProblem set_up(const World& world, const Island& island, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step_law, bool first)
@@ -156,7 +147,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
     step.vertices = touched_vertices(island);
     add_blocks(world, step);
     step.problem.rows.reserve(island.contacts.size());
-    const double most = step.max_load = max_load_of(world, island, step_law.dt);
+    const double most = step.max_load = max_load(world, island, step_law.dt);
     for (Contact* const of_row : island.contacts) {
         Contact& contact = *of_row;
         PairRow row;

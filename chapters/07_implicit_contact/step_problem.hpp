@@ -37,9 +37,9 @@ double mass_of(const PairRow& row, const ContactProblem& problem);
 /// The same with W.
 double mass_along(const Vec3& normal, const Mat3& response);
 
-/// What can be brought upon a pair [N]: the weight of all bodies, forces and torques from outside and what elements push, all with a
+/// What can be brought upon a pair of an island [N]: the weight of its bodies, forces and torques from outside and what elements push, all with a
 /// lever as a wedge has it, and what stops the motion. What presses harder than this comes from the pairs themselves.
-double max_load(const World& world, double dt);
+double max_load(const World& world, const Island& island, double dt);
 
 /// A pair's normal where its force acts; zero where its features have none.
 Vec3 normal_of(const PairStep& step, double tau);

@@ -89,14 +89,7 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
         }
 }
 
-//! [fade_rest_offset]
-void fade_rest_offset(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most)
-{
-    for (Contact& contact : contacts)
-        if (contact.rest_offset < 0)
-            contact.rest_offset = std::min(keep * contact.rest_offset, contact.rest_offset + most(contact));
-}
-
+//! [part_along_direction]
 double InsidePairs::part_along_direction(const World& world, const Contact& contact) const
 {
     for (int i = 0; contact.kind != ContactKind::vertex_plane && i < contact.vertex_count(); ++i) {
@@ -110,6 +103,6 @@ double InsidePairs::part_along_direction(const World& world, const Contact& cont
     }
     return 1;
 }
-//! [fade_rest_offset]
+//! [part_along_direction]
 
 }  // namespace enduring

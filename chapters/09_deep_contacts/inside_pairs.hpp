@@ -3,7 +3,6 @@
 #include "chapters/09_deep_contacts/overlaps.hpp"
 #include "common/simulation/step.hpp"
 
-#include <functional>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -52,11 +51,5 @@ private:
     std::vector<const Body*> bodies_;          ///< whose trees these are
     std::vector<FaceTree> trees_;
 };
-
-/// Lets the rest offset of each spring fade: a tenth in each step, as chapter 7 has it, but no faster than its body
-/// may be let out. So a spring with an initial overlap brings no energy, and throws nothing.
-/// @param keep  part of its rest offset that a spring keeps in a step at least
-/// @param most  by how much a pair's rest offset may fade in the step [m], not negative
-void fade_rest_offset(Contacts& contacts, double keep, const std::function<double(const Contact&)>& most);
 
 }  // namespace enduring

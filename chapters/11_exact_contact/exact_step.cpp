@@ -11,13 +11,19 @@
 namespace enduring {
 namespace {
 
-/// The part of a gap that a step keeps: what passes have left is taken away slowly, as chapter 9 lets out what is inside. None of it: each step
+/// The part of a gap or a depth that a step keeps: what passes have left is taken away slowly, as chapter 7 lets out what is inside. None of it: each step
 /// takes away what the last one left, a step too late, and stacks on soft springs sway more and more.
 constexpr double kept_gap = 0.9;
 
 /// of a pair's length [1]: a pair that should end a step deeper than this began inside, and keeps to the speed at which it is let out, wherever
 /// its body is.
 constexpr double still_let_out = 1e-4;
+
+/// @param aim  the depth at which the step should end [m]
+bool is_let_out(const World& world, const Contact& contact, double aim)
+{
+    return aim < -still_let_out * natural_length(world, contact);
+}
 
 bool pushes(const Contact& contact) { return !contact.held() && contact.stiffness > 0; }
 
@@ -37,11 +43,11 @@ std::vector<double> remembered_forces(const Contacts& contacts, double dt)
 
 //! [begin_with_load]
 /// Pairs that are answered for the first time in this step begin with the force of the last one, at the depth that is left of it.
-void begin_with_load(Contacts& contacts)
+void begin_with_load(const World& world, Contacts& contacts)
 {
     for (Contact& contact : contacts)
         if (contact.waiting() && pushes(contact)) {
-            if (contact.rest_offset > 0)  // below 0 chapter 9 lets it out
+            if (!is_let_out(world, contact, contact.rest_offset))
                 contact.rest_offset *= kept_gap;
             contact.rest_offset += contact.load / contact.stiffness;
         }
@@ -78,7 +84,7 @@ void solve_in_passes(const Pass::Function& solve, World& world, Contacts& contac
                      const ExactStepSettings& settings)
 {
     const StepTrouble before = world.attempt.trouble;
-    begin_with_load(contacts);
+    begin_with_load(world, contacts);
     PassRecord record{world.step};
     for (record.reached = false; !record.reached && record.passes < settings.max_passes; ++record.passes) {
         const std::vector<double> held = remembered_forces(contacts, dt);
@@ -104,9 +110,9 @@ void leave_force_to_load(World& world, Contacts& contacts)
         if (!pushes(contact))
             continue;
         const double aim = contact.rest_offset - contact.load / contact.stiffness;
-        const bool is_let_out = aim < -still_let_out * natural_length(world, contact);
-        contact.rest_offset = contact.load > 0 && !is_let_out ? contact_geometry(world, contact, 1).depth
-                                                              : std::min(0.0, aim);
+        contact.rest_offset = contact.load > 0 && !is_let_out(world, contact, aim)
+                                  ? contact_geometry(world, contact, 1).depth
+                                  : std::min(0.0, aim);
     }
     world.attempt.put_in += spring_energy(contacts) - world.attempt.springs;
 }

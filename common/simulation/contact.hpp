@@ -44,6 +44,7 @@ struct Contact {
     double stiffness = 0;          ///< k of a pair that is given its own [N/m]; 0 before that
     double rest_offset = 0;        ///< depth at which the spring of such a pair pushes nothing [m]
     double load = 0;               ///< normal force that such a pair carried at the end of the last step [N]
+    double outward = 1;            ///< part of the way out of the other body that lies along its normal
     /// normal of the path on which the pair's vertex came along a surface that bends in this step; zero where it did not
     Vec3 sliding_normal = Vec3::Zero();
     ContactCategory category = ContactCategory::unknown;

@@ -24,11 +24,12 @@ inline void visit_state(StateArchive& archive, Contact& contact)
     archive(contact.stiffness);
     archive(contact.rest_offset);
     archive(contact.load);
+    archive(contact.outward);
     archive(contact.sliding_normal);
     archive.whole(contact.category);
     archive.whole(contact.state);
     archive.whole(contact.resolved);
-    static_assert(sizeof(Contact) == 224, "a field that is new in Contact has its line here, too");
+    static_assert(sizeof(Contact) == 232, "a field that is new in Contact has its line here, too");
 }
 
 }  // namespace enduring

@@ -12,10 +12,6 @@ struct ScaleParts {
     /// Of the length: how deep the load that a pair carries may press it. Nobody sees it. A tenth: springs
     /// are ten times as stiff where loads decide. Ten times: a stack is low by ten thousandths.
     double wanted_depth = 1e-5;
-    /// Of the speed: the fastest at which a rest offset fades under a solver that separates nothing. A tenth: what
-    /// is deep comes up ten times as slowly. Ten times: it arrives so fast that it jumps by a third of its
-    /// size.
-    double fading_speed = 0.08;
     /// Of the speed: at which a body separates from another one. When it is free it rises by half the
     /// square, 0.6 % of the length. A tenth: it takes ten times as long. Ten times: it jumps by half of its
     /// size.

@@ -36,7 +36,7 @@ std::vector<Constant> constants_of_settings()
         {"part of the rest offset that fades in a step",
          [](auto& s, double by) { s.stiffness.keep = std::max(0.0, 1 - by * (1 - s.stiffness.keep)); }},
         {"speed at which a rest offset fades",
-         [](auto& s, double by) { s.stiffness.parts.fading_speed *= by; }},
+         [](auto& s, double by) { s.stiffness.parts.max_depenetration_velocity *= by; }},
         {"tolerance", [](auto& s, double by) { s.tolerance *= by; }},
         {"residual with which a step is kept", [](auto& s, double by) { s.kept_residual *= by; }},
         {"depth with which a step is kept", [](auto& s, double by) { s.kept_depth *= by; }},

@@ -122,18 +122,6 @@ TEST_CASE("inside pairs: what was traced serves any list of pairs, until the nex
 }
 
 TEST_CASE(
-    "depenetration: the rest offset fades by a tenth, and no faster than the largest depenetration velocity")
-{
-    Contacts contacts(3);
-    contacts[0].rest_offset = -1e-3;
-    contacts[1].rest_offset = -0.2;
-    fade_rest_offset(contacts, 0.9, [](const Contact&) { return 0.3 * 0.01; });
-    CHECK(contacts[0].rest_offset == doctest::Approx(-9e-4));
-    CHECK(contacts[1].rest_offset == doctest::Approx(-0.2 + 0.3 * 0.01));
-    CHECK(contacts[2].rest_offset == 0);
-}
-
-TEST_CASE(
     "depenetration: a block that begins in a floor comes up slowly and rests, while with chapter 7 it falls")
 {
     for (const double depth : {0.001, 0.05, 0.4})
@@ -268,37 +256,23 @@ TEST_CASE("depenetration: half-way between two directions, to a rounding, a body
         }
 }
 
-TEST_CASE("depenetration: a rest offset fades under ten weights of all bodies, and not under more")
-{
-    const double weight = 20 * 9.81;
-    for (const double weights : {0.0, 0.5, 5.0, 9.9, 10.1, 50.0}) {
-        World world = block_in_floor(0.01);
-        const Solver solver = chapter09_solver({});
-        Contact pressed{ContactKind::vertex_face, 1, 0, 0, 0, {0, 0, 1, 2}, {1, -1, 0, 0}};
-        pressed.stiffness = 1e6;
-        pressed.rest_offset = -0.01;
-        pressed.load = weights * weight;
-        Contacts contacts{pressed};
-        solver.pass("fade rest offsets").run(world, contacts, 0.01);
-        CAPTURE(weights);
-        CHECK((contacts[0].rest_offset > -0.01) == (weights < 10));
-    }
-}
-
 TEST_CASE(
     "depenetration: without gravity a body comes out by the same part of its size in a step of any length")
 {
     for (const double dt : {0.001, 0.01, 0.03}) {
         World world = block_in_floor(0.1);
         world.gravity.setZero();
-        Contact inside{ContactKind::vertex_face, 1, 0, 0, 0, {0, 0, 1, 2}, {1, -1, 0, 0}};
-        inside.stiffness = 1e6;
-        inside.rest_offset = -0.1;
-        Contacts contacts{inside};
-        chapter09_solver({}).pass("fade rest offsets").run(world, contacts, dt);
+        Contacts contacts;
+        const Solver solver = chapter09_solver({});
+        double most = 0, last = lowest_of(*world.bodies[1]);
+        for (int step = 0; step < 30; ++step) {
+            advance(world, contacts, solver, dt);
+            const double now = lowest_of(*world.bodies[1]);
+            most = std::max(most, now - last);
+            last = now;
+        }
         CAPTURE(dt);
-        CHECK(contacts[0].rest_offset + 0.1 ==
-              doctest::Approx(scale_parts.max_depenetration_velocity / scale_parts.weightless_steps *
-                              world.bodies[1]->size()));
+        const double part = scale_parts.max_depenetration_velocity / scale_parts.weightless_steps;
+        CHECK(most / world.bodies[1]->size() / part == doctest::Approx(1).epsilon(0.01));
     }
 }
