@@ -56,7 +56,7 @@ double wanted_stiffness(double mass, double load, const StiffnessChoice& choice,
 void stiffen(Contact& contact, double depth_t0, double stiffness);
 
 /// Gives a pair its stiffness for the step. That of an enduring one rises with its load, and falls where it is far too large, without
-/// a jump of its force: its spring gets a rest offset, which fades, but winds no spring up above the most load. A pair that is
+/// a jump of its force: its spring gets a rest offset, which fades while the pair pushes no more than the most load. A pair that is
 /// born inside begins uncompressed; one that comes from outside has none.
 /// @param depth_t0   at the start of the step [m], negative inside
 /// @param mass       as above
