@@ -28,8 +28,9 @@ struct StiffnessChoice {
     std::optional<double> wanted_depth{};
     ScaleParts parts = scale_parts;  ///< of a pair's own units: what of_pair() takes
     double keep = 0.9;               ///< part of a spring's rest offset that a step keeps
-    /// how many wanted depths the spring of a pair that began inside may still lie below its rest offset when friction sets in
-    double rubbing_offset = INFINITY;
+    /// How many wanted depths a pair that began inside may still have to go when friction sets in. Infinite: friction lifts a leaning
+    /// block with more work than its weight needs. A tenth: it comes to rest up to 0.3 s later. Ten times: hardly anything changes.
+    double rubbing_offset = 100;
     /// the fastest at which a rest offset fades [m/s]; without it, a part of the pair's natural speed
     std::optional<double> max_depenetration_velocity{};
 

@@ -9,7 +9,6 @@ namespace enduring {
 Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,
                         const std::shared_ptr<ContactSearch>& search)
 {
-    settings.stiffness.rubbing_offset = 100;  // what separates from inside does not rub
     const auto inside = std::make_shared<InsidePairs>();
     Solver solver = chapter08_solver(parameters, settings, search);
     solver.name = "chapter 9";

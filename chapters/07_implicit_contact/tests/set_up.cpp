@@ -37,7 +37,6 @@ TEST_CASE("step problem: a pair that began inside rubs when it is nearly out, by
 {
     constexpr double dt = 0.004;
     StiffnessChoice choice;
-    choice.rubbing_offset = 100;
     for (const double size : {0.1, 1.0, 10.0})
         for (const double part : {0.9, 1.1}) {
             const World world = cube_above_plane(-size / 10, dt, size);

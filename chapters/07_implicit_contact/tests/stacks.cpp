@@ -247,7 +247,6 @@ TEST_CASE("pair memory: a rest offset deeper than the load has pressed does not 
     const double first = 100 * 2.5 / (0.01 * 0.01), wanted_depth = 1e-5;
     StiffnessChoice choice;
     choice.wanted_depth = wanted_depth;
-    choice.rubbing_offset = 100;
     struct Spring {
         double rest_offset, pressed;  // [m]
         bool rubs;
