@@ -106,6 +106,36 @@ TEST_CASE("inside pairs: a pair acts where the separation direction passes its f
     }
 }
 
+TEST_CASE(
+    "inside pairs: edges of an overlap get none where a vertex of it has one, whichever body's vertex it is")
+{
+    const auto is_edge_pair = [](const Contact& pair) { return pair.kind == ContactKind::edge_edge; };
+    for (const double depth : {1e-5, 0.1}) {
+        CAPTURE(depth);
+        World world;
+        add_rigid(world, moved(box(Vec3::Ones()), {0.1, 1 - depth, 0.2}));
+        add_static(world, box(Vec3::Ones()));
+        const auto with = [&](Contacts pairs) {
+            InsidePairs inside;
+            inside.trace(world);
+            inside.append_pairs(world, pairs);
+            return pairs;
+        };
+        const Contacts all = with({});
+        CHECK(std::any_of(all.begin(), all.end(), is_edge_pair));
+        int of_body[2] = {0, 0};
+        for (const Contact& one : all)
+            if (!is_edge_pair(one)) {
+                const Contacts pairs = with({one});
+                CHECK(std::none_of(pairs.begin(), pairs.end(), is_edge_pair));
+                CHECK(pairs.size() == 2);
+                ++of_body[one.body_a];
+            }
+        CHECK(of_body[0] == 1);
+        CHECK(of_body[1] == 1);
+    }
+}
+
 TEST_CASE("inside pairs: none between bodies that cannot move, nor where a surface is open")
 {
     const auto pairs_of = [](const World& world) {
