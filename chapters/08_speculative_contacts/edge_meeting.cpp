@@ -56,10 +56,11 @@ struct TwoEdges {
         };
         return in_cone(b, edge_b, normal) && in_cone(a, edge_a, -normal);
     }
+    static PairWeights weights_of(const EdgeFeet& feet) { return {1 - feet.s, feet.s, feet.t - 1, -feet.t}; }
     /// Whether they are nearest to each other at a moment when they are near.
     std::optional<Meeting> near_at(double tau, const EdgeFeet& feet) const
     {
-        const PairWeights weights{1 - feet.s, feet.s, feet.t - 1, -feet.t};
+        const PairWeights weights = weights_of(feet);
         const double furthest = reach.beyond_border(feet.depth, path_length(t0, t1, weights)),
                      tolerance = known ? search_parts.hysteresis : 0;
         if (!is_on_edge({a, tau}, edge_a, feet.s, furthest, tolerance) ||
@@ -103,9 +104,10 @@ std::optional<Meeting> find_edge_meeting(const SurfaceStep& a, int edge_a, const
     const auto feet_t0 = pair.feet_of(pair.t0), feet_t1 = pair.feet_of(pair.t1);
     if (!feet_t0 || !feet_t1)
         return std::nullopt;
-    if (std::abs(feet_t0->depth) <= std::max(reach.margin, reach.inside))
+    const double slid = search_parts.slid * path_length(pair.t0, pair.t1, TwoEdges::weights_of(*feet_t0));
+    if (std::abs(feet_t0->depth) <= std::max(reach.margin, reach.inside + slid))
         if (const auto meeting = pair.near_at(0, *feet_t0);
-            meeting && near_at_start(meeting->orientation * feet_t0->depth, reach))
+            meeting && near_at_start(meeting->orientation * feet_t0->depth, reach, slid))
             return meeting;
     const double sign = feet_t0->depth > 0 ? 1 : -1, depth_t1 = sign * feet_t1->depth;  // with this normal
     if (const auto meeting = pair.crossing(sign))

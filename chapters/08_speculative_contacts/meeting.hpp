@@ -32,9 +32,10 @@ inline double path_length(const PairVertices& t0, const PairVertices& t1, const 
 }
 
 /// Whether a pair that is so deep at the start may be near or inside then.
-inline bool near_at_start(double depth_t0, const Reach& reach)
+/// @param slid  how much deeper it may be, since its features slide [m]
+inline bool near_at_start(double depth_t0, const Reach& reach, double slid = 0)
 {
-    return -reach.inside <= depth_t0 && depth_t0 <= reach.margin;
+    return -reach.inside - slid <= depth_t0 && depth_t0 <= reach.margin;
 }
 
 /// Whether and how a vertex of A may come to push a face of B in this step.

@@ -16,6 +16,10 @@ struct SearchParts {
     /// of the smaller body's size [1]: how deep a pair may be at the start of a step. Deeper, geometry does not tell
     /// on which side a feature came in.
     double inside = 0.1;
+    /// of the way that two edges move against each other in a step [1]: how much deeper they may be at its start. Surfaces bend, so what slides
+    /// round a corner comes behind the next edge. A tenth: a slippery knot is
+    /// pulled through itself. Ten times: its strands cross four times as deep.
+    double slid = 0.01;
     /// of the depth of a body's deepest pair [1]: how deep its other features may be that have no pair yet, since it turns. Once as
     /// much loses corners to rounding; ten times takes for inside what lies behind a face beyond an edge.
     double deeper = 2;

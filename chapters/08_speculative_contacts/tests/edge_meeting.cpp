@@ -85,6 +85,26 @@ TEST_CASE("edge meeting: near or inside at the start, and within the step, there
     }
 }
 
+TEST_CASE("edge meeting: edges that slide may be deeper at the start by a hundredth of their way")
+{
+    Draw draw(6);
+    for (const double size : {1e-3, 1.0, 100.0})
+        for (const double way : {0.0, 0.2, 2.0})
+            for (const double part : {0.9, 1.1}) {
+                const Quaternion turn = draw.turn();
+                const double inside = 0.01, deep = part * (inside + 0.01 * way);
+                const MovingSurface a(scaled(keel({0.1, -deep, -0.2}), size, turn),
+                                      size * (turn * Vec3(0, 0, way))),
+                    b(scaled(roof(), size, turn));
+                CAPTURE(size);
+                CAPTURE(way);
+                CAPTURE(part);
+                CHECK(meeting_of(a, a.edge_between(0, 1), b, b.edge_between(0, 1),
+                                 {0.001 * size, inside * size})
+                          .has_value() == (part < 1));
+            }
+}
+
 TEST_CASE("edge meeting: the normal points out of B, whichever edge is whose and however they are numbered")
 {
     for (const double height : {-0.01, 0.005, 0.3})
