@@ -64,6 +64,7 @@ void knot(const RunOptions& options, Report& report)
                  "inverted", "unconverged"});
     std::vector<StripPicture> rows;
     std::array<std::array<double, 2>, 2> travel{};  // [mm] by pull and by friction
+    double deepest = 0;                             // [m]
     for (const double force : {0.5, 1.0})
         for (const double mu : {0.02, 0.5}) {
             SoftRun run = pulled_knot(mu, force);
@@ -87,6 +88,7 @@ void knot(const RunOptions& options, Report& report)
             if (clip)
                 clip->finish();
             travel[force > 0.7][mu > 0.1] = 1000 * (tight - first);
+            deepest = std::max(deepest, f.depth);
             table.add({mu, force, 1000 * (tight - first), 1000 * (tight - now), f.pairs, f.crossings,
                        1e6 * f.depth, f.inverted, f.unconverged});
             if (force < 0.7)
@@ -97,6 +99,7 @@ void knot(const RunOptions& options, Report& report)
     report.page_table("knot", table, 3);
     report.fact("knot", "slippery_mm", travel[1][0]);
     report.fact("knot", "rough_mm", travel[1][1]);
+    report.fact("knot", "deepest_um", 1e6 * deepest, 2);
 }
 
 }  // namespace enduring::chapter10
