@@ -1,5 +1,6 @@
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "chapters/10_self_contact/experiments/bent_bars.hpp"
+#include "chapters/10_self_contact/experiments/pulled_knot.hpp"
 #include "chapters/10_self_contact/experiments/self_crossings.hpp"
 #include "chapters/10_self_contact/self_search.hpp"
 #include "chapters/10_self_contact/solver.hpp"
@@ -217,4 +218,21 @@ TEST_CASE("solver of chapter 10: it solves with the settings that it is given")
     for (int step = 0; step < 3; ++step)
         advance(scene.world, contacts, solver, scene.dt);
     CHECK(records > 0);
+}
+
+TEST_CASE(
+    "self-contact: a slippery knot that is pulled stays one, and its strands do not pass through each other")
+{
+    struct Knot {
+        double mu, force, dt;
+    };
+    for (const Knot& knot : {Knot{0.02, 0.5, 0.005}, Knot{0.1, 1, 0.005}, Knot{0, 0.5, 0.002}}) {
+        chapter10::SoftRun run = chapter10::pulled_knot(knot.mu, knot.force);
+        run.scene.dt = knot.dt;
+        const chapter10::Folded found = chapter10::fold(run, static_cast<int>(0.4 / knot.dt));
+        CAPTURE(knot.mu);
+        CHECK(chapter10::knot_span(run, run.scene.world) < 0.4);  // untied its rope is half a metre long
+        CHECK(found.depth < 5e-4);
+        CHECK(found.inverted == 0);
+    }
 }
