@@ -31,20 +31,6 @@ void append_pairs_of(int body_a, const StillSurface& inner, const std::vector<in
 }
 //! [append]
 
-//! [is_held]
-/// Whether a vertex in an overlap has a pair. Then it is one that a load presses in, or one that is let out already: edges that cross there had their
-/// pairs when it began. Further ones would come and go with each trembling of a stack at rest.
-bool is_held(const Overlap& overlap, int body_a, int body_b, const VertexContacts& in_contact)
-{
-    const auto any_has_pair = [&](const std::vector<int>& vertices, int body, int other) {
-        return std::any_of(vertices.begin(), vertices.end(),
-                           [&](int vertex) { return in_contact.find(body, vertex, other) >= 0; });
-    };
-    return any_has_pair(overlap.vertices_of_a, body_a, body_b) ||
-           any_has_pair(overlap.vertices_of_b, body_b, body_a);
-}
-//! [is_held]
-
 }  // namespace
 
 void InsidePairs::fit_trees(const World& world)
@@ -84,7 +70,7 @@ void InsidePairs::trace(const World& world)
         }
 }
 
-void InsidePairs::append_pairs(const World& world, Contacts& contacts)
+void InsidePairs::append_pairs(const World& world, double margin, Contacts& contacts)
 {
     direction_of_vertex_.clear();
     const VertexContacts in_contact(contacts);
@@ -99,8 +85,7 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
         for (const Overlap& overlap : overlaps) {
             append_of(i, overlap.vertices_of_a, j, overlap.separation_direction);
             append_of(j, overlap.vertices_of_b, i, -overlap.separation_direction);
-            if (!is_held(overlap, i, j, in_contact))
-                append_crossing_edges(world, i, j, overlap, contacts);
+            append_crossing_edges(world, i, j, overlap, margin, contacts);
         }
 }
 

@@ -16,11 +16,12 @@ namespace enduring {
 /// Where the corners of two boxes lie beside each other there is no vertex in either box, and nothing but two edges
 /// that hold them apart.
 /// @param overlap  of body_a with body_b, places in World::bodies
-void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap,
+/// @param margin   chapter 8's search finds what is no deeper [m]
+void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap, double margin,
                            Contacts& contacts);
 
 /// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
-/// which the separation direction of their overlap leads; and the edges that cross on its border where it begins. It needs no
+/// which the separation direction of their overlap leads; and the edges that cross on its border without one. It needs no
 /// history. Between bodies with closed surfaces only.
 ///
 /// The trees are shaped once, so it belongs to one world.
@@ -28,9 +29,9 @@ class InsidePairs {
 public:
     /// Finds where bodies overlap at the start of the step.
     void trace(const World& world);
-    /// A pair for each vertex in a traced overlap that has none in the list; and where none of its vertices has one, for edges that
-    /// cross on its border.
-    void append_pairs(const World& world, Contacts& contacts);
+    /// A pair for each vertex in a traced overlap that has none in the list, and for edges that cross on its border.
+    /// @param margin  that of the search, see append_crossing_edges() [m]
+    void append_pairs(const World& world, double margin, Contacts& contacts);
 
     /// How much of the separation direction of its overlap lies along a pair's normal, in [0, 1]; 1 where no vertex
     /// of it is in an overlap. Asked after append_pairs().

@@ -16,7 +16,7 @@ Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings se
                          [inside](World& world, Contacts&, double) { inside->trace(world); });
     solver.replace("find pairs", "find pairs", [search, inside](World& world, Contacts& contacts, double dt) {
         renew_pairs(*search, world, dt, contacts,
-                    [&](Contacts& found) { inside->append_pairs(world, found); });
+                    [&](Contacts& found) { inside->append_pairs(world, search_margin(world, dt), found); });
         for (Contact& contact : contacts)
             contact.outward = inside->part_along_direction(world, contact);
     });

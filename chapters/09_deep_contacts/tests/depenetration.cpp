@@ -72,7 +72,7 @@ TEST_CASE("inside pairs: each vertex inside gets one pair, none outside does, an
     InsidePairs inside;
     Contacts contacts;
     inside.trace(world);
-    inside.append_pairs(world, contacts);
+    inside.append_pairs(world, 0, contacts);
     std::map<std::pair<int, int>, int> pairs;
     for (const Contact& contact : contacts)
         ++pairs[{contact.body_a, contact.feature_a}];
@@ -86,7 +86,7 @@ TEST_CASE("inside pairs: each vertex inside gets one pair, none outside does, an
     CHECK(all > 3);
     const std::size_t before = contacts.size();
     inside.trace(world);
-    inside.append_pairs(world, contacts);
+    inside.append_pairs(world, 0, contacts);
     CHECK(contacts.size() == before);
 }
 
@@ -95,13 +95,13 @@ TEST_CASE("inside pairs: what was traced serves any list of pairs, until the nex
     const World world = block_in_floor(0.13, 0.3), apart = block_in_floor(-0.01, 0.3);
     InsidePairs inside;
     Contacts all, none;
-    inside.append_pairs(world, all);
+    inside.append_pairs(world, 0, all);
     CHECK(all.empty());  // nothing is traced yet
     inside.trace(world);
-    inside.append_pairs(world, all);
+    inside.append_pairs(world, 0, all);
     REQUIRE(all.size() > 3);
     Contacts some(all.begin() + 2, all.end());
-    inside.append_pairs(world, some);
+    inside.append_pairs(world, 0, some);
     std::set<PairKey> keys;
     for (const Contact& contact : some)
         keys.insert(key_of(contact));
@@ -116,7 +116,7 @@ TEST_CASE("inside pairs: what was traced serves any list of pairs, until the nex
     };
     CHECK(least_along(world) < 1);
     inside.trace(apart);
-    inside.append_pairs(apart, none);
+    inside.append_pairs(apart, 0, none);
     CHECK(none.empty());
     CHECK(least_along(apart) == 1);
 }
