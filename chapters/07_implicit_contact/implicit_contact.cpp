@@ -31,14 +31,16 @@ double springs_at_start(const World& world, const StepProblem& step)
     return sum;
 }
 
-/// How far a spring is pressed at the end of the step, over the size of its smaller body; the most of all.
+/// How much farther a spring is pressed at the end of the step than at its start, over the size of its smaller body; the most of
+/// all. What pressed it before no shorter step mends.
 double largest_compression(const World& world, const StepProblem& step)
 {
     double most = 0;
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
         const double depth = row.law.depth_t0 + step.problem.step.dt * row.law.normal.dot(row.velocity);
-        most = std::max(most, -depth / natural_length(world, *step.of_row[i]));
+        most = std::max(most,
+                        (std::min(0.0, row.law.depth_t0) - depth) / natural_length(world, *step.of_row[i]));
     }
     return most;
 }
@@ -57,6 +59,33 @@ double changed_part(const ContactProblem& problem, const Eigen::VectorXd& before
     }
     return residual_from(problem, change, total, least_speed);
 }
+
+//! [own_impulses]
+/// Gives each pair what its own law says of the motion found, with the limit of friction that this motion makes. Newton's tangents move
+/// the bodies in the same way, but what no motion tells apart, as among seven vertices or between the jaws of a vice, they leave as anything.
+/// @param sharp  whether the laws add up to what moves the bodies; else these get what is missing, by one step of Newton's method
+void take_own_impulses(World& world, StepProblem& step, NewtonMatrix& matrix, bool sharp)
+{
+    ContactProblem& problem = step.problem;
+    for (PairRow& row : problem.rows)
+        row.law.lagged_normal_impulse = normal_impulse(row.law, row.velocity, problem.step);
+    const Answers answers = answers_to(problem, Eigen::VectorXd::Zero(problem.size));
+    if (sharp) {
+        for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+            step.of_row[i]->impulse = answers.pushes[i].normal_impulse;
+            step.of_row[i]->friction = answers.pushes[i].friction;
+            problem.rows[i].acting = answers.pushes[i].total();
+        }
+        return;
+    }
+    std::vector<Mat3> hessians;
+    hessians.reserve(problem.rows.size());
+    for (std::size_t i = 0; i < problem.rows.size(); ++i)
+        hessians.push_back(hessian_of(problem.rows[i].law, answers.pushes[i], problem.step));
+    const Eigen::VectorXd missing = matrix.solve(problem, hessians, answers.unbalanced);
+    apply_impulses(world, step, matrix.tangent(answers.impulses, rates_of(problem, missing)));
+}
+//! [own_impulses]
 
 /// What is found out about an island, beside its impulses.
 struct IslandOutcome {
@@ -88,11 +117,16 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             missing = approach_ends(world, island, dt);
             mixing = AndersonMixing(settings.mixing_rounds);
         }
+        if (record.rounds > 0 && record.residual <= settings.lever_residual &&
+            follow_levers(world, step, settings.lever_turn))
+            matrix.begin_response(matrix.solves());
         update_kinematics(world, step);
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
         record.converged = record.residual <= settings.tolerance ||
                            record.residual <= rounding_residual(world, step, least);
+        if (record.converged && (first || record.rounds > 0))
+            take_own_impulses(world, step, matrix, record.residual <= settings.tolerance_of_sums);
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
         if (record.converged && stiffen_where_pressed(world, step, settings.stiffness))

@@ -7,6 +7,18 @@
 #include <utility>
 
 namespace enduring {
+namespace {
+
+/// The largest stiffness that a pair may be given [N/m]: with the depth by which it is pressed, it holds no more than others can
+/// bring. A depth that nothing mends would ask for more and more.
+double most_stiffness(const Contact& contact, double depth_t0, double max_load)
+{
+    const double pressed = contact.rest_offset - depth_t0;
+    return pressed > 0 ? std::max(contact.stiffness, max_load / pressed)
+                       : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
 
 StiffnessChoice StiffnessChoice::of_pair(const NaturalUnits& units) const
 {
@@ -41,13 +53,13 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
 {
     // What presses harder than all that others bring comes from what cannot give way: no stiffness makes it less deep.
     const double asked = wanted_stiffness(mass, std::min(contact.load, max_load), choice, dt);
-    const double wanted = std::clamp(contact.stiffness, asked,
-                                     wanted_stiffness(mass, contact.load, choice, dt));
+    double wanted = std::clamp(contact.stiffness, asked, wanted_stiffness(mass, contact.load, choice, dt));
     if (contact.stiffness == 0) {
         contact.stiffness = wanted;
         contact.rest_offset = std::min(0.0, depth_t0);
         return;
     }
+    wanted = std::min(wanted, most_stiffness(contact, depth_t0, max_load));
     const bool carries_its_load = contact.stiffness * (contact.rest_offset - depth_t0) <=
                                   choice.at_once * contact.load;  // else it is wound up, and would throw
     if (wanted > contact.stiffness || (choice.at_once * wanted < contact.stiffness && carries_its_load))
@@ -97,7 +109,11 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         const double most = choice.max_k_dt2_over_m * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
         if (most < choice.at_once * contact.stiffness)
             continue;
-        stiffen(contact, depth_at_start(world, contact), std::min(wanted, most));
+        const double depth_t0 = depth_at_start(world, contact),
+                     bound = most_stiffness(contact, depth_t0, step.max_load);
+        if (bound < choice.at_once * contact.stiffness)
+            continue;
+        stiffen(contact, depth_t0, std::min({wanted, most, bound}));
         law.stiffness = contact.stiffness;
         law.stretch = contact.stretch;
         any = true;

@@ -47,10 +47,13 @@ double rounding_residual(const World& world, const StepProblem& step, double lea
         if (row.acting.isZero(0))
             continue;
         row.add_impulse(row.acting, total);
-        const double last_digit = std::numeric_limits<double>::epsilon() *
-                                  largest_coordinate(world, *step.of_row[i]),
-                     impulse = row.law.stiffness * step.problem.step.dt * last_digit;
-        sum += impulse * impulse / mass_along(row.law.normal, step.responses[i]);
+        constexpr double digits = 4, epsilon = std::numeric_limits<double>::epsilon();
+        const double mass = mass_along(row.law.normal, step.responses[i]), dt = step.problem.step.dt;
+        // of a coordinate, and of an impulse, which moves its bodies
+        const double moved = epsilon * (largest_coordinate(world, *step.of_row[i]) +
+                                        (mass > 0 ? dt * row.acting.norm() / mass : 0)),
+                     impulse = digits * row.law.stiffness * dt * moved;
+        sum += impulse * impulse / mass;
     }
     return std::sqrt(sum) / std::max(least_speed, speed_of(step.problem, total));
 }

@@ -131,10 +131,18 @@ double load_of(const Body& body, const Vec3& gravity, double dt)
 
 double max_load(const World& world, const Island& island, double dt)
 {
-    double load = 0;
-    for (const int body : island.bodies)
-        load += load_of(*world.bodies[static_cast<std::size_t>(body)], world.gravity, dt);
-    return load;
+    const double whole = std::max(dt, world.whole_dt);
+    double load = 0, mass = 0, drive = 0;
+    for (const int place : island.bodies) {
+        const Body& body = *world.bodies[static_cast<std::size_t>(place)];
+        load += load_of(body, world.gravity, whole);
+        mass += body.mass();
+    }
+    for (const Contact* contact : island.contacts)
+        for (int i = 0; i < contact->vertex_count(); ++i)
+            if (const Body& body = body_of_vertex(world, *contact, i); body.is_static())
+                drive = std::max(drive, body.velocity(contact->vertices[static_cast<std::size_t>(i)]).norm());
+    return load + mass * drive / whole;
 }
 //! [max_load]
 
@@ -173,15 +181,6 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
     return step;
 }
 
-void update_kinematics(const World& world, StepProblem& step)
-{
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
-        update_row(world, *step.of_row[i], step.problem.step, step.problem.rows[i]);
-        step.problem.rows[i].law.lagged_normal_impulse = std::max(
-            0.0, step.problem.rows[i].law.normal.dot(step.of_row[i]->impulse));
-    }
-}
-
 namespace {
 
 /// Calls visit(body, its vertices in touch, its part of a momentum of the coordinates) for each body that has coordinates.
@@ -194,7 +193,50 @@ void visit_bodies(World& world, const StepProblem& step, const Eigen::VectorXd& 
                   momentum.segment(block.first, block.size()));
 }
 
+/// Brings a momentum of the coordinates to the bodies and their prediction.
+void apply_momentum(World& world, const StepProblem& step, const Eigen::VectorXd& momentum)
+{
+    visit_bodies(world, step, momentum,
+                 [&](Body& body, const std::vector<int>& vertices, const Eigen::VectorXd& own) {
+                     body.apply_contact_impulse(vertices, own);
+                     body.update_prediction(step.problem.step.dt);
+                 });
+}
+
 }  // namespace
+
+//! [follow_levers]
+bool follow_levers(World& world, StepProblem& step, double least_turn)
+{
+    const double dt = step.problem.step.dt;
+    bool any = false;
+    for (const int place : step.bodies)
+        any |= world.bodies[static_cast<std::size_t>(place)]->follow_levers(least_turn, dt);
+    if (!any)
+        return false;
+    Eigen::VectorXd missing = Eigen::VectorXd::Zero(step.problem.size);
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        PairRow& row = step.problem.rows[i];
+        const Vec3 acting = step.of_row[i]->impulse + step.of_row[i]->friction;
+        row.add_impulse(-acting, missing);
+        row.part_count = 0;
+        add_parts(world, *step.of_row[i], step, row);
+        row.add_impulse(acting, missing);
+        step.responses[i] = row.response(step.problem.blocks);
+    }
+    apply_momentum(world, step, missing);
+    return true;
+}
+//! [follow_levers]
+
+void update_kinematics(const World& world, StepProblem& step)
+{
+    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+        update_row(world, *step.of_row[i], step.problem.step, step.problem.rows[i]);
+        step.problem.rows[i].law.lagged_normal_impulse = std::max(
+            0.0, step.problem.rows[i].law.normal.dot(step.of_row[i]->impulse));
+    }
+}
 
 Eigen::VectorXd last_impulses(const World& world, const StepProblem& step)
 {
@@ -240,11 +282,7 @@ void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impu
         contact.impulse = row.law.normal.dot(impulse) * row.law.normal;
         contact.friction = impulse - contact.impulse;
     }
-    const auto push = [&](Body& body, const std::vector<int>& vertices, const Eigen::VectorXd& own) {
-        body.apply_contact_impulse(vertices, own);
-        body.update_prediction(step.problem.step.dt);
-    };
-    visit_bodies(world, step, momentum, push);
+    apply_momentum(world, step, momentum);
 }
 //! [apply_impulses]
 

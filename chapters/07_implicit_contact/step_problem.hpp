@@ -11,8 +11,8 @@
 
 namespace enduring {
 
-/// The problem of one island in a step, and where it comes from. Masses and levers are those of
-/// the step; the rest of its rows follows the prediction.
+/// The problem of one island in a step, and where it comes from. Masses are those of the step, levers those that its bodies have
+/// (follow_levers()); the rest of its rows follows the prediction.
 struct StepProblem {
     ContactProblem problem;        ///< with a block for each body, an empty one if it has no coordinates
     std::vector<Contact*> of_row;  ///< the contact of each row
@@ -38,7 +38,7 @@ double mass_of(const PairRow& row, const ContactProblem& problem);
 double mass_along(const Vec3& normal, const Mat3& response);
 
 /// What can be brought upon a pair of an island [N]: the weight of its bodies, forces and torques from outside and what elements push, all with a
-/// lever as a wedge has it, and what stops the motion. What presses harder than this comes from the pairs themselves.
+/// lever as a wedge has it, and what stops the motion over the whole step, that of drives with it. What presses harder than this comes from the pairs themselves.
 double max_load(const World& world, const Island& island, double dt);
 
 /// A pair's normal where its force acts; zero where its features have none.
@@ -46,6 +46,11 @@ Vec3 normal_of(const PairStep& step, double tau);
 
 /// Sets a row to where the bodies move now: normal, depth, velocity, and what acts.
 void update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row);
+
+/// Brings the levers of all rows to the motion found, where a body has turned from them by more than this [rad]: an impact with
+/// friction turns a body within the step. What acts turns its bodies by the new levers.
+/// @return  whether it did: then the prediction is another one, and what was factored does not hold
+bool follow_levers(World& world, StepProblem& step, double least_turn);
 
 /// Brings normals, velocities and acting impulses of all rows to the present prediction. Friction's limits are taken from the
 /// normal impulses that act, not from what the pairs answer to the motion: this enlarges an error of the motion by h.

@@ -110,6 +110,10 @@ public:
     {
         return {};
     }
+    /// Where the predicted end of the step is turned by more than `least_turn` [rad] from the one whose levers contact_motion() takes,
+    /// it takes those of the predicted end from now on. Impulses that act keep the levers with which they were applied.
+    /// @return  whether it did; never for a body whose vertices move for themselves
+    virtual bool follow_levers(double /*least_turn*/, double /*dt*/) { return false; }
     /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
     virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/)
     {}

@@ -106,7 +106,7 @@ void RigidBody::predict(const Vec3& gravity, double dt)
     motion_.predict(gravity_on(gravity), dt);
     if (!loads_.empty())
         apply_loads(dt);
-    free_orientation_t1_ = motion_.predicted_pose(dt).orientation;
+    lever_orientation_t1_ = motion_.predicted_pose(dt).orientation;
     update_prediction(dt);
 }
 
@@ -152,12 +152,12 @@ ContactMass RigidBody::contact_mass(std::span<const int>) const
     return of;
 }
 
-// The free end's orientation, not the predicted one: all impulses of a step
-// have one lever, however often they are mended.
+// All impulses of a step have one lever, however often they are mended: that of the end without contact, until the body is told to
+// follow the motion found.
 VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t index, double tau) const
 {
     const Vec3& point = body_points_[static_cast<std::size_t>(touched[index])];
-    const Vec3 r = lerp(motion_.pose().orientation * point, free_orientation_t1_ * point, tau);
+    const Vec3 r = lerp(motion_.pose().orientation * point, lever_orientation_t1_ * point, tau);
     VertexMotion motion;
     motion.rate.resize(3, 6);
     motion.rate.leftCols<3>().setIdentity();
@@ -168,6 +168,15 @@ VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t
         motion.rate.rightCols<3>() *= free.along_axes(free.rotation);
     }
     return motion;
+}
+
+bool RigidBody::follow_levers(double least_turn, double dt)
+{
+    const Quaternion predicted = motion_.predicted_pose(dt).orientation;
+    if (lever_orientation_t1_.angularDistance(predicted) <= least_turn)
+        return false;
+    lever_orientation_t1_ = predicted;
+    return true;
 }
 
 void RigidBody::apply_contact_impulse(std::span<const int>, const Eigen::VectorXd& impulse)

@@ -39,6 +39,7 @@ public:
 
     ContactMass contact_mass(std::span<const int> touched) const override;
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
+    bool follow_levers(double least_turn, double dt) override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
     Eigen::VectorXd contact_velocity(std::span<const int> touched) const override;
 
@@ -77,8 +78,9 @@ private:
     RigidMotion motion_;
     std::vector<OutsideLoad> loads_;  ///< points, and what turns along, in body coordinates
     Vec3 load_momentum_ = Vec3::Zero(), load_turning_ = Vec3::Zero();
-    Quaternion free_orientation_t1_ = Quaternion::Identity();  ///< at the end of the step, before any contact
-    std::vector<Vec3> body_points_;                            ///< surface vertices in body coordinates [m]
+    /// at the end of the step: before any contact, then as follow_levers() found it
+    Quaternion lever_orientation_t1_ = Quaternion::Identity();
+    std::vector<Vec3> body_points_;  ///< surface vertices in body coordinates [m]
 };
 
 }  // namespace enduring

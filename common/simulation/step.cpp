@@ -332,6 +332,7 @@ void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, d
 
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
 {
+    world.whole_dt = dt;
     if (solver.max_halvings > 0) {
         advance_in_halves(world, contacts, solver, dt, 0, done);
     } else {

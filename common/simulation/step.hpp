@@ -63,6 +63,7 @@ struct World {
     StepAttempt attempt;        ///< at the next one, or how the last one ended
     long thrown_away = 0;       ///< attempts that were taken again in halves
     long ended_badly = 0;       ///< steps, or parts of steps, that could not be halved any more
+    double whole_dt = 0;        ///< of the step that is taken, of which an attempt may be a part [s]
     double driven = 0;          ///< work of all that drives bodies from outside but gravity, so far [J]
     MaterialFriction friction;  ///< between the materials of bodies and planes, if they have any
     MaterialRestitution restitution;
