@@ -17,8 +17,9 @@ void CandidateSearch::build(const World& world)
     trees_.clear();
     for (const auto& body : world.bodies) {
         bodies_.push_back(body.get());
-        trees_.emplace_back(body->surface(), body->positions_t0(),
-                            [&](int edge) { return may_meet(*body, edge); });
+        trees_.emplace_back(
+            body->surface(), body->positions_t0(), [&](int vertex) { return vertex_may_meet(*body, vertex); },
+            [&](int edge) { return edge_may_meet(*body, edge); });
     }
 }
 

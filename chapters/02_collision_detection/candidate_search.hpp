@@ -50,8 +50,9 @@ public:
     }
 
 protected:
-    /// Whether an edge may ever meet another one; asked once, when the trees are shaped.
-    virtual bool may_meet(const Body& /*body*/, int /*edge*/) const { return true; }
+    /// Whether a vertex may ever meet a face, and an edge another one; asked once, when the trees are shaped.
+    virtual bool vertex_may_meet(const Body& /*body*/, int /*vertex*/) const { return true; }
+    virtual bool edge_may_meet(const Body& /*body*/, int /*edge*/) const { return true; }
     /// For a search that finds more; at the end of find_candidates, with its boxes.
     virtual void find_more(const World& /*world*/) {}
     const FaceTree& tree(int body) const { return trees_[body]; }

@@ -5,7 +5,7 @@
 namespace enduring {
 
 FaceTree::FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positions,
-                   const std::function<bool(int)>& keeps_edge)
+                   const std::function<bool(int)>& keeps_vertex, const std::function<bool(int)>& keeps_edge)
     : leaf_of_face_(topology.faces().size()), vertex_boxes_(positions.size()),
       edge_boxes_(topology.edges().size()), owned_vertices_(topology.faces().size()),
       owned_edges_(topology.faces().size())
@@ -15,7 +15,7 @@ FaceTree::FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positi
         owner.features[owner.count++] = feature;
     };
     for (int v = 0; v < topology.vertex_count(); ++v)
-        if (const auto faces = topology.faces_around_vertex(v); !faces.empty())
+        if (const auto faces = topology.faces_around_vertex(v); !faces.empty() && keeps_vertex(v))
             give(owned_vertices_, faces[0], v);
     for (int e = 0; e < static_cast<int>(topology.edges().size()); ++e)
         if (keeps_edge(e))

@@ -18,11 +18,13 @@ class FaceTree {
 public:
     FaceTree() = default;
     /// Builds the shape; call refit before the first search.
-    /// @param positions   of the vertices at any one time [m]
-    /// @param keeps_edge  of all edges, those that are looked for
-    FaceTree(
-        const SurfaceTopology& topology, std::span<const Vec3> positions,
-        const std::function<bool(int)>& keeps_edge = [](int) { return true; });
+    /// @param positions     of the vertices at any one time [m]
+    /// @param keeps_vertex  of all vertices, those that are looked for
+    /// @param keeps_edge    of all edges
+    FaceTree(const SurfaceTopology& topology, std::span<const Vec3> positions,
+             const std::function<bool(int)>& keeps_vertex = keeps_all,
+             const std::function<bool(int)>& keeps_edge = keeps_all);
+    static bool keeps_all(int /*feature*/) { return true; }
 
     /// Boxes around this step, from the leaves to the root. No memory is taken.
     /// @param margin  by which all boxes are larger on each side [m]

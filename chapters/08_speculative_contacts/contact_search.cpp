@@ -201,13 +201,33 @@ Contacts ContactSearch::find(const World& world, const Contacts& known, double d
 }
 //! [find]
 
+namespace {
+
+bool keeps_shape(const Body& body)
+{
+    return body.is_static() || dynamic_cast<const RigidBody*>(&body) != nullptr;
+}
+
+}  // namespace
+
+//! [may_meet]
 /// An edge that is not convex has no normal cone, and one of a rigid body stays what it is. Where the body turns within a step, its
 /// vertices take straight lines, which changes the fold by less than half.
-bool ContactSearch::may_meet(const Body& body, int edge) const
+bool ContactSearch::edge_may_meet(const Body& body, int edge) const
 {
-    const bool keeps_shape = body.is_static() || dynamic_cast<const RigidBody*>(&body);
-    return !keeps_shape || fold_at_edge(surface_at(body, 0), edge) < -0.5 * search_parts.least_fold;
+    return !keeps_shape(body) || fold_at_edge(surface_at(body, 0), edge) < -0.5 * search_parts.least_fold;
 }
+
+/// A vertex inside a flat side of a rigid body or on a straight ridge has no direction of its own: what touches there, touches the side
+/// or the ridge. So it does not matter how a side is cut into triangles. A corner has three ridges, and a border of a sheet ends somewhere.
+bool ContactSearch::vertex_may_meet(const Body& body, int vertex) const
+{
+    const auto edges = body.surface().edges_around_vertex(vertex);
+    return !keeps_shape(body) || std::any_of(edges.begin(), edges.end(), [&](int edge) {
+        return body.surface().faces_at_edge(edge)[1] < 0;
+    }) || std::count_if(edges.begin(), edges.end(), [&](int edge) { return edge_may_meet(body, edge); }) > 2;
+}
+//! [may_meet]
 
 bool ContactSearch::has_moved(const World& world) const
 {

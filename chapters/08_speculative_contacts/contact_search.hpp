@@ -22,7 +22,8 @@ public:
     bool has_moved(const World& world) const;
 
 protected:
-    bool may_meet(const Body& body, int edge) const override;
+    bool vertex_may_meet(const Body& body, int vertex) const override;
+    bool edge_may_meet(const Body& body, int edge) const override;
 
 private:
     double margin_ = 0;
