@@ -9,8 +9,8 @@
 namespace enduring {
 namespace {
 
-/// The largest stiffness that a pair may be given [N/m]: with the depth by which it is pressed, it holds no more than others can
-/// bring. A depth that nothing mends would ask for more and more.
+/// The largest stiffness that a pair may be given [N/m]: pressed as it is, its spring then holds no more than others can bring. What
+/// presses harder comes from what cannot give way. No stiffness makes that less deep, and each would ask for more.
 double most_stiffness(const Contact& contact, double depth_t0, double max_load)
 {
     const double pressed = contact.rest_offset - depth_t0;
@@ -51,15 +51,13 @@ void stiffen(Contact& contact, double depth_t0, double stiffness)
 void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
                      double max_load)
 {
-    // What presses harder than all that others bring comes from what cannot give way: no stiffness makes it less deep.
-    const double asked = wanted_stiffness(mass, std::min(contact.load, max_load), choice, dt);
-    double wanted = std::clamp(contact.stiffness, asked, wanted_stiffness(mass, contact.load, choice, dt));
+    const double asked = wanted_stiffness(mass, contact.load, choice, dt);
     if (contact.stiffness == 0) {
-        contact.stiffness = wanted;
+        contact.stiffness = asked;
         contact.rest_offset = std::min(0.0, depth_t0);
         return;
     }
-    wanted = std::min(wanted, most_stiffness(contact, depth_t0, max_load));
+    const double wanted = std::min(asked, most_stiffness(contact, depth_t0, max_load));
     const bool carries_its_load = contact.stiffness * (contact.rest_offset - depth_t0) <=
                                   choice.at_once * contact.load;  // else it is wound up, and would throw
     if (wanted > contact.stiffness || (choice.at_once * wanted < contact.stiffness && carries_its_load))
@@ -106,14 +104,13 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         const double wanted = std::min(choice.k_dt2_over_m * masses[i] / (dt * dt), load / depth);
         if (wanted < choice.at_once * contact.stiffness)
             continue;
-        const double most = choice.max_k_dt2_over_m * mass_of(step.problem.rows[i], step.problem) / (dt * dt);
-        if (most < choice.at_once * contact.stiffness)
+        const double depth_t0 = depth_at_start(world, contact);
+        const double stiffness = std::min(
+            {wanted, choice.max_k_dt2_over_m * mass_of(step.problem.rows[i], step.problem) / (dt * dt),
+             most_stiffness(contact, depth_t0, step.max_load)});
+        if (stiffness < choice.at_once * contact.stiffness)
             continue;
-        const double depth_t0 = depth_at_start(world, contact),
-                     bound = most_stiffness(contact, depth_t0, step.max_load);
-        if (bound < choice.at_once * contact.stiffness)
-            continue;
-        stiffen(contact, depth_t0, std::min({wanted, most, bound}));
+        stiffen(contact, depth_t0, stiffness);
         law.stiffness = contact.stiffness;
         law.stretch = contact.stretch;
         any = true;
