@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -62,63 +61,78 @@ Bounce bounce_of(const IslandImpact& island)
     return bounce;
 }
 
+//! [impulses_for]
+/// How the step's friction has turned rigid bodies that are free to move, as a change of the coordinates. Its force moves them along their
+/// surfaces; its torque turns vertices beside each other up and down.
+VectorXd turned_by_friction(const StepProblem& step)
+{
+    VectorXd momentum = VectorXd::Zero(step.problem.size);
+    for (std::size_t i = 0; i < step.of_row.size(); ++i)
+        for (const VertexMotion& part : step.problem.rows[i].moving()) {
+            const double weight = part.rate(0, 0);
+            if (part.rate.cols() == 6 && weight != 0 && part.rate.leftCols<3>() == weight * Mat3::Identity())
+                momentum.segment<3>(part.first + 3) += part.rate.rightCols<3>().transpose() *
+                                                       step.of_row[i]->friction;
+        }
+    return times_response(step.problem, momentum);
+}
+
+/// The velocities of those pairs that bounce along their normals [m/s], without what friction has turned in this step: it is not the
+/// bounce's to take away.
+VectorXd speeds_without_friction(const IslandImpact& island, const Bounce& bounce)
+{
+    const VectorXd change = turned_by_friction(island.step);
+    VectorXd speeds(static_cast<Eigen::Index>(bounce.pairs.size()));
+    for (Eigen::Index i = 0; i < speeds.size(); ++i) {
+        const auto row = static_cast<std::size_t>(bounce.pairs[static_cast<std::size_t>(i)]);
+        const Struck& pair = island.pairs[row];
+        speeds[i] = pair.normal.dot(pair.velocity - island.step.problem.rows[row].rate_of(change));
+    }
+    return speeds;
+}
+
+/// The impulses, of all pairs, that bring those that bounce to their speeds; where more pairs meet than bodies can tell apart, the smallest
+/// ones that do. None pulls, together with that of the step: a pair that would have to gives back what it has, and the others are solved anew.
+VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
+{
+    VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
+    const VectorXd missing = bounce.speeds - speeds_without_friction(island, bounce);
+    std::vector<Eigen::Index> open(
+        bounce.pairs.size());  // places in the bounce, of pairs whose impulses are not known yet
+    std::iota(open.begin(), open.end(), 0);
+    for (bool pulls = true; pulls && !open.empty();) {
+        std::vector<Eigen::Index> pairs;
+        for (const Eigen::Index place : open)
+            pairs.push_back(bounce.pairs[static_cast<std::size_t>(place)]);
+        Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor;
+        factor.setThreshold(
+            1e-6);  // of the largest response; where masses differ more, the lighter body decides
+        factor.compute(island.response(pairs, pairs));
+        const VectorXd by_others = island.response(pairs, Eigen::all) * all,
+                       impulses = factor.solve(VectorXd(missing(open)) - by_others);
+        std::vector<Eigen::Index> pushing;
+        for (Eigen::Index i = 0; i < impulses.size(); ++i) {
+            const auto row = static_cast<std::size_t>(pairs[static_cast<std::size_t>(i)]);
+            const double has = island.pairs[row].normal.dot(island.step.of_row[row]->impulse);
+            if (impulses[i] < -has)
+                all[pairs[static_cast<std::size_t>(i)]] = -has;
+            else
+                pushing.push_back(open[static_cast<std::size_t>(i)]);
+        }
+        pulls = pushing.size() < open.size();
+        if (!pulls)
+            all(pairs) = impulses;
+        open = std::move(pushing);
+    }
+    return all;
+}
+//! [impulses_for]
+
 /// The two bodies of a pair, the smaller number first; a plane has one below zero.
 std::pair<int, int> bodies_of(const Contact& contact)
 {
     const int other = contact.kind == ContactKind::vertex_plane ? -1 - contact.body_b : contact.body_b;
     return std::minmax({contact.body_a, other});
-}
-
-/// Of each pair that bounces, the velocity along its normal that it has [m/s]: the mean of all pairs of its two bodies, by their
-/// impulses. What friction has turned is not the bounce's to take away.
-VectorXd present_speeds(const IslandImpact& island, const Bounce& bounce)
-{
-    std::map<std::pair<int, int>, Eigen::Vector2d> sums;  // of impulses, and of these times velocities
-    const auto sum_of = [&](Eigen::Index pair) -> Eigen::Vector2d& {
-        return sums.try_emplace(bodies_of(*island.step.of_row[static_cast<std::size_t>(pair)]), 0, 0)
-            .first->second;
-    };
-    for (const Eigen::Index i : bounce.pairs) {
-        const Struck& pair = island.pairs[static_cast<std::size_t>(i)];
-        const double impulse = island.step.of_row[static_cast<std::size_t>(i)]->impulse.norm();
-        sum_of(i) += impulse * Eigen::Vector2d(1, pair.normal.dot(pair.velocity));
-    }
-    VectorXd speeds(static_cast<Eigen::Index>(bounce.pairs.size()));
-    for (Eigen::Index i = 0; i < speeds.size(); ++i) {
-        const Eigen::Vector2d& sum = sum_of(bounce.pairs[static_cast<std::size_t>(i)]);
-        speeds[i] = sum[1] / sum[0];
-    }
-    return speeds;
-}
-
-/// The impulses, of all pairs, that bring those that bounce to their speeds. Where more pairs meet than bodies can tell apart, the
-/// smallest ones that do; those that would have to pull are left out.
-VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
-{
-    VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
-    const VectorXd missing = bounce.speeds - present_speeds(island, bounce);
-    std::vector<Eigen::Index> places(bounce.pairs.size());  // in the bounce, of those that push
-    std::iota(places.begin(), places.end(), 0);
-    while (!places.empty()) {
-        std::vector<Eigen::Index> pushing;
-        for (const Eigen::Index place : places)
-            pushing.push_back(bounce.pairs[static_cast<std::size_t>(place)]);
-        Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor;
-        factor.setThreshold(1e-6);  // of the largest response; where masses differ more, the lighter body decides
-        factor.compute(island.response(pushing, pushing));
-        const VectorXd impulses = factor.solve(VectorXd(missing(places)));
-        const double least = -1e-9 * impulses.lpNorm<Eigen::Infinity>();
-        std::vector<Eigen::Index> next;
-        for (Eigen::Index i = 0; i < impulses.size(); ++i)
-            if (impulses[i] >= least)
-                next.push_back(places[static_cast<std::size_t>(i)]);
-        if (next.size() == places.size() || next.empty()) {
-            all(pushing) = impulses;
-            break;
-        }
-        places = std::move(next);
-    }
-    return all;
 }
 
 /// Where a pair bounces, all pairs of its two bodies hold nothing any more: the impact is over, and all of it is in the velocities.
