@@ -31,16 +31,31 @@ double springs_at_start(const World& world, const StepProblem& step)
     return sum;
 }
 
+/// The way that bodies which move as given take in the step against a pair's normal: they come nearer, whatever the pair answers [m].
+double driven_approach(const World& world, const Contact& contact, const Vec3& normal)
+{
+    double approach = 0;
+    for (int i = 0; i < contact.vertex_count(); ++i) {
+        const auto vertex = static_cast<std::size_t>(i);
+        if (const Body& body = body_of_vertex(world, contact, i); body.is_static())
+            approach -= contact.weights[vertex] * normal.dot(body.position(contact.vertices[vertex], 1) -
+                                                             body.position(contact.vertices[vertex], 0));
+    }
+    return std::max(0.0, approach);
+}
+
 /// How much farther a spring is pressed at the end of the step than at its start, over the size of its smaller body; the most of
-/// all. What pressed it before no shorter step mends.
+/// all. What pressed it before no shorter step mends, nor what a drive presses.
 double largest_compression(const World& world, const StepProblem& step)
 {
     double most = 0;
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
-        const double depth = row.law.depth_t0 + step.problem.step.dt * row.law.normal.dot(row.velocity);
-        most = std::max(most,
-                        (std::min(0.0, row.law.depth_t0) - depth) / natural_length(world, *step.of_row[i]));
+        const Contact& contact = *step.of_row[i];
+        const double depth_t0 = std::min(0.0, row.law.depth_t0),
+                     depth_t1 = row.law.depth_t0 + step.problem.step.dt * row.law.normal.dot(row.velocity),
+                     added = depth_t0 - depth_t1 - driven_approach(world, contact, row.law.normal);
+        most = std::max(most, added / natural_length(world, contact));
     }
     return most;
 }
@@ -60,30 +75,45 @@ double changed_part(const ContactProblem& problem, const Eigen::VectorXd& before
     return residual_from(problem, change, total, least_speed);
 }
 
+//! [begin]
+/// The impulses of the last step act on the bodies: at rest they are the answer. Where other pairs are in touch now they balance no more, and
+/// a motion that turns a body too far for a step is no beginning: then the free motion is.
+void begin_with_last_impulses(World& world, StepProblem& step, double max_turn)
+{
+    const double dt = step.problem.step.dt;
+    const auto turn_of = [&](int place) {
+        return dt * world.bodies[static_cast<std::size_t>(place)]->turning_speed();
+    };
+    std::vector<double> free_turns(step.bodies.size());
+    std::transform(step.bodies.begin(), step.bodies.end(), free_turns.begin(), turn_of);
+    apply_impulses(world, step, last_impulses(world, step));
+    if (!std::equal(step.bodies.begin(), step.bodies.end(), free_turns.begin(),
+                    [&](int place, double before) { return turn_of(place) <= before + max_turn; }))
+        apply_impulses(world, step, Eigen::VectorXd::Zero(impulses_acting(step.problem).size()));
+}
+//! [begin]
+
 //! [own_impulses]
 /// Gives each pair what its own law says of the motion found, with the limit of friction that this motion makes. Newton's tangents move
-/// the bodies in the same way, but what no motion tells apart, as among seven vertices or between the jaws of a vice, they leave as anything.
-/// @param sharp  whether the laws add up to what moves the bodies; else these get what is missing, by one step of Newton's method
-void take_own_impulses(World& world, StepProblem& step, NewtonMatrix& matrix, bool sharp)
+/// the bodies in the same way, but leave open what no motion tells apart, as among seven vertices or between the jaws of a vice. One more step of
+/// Newton's method, from the laws' impulses, makes these add up to what moves the bodies.
+/// @param enough  part of the impulses by which they may miss their laws as they are
+/// @return        steps of Newton's method: one, or none where the impulses obey their laws already
+int take_own_impulses(World& world, StepProblem& step, NewtonMatrix& matrix, double enough)
 {
     ContactProblem& problem = step.problem;
     for (PairRow& row : problem.rows)
         row.law.lagged_normal_impulse = normal_impulse(row.law, row.velocity, problem.step);
     const Answers answers = answers_to(problem, Eigen::VectorXd::Zero(problem.size));
-    if (sharp) {
-        for (std::size_t i = 0; i < problem.rows.size(); ++i) {
-            step.of_row[i]->impulse = answers.pushes[i].normal_impulse;
-            step.of_row[i]->friction = answers.pushes[i].friction;
-            problem.rows[i].acting = answers.pushes[i].total();
-        }
-        return;
-    }
+    if ((answers.impulses - impulses_acting(problem)).norm() <= enough * answers.impulses.norm())
+        return 0;
     std::vector<Mat3> hessians;
     hessians.reserve(problem.rows.size());
     for (std::size_t i = 0; i < problem.rows.size(); ++i)
         hessians.push_back(hessian_of(problem.rows[i].law, answers.pushes[i], problem.step));
     const Eigen::VectorXd missing = matrix.solve(problem, hessians, answers.unbalanced);
     apply_impulses(world, step, matrix.tangent(answers.impulses, rates_of(problem, missing)));
+    return 1;
 }
 //! [own_impulses]
 
@@ -104,7 +134,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     IslandOutcome outcome;
     if (first) {
         outcome.springs = springs_at_start(world, step);
-        apply_impulses(world, step, last_impulses(world, step));
+        begin_with_last_impulses(world, step, settings.max_turn);
     }
     SolveRecord& record = outcome.record;
     record.pairs = static_cast<int>(step.problem.rows.size());
@@ -117,24 +147,28 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             missing = approach_ends(world, island, dt);
             mixing = AndersonMixing(settings.mixing_rounds);
         }
-        if (record.rounds > 0 && record.residual <= settings.lever_residual &&
-            follow_levers(world, step, settings.lever_turn))
-            matrix.begin_response(matrix.solves());
         update_kinematics(world, step);
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
-        record.converged = record.residual <= settings.tolerance ||
-                           record.residual <= rounding_residual(world, step, least);
-        if (record.converged && (first || record.rounds > 0))
-            take_own_impulses(world, step, matrix, record.residual <= settings.tolerance_of_sums);
         // the next round counts as one
         const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
+        if (record.residual <= settings.kept_residual && steps_left > 0 &&
+            follow_levers(world, step, settings.lever_turn)) {
+            matrix.begin_response(matrix.solves());
+            continue;
+        }
+        const double rounding = rounding_residual(world, step, least);
+        record.converged = record.residual <= std::max(settings.tolerance, rounding);
+        if (record.converged && (first || record.rounds > 0))
+            record.newton_steps += take_own_impulses(world, step, matrix,
+                                                     std::max(settings.tolerance_of_laws, rounding));
         if (record.converged && stiffen_where_pressed(world, step, settings.stiffness))
             continue;
         if (record.converged || steps_left <= 0)
             break;
         const double of_round = residual_of(step.problem, begin.change, least);
-        const double sharp = sharp_enough(record.residual, of_round, settings.tolerance);
+        const double sharp = std::max(settings.tolerance_of_laws,
+                                      settings.left_by_round * std::min(record.residual, of_round));
         const ProblemSolution solution = record.rounds < settings.rounds_before_search
                                              ? solve_convex(step.problem, matrix, begin, sharp, least,
                                                             std::min(steps_left, max_convex_steps))
@@ -240,6 +274,7 @@ double approach_ends(World& world, const Island& island, double dt)
 void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSettings settings)
 {
     settings.friction = coefficients_of(parameters.friction);
+    settings.max_turn = solver.max_turn;
     if (parameters.wanted_depth)
         settings.stiffness.wanted_depth = parameters.wanted_depth;
     if (parameters.max_depenetration_velocity)

@@ -43,15 +43,18 @@ struct ImplicitSettings {
     /// Of the smaller body's size: the furthest that an impact may press a spring; else the step is taken in halves. Geometry tells the
     /// side of a pair by where it is. A tenth: a fall of some metres is halved. Ten times: what flies by fifty sizes in a step comes through a plate.
     double kept_depth = 5e-3;
-    /// Of the residual: above it, one more step of Newton's method makes the laws' own impulses add up. A tenth: a step more at rest, for
-    /// what nobody reads. Ten times: loads on 400 pairs add up to eight digits.
-    double tolerance_of_sums = 1e-9;
-    /// By how much a body may be turned from its levers [rad]. A tenth: heaps take 10 % more steps of Newton's method. Ten times: a
-    /// ball that lands while it slides ends 3 to 8 % too slow at 60 Hz.
+    /// Part of the impulses by which pairs may miss their laws when a step is solved, and the residual below which no round is solved. A tenth: a step of
+    /// Newton's method more at rest. Ten times: loads on 400 pairs add up to eight digits.
+    double tolerance_of_laws = 1e-9;
+    /// Part of the residual that a round leaves: of its own or of that on the bodies, whichever is smaller. Its normals, its limits and its soft masses
+    /// are those of the last motion. A tenth: steps of Newton's method for what the next round changes. Ten times: rounds more.
+    double left_by_round = 1e-2;
+    /// By how much a body may be turned from its levers [rad] in a motion that is small enough in its residual to be kept. A tenth: heaps take 10 % more steps
+    /// of Newton's method. Ten times: a ball that lands while it slides ends 3 to 8 % too slow at 60 Hz.
     double lever_turn = 5e-3;
-    /// The residual from which on levers follow. Ten times: they follow rounds in which friction has no limits yet. A tenth: work
-    /// of rounds that is lost.
-    double lever_residual = 0.1;
+    /// The furthest that the impulses of the last step may turn a body [rad], or the solve begins without them: that of the solver, which refuses such a
+    /// step. Infinite: what jaws squeeze is thrown when its pairs change, for the solve finds a whole turn.
+    double max_turn = Solver{}.max_turn;
     /// Of Newton's method for an island in a step, over all its responses and rounds, each of which counts as one more; what is not solved then is told, or the step is taken in
     /// halves. No island takes another one's. A tenth of it would cut landing soft bodies off; ten times as many cost ten seconds where a heap jams.
     int max_newton_steps = 500;
@@ -92,13 +95,6 @@ double approach_ends(World& world, const Island& island, double dt);
 /// What counts as a momentum at all: what gravity gives to all bodies of an island in a step, or if that is more, what
 /// the rounding of their coordinates does [sqrt(kg) m/s].
 double least_speed(const World& world, const Island& island, double dt);
-
-/// Residual to which the convex problem of a round is solved. Its normals, its limits and its soft masses are those of the last
-/// motion, so a round seldom takes away more than a thousandth of what is left on the bodies. In a jam the limits are wrong by
-/// more than the convex problem is: then a tenth of its own residual is taken away.
-/// @param on_bodies  with the limits that the motion makes
-/// @param of_round   with those of the round, where it begins
-double sharp_enough(double on_bodies, double of_round, double tolerance);
 
 /// Residual that rounding may leave, whatever the impulses are: a spring answers the last digit of a coordinate with k dt times
 /// it. A stiff spring in a short step, in which weight does little, so leaves more than a millionth.

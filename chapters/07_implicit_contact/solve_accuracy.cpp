@@ -19,11 +19,6 @@ double least_speed(const World& world, const Island& island, double dt)
     return std::sqrt(mass) * std::max(scale_parts.least_answer * largest / dt, world.gravity.norm() * dt);
 }
 
-double sharp_enough(double on_bodies, double of_round, double tolerance)
-{
-    return std::max(1e-3 * tolerance, std::min(std::max(0.1 * tolerance, 1e-3 * on_bodies), 0.1 * of_round));
-}
-
 namespace {
 
 /// Of a pair's vertices at the start of the step [m].

@@ -38,7 +38,8 @@ double mass_of(const PairRow& row, const ContactProblem& problem);
 double mass_along(const Vec3& normal, const Mat3& response);
 
 /// What can be brought upon a pair of an island [N]: the weight of its bodies, forces and torques from outside and what elements push, all with a
-/// lever as a wedge has it, and what stops the motion over the whole step, that of drives with it. What presses harder than this comes from the pairs themselves.
+/// lever as a wedge has it; what stops their motion in this step; and what brings them to the speed of a drive in a whole step. What presses harder than this comes
+/// from the pairs themselves.
 double max_load(const World& world, const Island& island, double dt);
 
 /// A pair's normal where its force acts; zero where its features have none.

@@ -78,7 +78,7 @@ private:
     RigidMotion motion_;
     std::vector<OutsideLoad> loads_;  ///< points, and what turns along, in body coordinates
     Vec3 load_momentum_ = Vec3::Zero(), load_turning_ = Vec3::Zero();
-    /// at the end of the step: before any contact, then as follow_levers() found it
+    /// at the end of the step: as it turns at the start, then as follow_levers() found it
     Quaternion lever_orientation_t1_ = Quaternion::Identity();
     std::vector<Vec3> body_points_;  ///< surface vertices in body coordinates [m]
 };

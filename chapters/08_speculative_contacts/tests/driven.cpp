@@ -58,8 +58,9 @@ TEST_CASE("hinges: a bar swings with its period")
 TEST_CASE("hinges: a ball gives a door its angular momentum about the hinge")
 {
     for (const double dt : {0.01, 0.004}) {
-        CHECK(std::abs(hit_door(dt).speed.error()) < 1e-3);
-        CHECK(std::abs(hit_door(dt).momentum.error()) < 1e-3);
+        // a body may be turned from its levers by 5 mrad
+        CHECK(std::abs(hit_door(dt).speed.error()) < 2e-3);
+        CHECK(std::abs(hit_door(dt).momentum.error()) < 2e-3);
     }
 }
 
@@ -111,7 +112,8 @@ TEST_CASE("hinges: what a door's speed misses falls with the stiffness of spring
     const auto missed = [](double dt, double stiffness) { return hit_door(dt, stiffness).speed.error(); };
     CHECK(missed(0.000625, 400) / missed(0.000625, 1600) == doctest::Approx(4).epsilon(0.2));
     CHECK(missed(0.000625, 25) > 0.9 * missed(0.00125, 25));
-    CHECK(std::abs(missed(0.005, 25600)) < 0.6 * std::abs(missed(0.01, 25600)));
+    for (const double dt : {0.01, 0.005})  // what is left is that of its lever
+        CHECK(std::abs(missed(dt, 25600)) < 2e-4);
 }
 
 TEST_CASE("moving sheets: a box over the border rides if its middle is over the sheet, and falls if not")
