@@ -4,6 +4,7 @@ Runs what the plan says, keeps what it printed, leaves a stamp when it ends well
 Edges are of four kinds: `build` compiles a program, `cause` writes down what decides about a folder's results, `run` makes some of these,
 and `picture` makes one that is only to look at until its `run` is there.
 """
+import fcntl
 import hashlib
 import json
 import os
@@ -50,19 +51,33 @@ def run(plan, name):
     (out / ".made_by").unlink(missing_ok=True)  # until all of the folder is of one program again
     stamp.unlink(missing_ok=True)
     if edge["parts"]:  # what runs of the same cause have found is kept
-        parts = Path(edge["parts"])
-        if parts.is_dir() and (not (parts / "cause").is_file() or (parts / "cause").read_text(encoding="utf-8") != written):
-            shutil.rmtree(parts, ignore_errors=True)
-        parts.mkdir(parents=True, exist_ok=True)
-        (parts / "cause").write_text(written, encoding="utf-8")
+        keep_parts(Path(edge["parts"]), written)
     code = timed(plan, name, edge["says"])
     if code == 0:
         files = [] if edge["part"] else files_told(log_of(plan, name).read_text(encoding="utf-8", errors="replace"), out)
-        beside = stamp.with_name(stamp.name + ".part")
-        beside.write_text("\n".join([written.strip(), *files]) + "\n", encoding="utf-8")
-        beside.rename(stamp)
+        write_whole(stamp, "\n".join([written.strip(), *files]) + "\n")
         tell_first_picture(plan, edge, files)
     return code
+
+
+def keep_parts(parts, written):
+    """A folder for what runs of this cause find; what another cause has left there is removed. One edge at a time: parts begin together, and
+    between another edge's new folder and the cause in it, that folder looks like one that is left."""
+    parts.parent.mkdir(parents=True, exist_ok=True)
+    with parts.with_name(parts.name + ".lock").open("w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        cause_file = parts / "cause"
+        if not cause_file.is_file() or cause_file.read_text(encoding="utf-8") != written:
+            shutil.rmtree(parts, ignore_errors=True)
+            parts.mkdir(exist_ok=True)
+            cause_file.write_text(written, encoding="utf-8")
+
+
+def write_whole(file, text):
+    """What other edges read while this one ends: all of it or nothing."""
+    beside = file.with_name(file.name + ".part")
+    beside.write_text(text, encoding="utf-8")
+    beside.rename(file)
 
 
 def files_told(text, out):
@@ -101,7 +116,7 @@ def timed(plan, name, says):
         tell("".join(f"     | {line}\n" for line in said) + f"   {says}: FAILED after {in_words(seconds)}")
     else:
         failed.unlink(missing_ok=True)
-        Path(plan["runs"], "seconds", name.replace("/", ".")).write_text(f"{seconds:.2f}\n", encoding="utf-8")
+        write_whole(Path(plan["runs"], "seconds", name.replace("/", ".")), f"{seconds:.2f}\n")
         tell(f"   {says}: {in_words(seconds)}; {the_rest(plan)}")
     return code
 

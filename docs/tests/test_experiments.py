@@ -1,10 +1,12 @@
 """The list of experiments, which is read without a build, is what the programs say; each is in the list of costs; the graph for ninja."""
 import argparse
+import multiprocessing
 import os
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -102,6 +104,46 @@ class Graph(unittest.TestCase):
             self.assertEqual(left, 1)
             self.assertGreater(seconds, 500)
             self.assertLess(seconds, 605)
+
+
+def run_part(plan, name, begin):
+    """One edge, in a process of its own, as ninja runs it: all of them begin together."""
+    begin.wait()
+    sys.exit(run_one.run(plan, name))
+
+
+class Parts(unittest.TestCase):
+    PARTS, ROUNDS = 20, 6  # without the lock the first or the second round fails
+
+    def plan(self, folder, number):
+        """An experiment in parts, each of which leaves one file."""
+        runs, kept = Path(folder), Path(folder, "parts", str(number))
+        for name in ("logs", "failed", "seconds", "done", "cause"):
+            (runs / name).mkdir(exist_ok=True)
+        (runs / "cause/chapter").write_text("a cause\n", encoding="utf-8")
+        if number % 2:
+            kept.mkdir(parents=True)
+            (kept / "cause").write_text("another cause\n", encoding="utf-8")
+            (kept / "left").touch()
+        edge = {"kind": "run", "alone": False, "seconds": 1, "out": str(runs / "out"), "cause": "cause/chapter", "parts": str(kept), "part": True}
+        names = [f"done/{number}.{part}of{self.PARTS}" for part in range(self.PARTS)]
+        return {"runs": str(runs), "jobs": self.PARTS, "then": 0, "edges": {
+            name: edge | {"says": name, "command": ["touch", str(kept / Path(name).name)]} for name in names}}
+
+    def test_parts_that_begin_together_keep_what_each_other_finds_and_nothing_of_another_cause(self):
+        processes = multiprocessing.get_context("fork")
+        with tempfile.TemporaryDirectory() as folder, open(os.devnull, "w", encoding="utf-8") as nowhere:
+            with unittest.mock.patch.dict(os.environ, {"ENDURING_TOLD": str(nowhere.fileno())}):
+                for number in range(self.ROUNDS):
+                    plan, begin = self.plan(folder, number), processes.Barrier(self.PARTS)
+                    running = [processes.Process(target=run_part, args=(plan, name, begin)) for name in plan["edges"]]
+                    for process in running:
+                        process.start()
+                    for process in running:
+                        process.join()
+                    self.assertEqual([process.exitcode for process in running], [0] * self.PARTS)
+                    found = {path.name for path in Path(folder, "parts", str(number)).iterdir()}
+                    self.assertEqual(found, {"cause"} | {Path(name).name for name in plan["edges"]})
 
 
 if __name__ == "__main__":
