@@ -9,19 +9,12 @@
 #include "common/simulation/deformable_body.hpp"
 
 #include <array>
-#include <limits>
 #include <utility>
 
 namespace enduring {
 namespace {
 
 constexpr std::size_t max_driven = 100, max_forces = 100;
-
-/// Until when nodes are held [s].
-double read_until(const JsonValue& region)
-{
-    return region.number_or("until", {0, 3600, false, true, "s"}, std::numeric_limits<double>::infinity());
-}
 
 /// The keys "fixed" and "driven": nodes that stay, and nodes that move as given. No node is in two of them. Nodes that stay until
 /// a time are driven nowhere.

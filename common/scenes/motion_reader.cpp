@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <limits>
 #include <string>
 
 namespace enduring {
@@ -11,7 +12,8 @@ namespace {
 
 constexpr std::size_t max_rows = 100'000, max_loads = 100;
 constexpr double least_gap = 1e-6;  ///< between rows [s]: the shortest step
-const NumberRange time_range{-3600, 3600, true, true, "s"}, place_range{-1e4, 1e4, true, true, "m"};
+const NumberRange time_range{-3600, 3600, true, true, "s"}, place_range{-1e4, 1e4, true, true, "m"},
+    speed_range{-1e4, 1e4, true, true, "m/s"}, spin_range{-1e4, 1e4, true, true, "rad/s"};
 
 /// The time of a row, which is a microsecond or more later than that of the row before.
 template <class Row>
@@ -33,13 +35,29 @@ Vec3 read_turn(const JsonValue& row)
     return turn->at("angle_deg").angle({-1e6, 1e6}) * turn->at("axis").direction();
 }
 
+/// The velocities of a row, where they are given.
+void read_velocities(const JsonValue& value, GivenMotion::Row& row)
+{
+    row.velocity = value.vector_or("velocity", speed_range, Vec3::Zero());
+    row.gives_velocity = value.find("velocity").has_value();
+    const std::optional<JsonValue> spin = value.find("angular_velocity");
+    if (!spin)
+        return;
+    const std::optional<Vec3> rate = turn_rate(row.turn, spin->vector(spin_range));
+    if (!rate)
+        spin->complain("is not about the axis of \"turn\", and after whole turns no other axis can follow");
+    row.turn_rate = *rate;
+    row.gives_turn_rate = true;
+}
+
 GivenMotion read_motion_table(const JsonValue& table)
 {
     std::vector<GivenMotion::Row> rows;
-    for (const JsonValue& row : table.items(2, max_rows)) {
-        row.require_keys({"time", "displacement", "turn"});
-        const double time = read_time(row, rows);
-        rows.push_back({time, row.vector_or("displacement", place_range, Vec3::Zero()), read_turn(row)});
+    for (const JsonValue& value : table.items(2, max_rows)) {
+        value.require_keys({"time", "displacement", "turn", "velocity", "angular_velocity"});
+        const double time = read_time(value, rows);
+        rows.push_back({time, value.vector_or("displacement", place_range, Vec3::Zero()), read_turn(value)});
+        read_velocities(value, rows.back());
     }
     return GivenMotion::through(std::move(rows));
 }
@@ -49,6 +67,16 @@ void refuse_beside_table(const JsonValue& value, std::initializer_list<const cha
     for (const char* key : keys)
         if (const std::optional<JsonValue> found = value.find(key))
             found->complain("stands beside \"table\"; one of the two is enough");
+}
+
+GivenMotion read_course(const JsonValue& motion)
+{
+    if (const std::optional<JsonValue> table = motion.find("table")) {
+        refuse_beside_table(motion, {"velocity", "angular_velocity"});
+        return read_motion_table(*table);
+    }
+    const InitialMotion steady = read_motion(motion);
+    return GivenMotion::steady(steady.velocity, steady.angular_velocity);
 }
 
 const NumberRange force_range{-1e9, 1e9, true, true, "N"}, torque_range{-1e9, 1e9, true, true, "N m"},
@@ -111,16 +139,17 @@ Vec3 read_free_axes(const JsonValue& locked, const std::string& key)
 
 }  // namespace
 
+double read_until(const JsonValue& value)
+{
+    return value.number_or("until", {0, 3600, false, true, "s"}, std::numeric_limits<double>::infinity());
+}
+
 ReadMotion read_given_motion(const JsonValue& value, const Placement& placement)
 {
-    value.require_keys({"velocity", "angular_velocity", "table", "centre"});
-    const Vec3 centre = value.vector_or("centre", place_range, placement.position);
-    if (const std::optional<JsonValue> table = value.find("table")) {
-        refuse_beside_table(value, {"velocity", "angular_velocity"});
-        return {read_motion_table(*table), centre};
-    }
-    const InitialMotion steady = read_motion(value);
-    return {GivenMotion::steady(steady.velocity, steady.angular_velocity), centre};
+    value.require_keys({"velocity", "angular_velocity", "table", "centre", "until"});
+    ReadMotion given{read_course(value), value.vector_or("centre", place_range, placement.position)};
+    given.motion.end_at(read_until(value));
+    return given;
 }
 
 std::vector<OutsideLoad> read_loads(const JsonValue& body, const Placement& placement)

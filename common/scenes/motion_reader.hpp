@@ -19,6 +19,9 @@ struct ReadMotion {
 };
 ReadMotion read_given_motion(const JsonValue& value, const Placement& placement);
 
+/// Until when nodes are held, or a motion lasts [s]: the key "until", or for ever.
+double read_until(const JsonValue& value);
+
 /// The list "forces" of a rigid body; its points and the axes that turn along are those of the shape.
 std::vector<OutsideLoad> read_loads(const JsonValue& body, const Placement& placement);
 

@@ -1,5 +1,7 @@
 #include "common/simulation/given_motion.hpp"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,24 +11,26 @@ namespace enduring {
 namespace {
 
 //! [slopes]
-/// Of the parabola through three values, at the middle one.
-Vec3 slope_between(const Vec3& first, const Vec3& middle, const Vec3& last, double before, double after)
+/// Of the parabola through three values, at the middle one; no steeper than three times the rise to either neighbour. Then the cubic
+/// goes one way from row to row: it stands between equal values, and has its highest and lowest ones at rows.
+double slope_between(double first, double middle, double last, double before, double after)
 {
-    return (after * (middle - first) / before + before * (last - middle) / after) / (before + after);
-}
-
-std::vector<GivenMotion::Row> slopes_of(const std::vector<GivenMotion::Row>& rows)
-{
-    std::vector<GivenMotion::Row> slopes(rows.size(), {0, Vec3::Zero(), Vec3::Zero()});
-    for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
-        const double before = rows[i].time - rows[i - 1].time, after = rows[i + 1].time - rows[i].time;
-        slopes[i].displacement = slope_between(rows[i - 1].displacement, rows[i].displacement,
-                                               rows[i + 1].displacement, before, after);
-        slopes[i].turn = slope_between(rows[i - 1].turn, rows[i].turn, rows[i + 1].turn, before, after);
-    }
-    return slopes;
+    const double rise = (middle - first) / before, next = (last - middle) / after;
+    if (!(rise * next > 0))
+        return 0;
+    const double parabola = (after * rise + before * next) / (before + after),
+                 most = 3 * std::min(std::abs(rise), std::abs(next));
+    return std::clamp(parabola, -most, most);
 }
 //! [slopes]
+
+Vec3 slope_between(const Vec3& first, const Vec3& middle, const Vec3& last, double before, double after)
+{
+    Vec3 slope;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        slope[i] = slope_between(first[i], middle[i], last[i], before, after);
+    return slope;
+}
 
 struct ValueAndSlope {
     Vec3 value, slope;
@@ -57,6 +61,20 @@ Vec3 angular_velocity_of(const Vec3& v, const Vec3& rate)
 
 }  // namespace
 
+std::optional<Vec3> turn_rate(const Vec3& turn, const Vec3& angular_velocity)
+{
+    constexpr double least_part = 1e-2;  // of the rate about an axis across that turns the body
+    Mat3 turns;
+    for (Eigen::Index i = 0; i < 3; ++i)
+        turns.col(i) = angular_velocity_of(turn, Vec3::Unit(i));
+    Eigen::CompleteOrthogonalDecomposition<Mat3> solver;
+    solver.setThreshold(least_part);
+    const Vec3 rate = solver.compute(turns).solve(angular_velocity);
+    if (!((turns * rate - angular_velocity).norm() <= 1e-9 * angular_velocity.norm()))
+        return std::nullopt;
+    return rate;
+}
+
 GivenMotion GivenMotion::steady(const Vec3& velocity, const Vec3& angular_velocity)
 {
     GivenMotion motion;
@@ -76,7 +94,33 @@ GivenMotion GivenMotion::through(std::vector<Row> rows)
     return motion;
 }
 
+std::vector<GivenMotion::Slope> GivenMotion::slopes_of(const std::vector<Row>& rows)
+{
+    std::vector<Slope> slopes(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i > 0 && i + 1 < rows.size()) {
+            const Row &last = rows[i - 1], &row = rows[i], &next = rows[i + 1];
+            const double before = row.time - last.time, after = next.time - row.time;
+            slopes[i] = {slope_between(last.displacement, row.displacement, next.displacement, before, after),
+                         slope_between(last.turn, row.turn, next.turn, before, after)};
+        }
+        if (rows[i].gives_velocity)
+            slopes[i].displacement = rows[i].velocity;
+        if (rows[i].gives_turn_rate)
+            slopes[i].turn = rows[i].turn_rate;
+    }
+    return slopes;
+}
+
 GivenPlace GivenMotion::at(double time) const
+{
+    if (time < until_)
+        return moving_at(time);
+    const GivenPlace end = moving_at(until_);
+    return {end.displacement, end.turn, Vec3::Zero(), Vec3::Zero()};
+}
+
+GivenPlace GivenMotion::moving_at(double time) const
 {
     if (rows_.empty())
         return {time * velocity_, time * angular_velocity_, velocity_, angular_velocity_};
@@ -87,7 +131,8 @@ GivenPlace GivenMotion::at(double time) const
         return {end.displacement, end.turn, Vec3::Zero(), Vec3::Zero()};
     }
     const auto i = static_cast<std::size_t>(next - rows_.begin());
-    const Row &from = rows_[i - 1], &to = rows_[i], &slope_from = slopes_[i - 1], &slope_to = slopes_[i];
+    const Row &from = rows_[i - 1], &to = rows_[i];
+    const Slope &slope_from = slopes_[i - 1], &slope_to = slopes_[i];
     const double length = to.time - from.time, s = (time - from.time) / length;
     const ValueAndSlope place = hermite(from.displacement, slope_from.displacement, to.displacement,
                                         slope_to.displacement, length, s),

@@ -2,6 +2,8 @@
 
 #include "common/geometry/vector.hpp"
 
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace enduring {
@@ -26,6 +28,9 @@ public:
         double time;        ///< [s]
         Vec3 displacement;  ///< [m]
         Vec3 turn;          ///< axis times angle, which may be more than a whole turn [rad]
+        Vec3 velocity = Vec3::Zero(),
+             turn_rate = Vec3::Zero();  ///< of the two, where they are given [m/s], [rad/s]
+        bool gives_velocity = false, gives_turn_rate = false;
     };
 
     /// The same velocities for ever, and where the body was placed at time 0.
@@ -35,20 +40,37 @@ public:
 
     /// Through the rows of a table, at rest before the first and after the last of them.
     ///
-    /// Displacement and turn are cubic between two rows (Hermite): they have the rows' values, and as slope at an inner row
-    /// that of the parabola through it and its neighbours; at both ends it is zero. So all velocities are continuous. The turn
-    /// is interpolated as one vector, axis times angle: about one axis the angle follows the cubic.
+    /// Each coordinate of displacement and turn is a cubic between two rows (Hermite). Its slope at a row is the one given there. If none
+    /// is, it is that of the parabola through the row and its neighbours, no steeper than keeps the cubic between the values of its rows;
+    /// at both ends it is zero. So velocities jump only at an end, and there only if one is given. The turn is interpolated as one vector,
+    /// axis times angle: about one axis the angle follows the cubic.
     /// @throws std::invalid_argument  fewer than two rows, or times that do not ascend
+    /// @see Hyman 1983, Accurate monotonicity preserving cubic interpolation; Fritsch and Carlson 1980
     static GivenMotion through(std::vector<Row> rows);
 
+    /// At rest from this time on, where it has come to then [s].
+    void end_at(double until) { until_ = until; }
+
+    /// Where the velocity jumps, it is the one that follows.
     GivenPlace at(double time) const;
 
 private:
+    struct Slope {
+        Vec3 displacement = Vec3::Zero(), turn = Vec3::Zero();
+    };
+    static std::vector<Slope> slopes_of(const std::vector<Row>& rows);
+
     GivenMotion() = default;
+    GivenPlace moving_at(double time) const;
 
     Vec3 velocity_ = Vec3::Zero(), angular_velocity_ = Vec3::Zero();
-    std::vector<Row> rows_;    ///< none: steady
-    std::vector<Row> slopes_;  ///< of displacement and turn at each row, over time
+    std::vector<Row> rows_;      ///< none: steady
+    std::vector<Slope> slopes_;  ///< at each row, over time
+    double until_ = std::numeric_limits<double>::infinity();
 };
+
+/// How fast the vector axis times angle of a body changes that has turned by it and has an angular velocity [rad/s].
+/// @return  none after about a whole turn, or several, for a body that turns about another axis: the vector cannot follow
+std::optional<Vec3> turn_rate(const Vec3& turn, const Vec3& angular_velocity);
 
 }  // namespace enduring

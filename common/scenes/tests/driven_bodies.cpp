@@ -65,6 +65,25 @@ TEST_CASE(
     CHECK((scene.world.bodies[0]->positions_t0()[0] - Vec3(0, 20, 0) - corner).norm() < 1e-12);
 }
 
+TEST_CASE("scene: a row of given motion may give its velocities, and a motion may end")
+{
+    Scene scene = driven(R"({"/bodies/table/motion": {"until": 0.04, "table": [
+        {"time": 0, "velocity": [3, 0, 0], "angular_velocity": [0, 2, 0]},
+        {"time": 1, "displacement": [3, 0, 0], "velocity": [3, 0, 0], "turn": {"axis": [0, 2, 0], "angle_deg": 114.59155902616465},
+         "angular_velocity": [0, 2, 0]}]}})");
+    const Vec3 placed = scene.world.bodies[0]->positions_t0()[0], middle(0, 20, 0);
+    const auto expected = [&](double time) -> Vec3 {
+        return middle + Vec3(3 * time, 0, 0) + Eigen::AngleAxisd(2 * time, Vec3::UnitY()) * (placed - middle);
+    };
+    CHECK((scene.world.bodies[0]->velocity(0) - Vec3(3, 0, 0) - Vec3(0, 2, 0).cross(placed - middle)).norm() <
+          1e-12);
+    step(scene, 3);
+    CHECK((scene.world.bodies[0]->positions_t0()[0] - expected(0.03)).norm() < 1e-12);
+    step(scene, 3);
+    CHECK((scene.world.bodies[0]->positions_t0()[0] - expected(0.04)).norm() < 1e-12);
+    CHECK(scene.world.bodies[0]->velocity(0) == Vec3::Zero());
+}
+
 TEST_CASE(
     "scene: forces act in the world's or the shape's axes, at a point of the shape, and over a table of times")
 {
@@ -248,6 +267,16 @@ TEST_CASE("scene: mistakes in what drives a body are named with their place")
     CHECK(complaint(
               R"({"/bodies/table/motion": {"velocity": [0, 0, 0], "table": [{"time": 0}, {"time": 1}]}})") ==
           "driven.json: /bodies/0/motion/velocity: stands beside \"table\"; one of the two is enough");
+    CHECK(
+        complaint(
+            R"({"/bodies/table/motion": {"table": [{"time": 0, "velocity": [0, 2e4, 0]}, {"time": 1}]}})") ==
+        "driven.json: /bodies/0/motion/table/0/velocity/1: expected a number from -10000 to 10000 [m/s], found 20000.0");
+    CHECK(
+        complaint(
+            R"({"/bodies/table/motion": {"table": [{"time": 0}, {"time": 1, "turn": {"axis": [0, 1, 0], "angle_deg": 720}, "angular_velocity": [1, 0, 0]}]}})") ==
+        "driven.json: /bodies/0/motion/table/1/angular_velocity: is not about the axis of \"turn\", and after whole turns no other axis can follow");
+    CHECK(complaint(R"({"/bodies/table/motion": {"until": 0}})")
+              .find("driven.json: /bodies/0/motion/until: expected a number above 0") == 0);
     CHECK(complaint(R"({"/bodies/table": {"motion": {}, "surface_velocity": [1, 0, 0]}})") ==
           "driven.json: /bodies/0/surface_velocity: stands beside \"motion\"; a body has one of the two");
     CHECK(complaint(R"({"/bodies/brick/motion": {}})").find("driven.json: /bodies/1/motion: unknown key") ==
