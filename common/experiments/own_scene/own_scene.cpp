@@ -27,7 +27,7 @@ constexpr const char* state_file = "state.json";
 constexpr const char* replay_file = "replay.json";
 constexpr const char* failure_note = "failed.txt";  // lies beside tables that end early, and says why
 
-/// time_s, body, x_m ... vz_m_per_s: what MotionProbe says, of every body that moves.
+/// time_s, body, x_m ... vz_m_per_s: what MotionProbe says of the centre of mass of every body that moves.
 class MotionOfAll final : public TableProbe {
 public:
     explicit MotionOfAll(const World& world)

@@ -1,5 +1,6 @@
 #include "common/experiments/run/probes.hpp"
 
+#include "common/experiments/run/centre_of_mass.hpp"
 #include "common/input/input_error.hpp"
 #include "common/simulation/contact_forces.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -108,7 +109,7 @@ MotionProbe::MotionProbe(std::string body)
 void MotionProbe::observe(const World& world, const Contacts&, double)
 {
     const Body& body = body_named(world, body_);
-    const Vec3 middle = body.centre(), velocity = body.mean_velocity();
+    const Vec3 middle = centre_of_mass(body), velocity = body.mean_velocity();
     table_.add({world.time, middle.x(), middle.y(), middle.z(), velocity.x(), velocity.y(), velocity.z()});
 }
 

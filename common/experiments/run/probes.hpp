@@ -86,7 +86,7 @@ private:
     std::string on_, from_;
 };
 
-/// time_s, x, y, z [m] of the mean surface vertex, vx, vy, vz [m/s] of the centre of mass of one moving body.
+/// time_s, x, y, z [m], vx, vy, vz [m/s] of the centre of mass of one moving body.
 class MotionProbe final : public TableProbe {
 public:
     explicit MotionProbe(std::string body);

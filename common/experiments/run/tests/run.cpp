@@ -1,6 +1,8 @@
 #include "common/experiments/run/run.hpp"
+#include "common/experiments/run/centre_of_mass.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/input/input_error.hpp"
+#include "common/scenes/scene_reader.hpp"
 #include "common/simulation/tests/triangle_body.hpp"
 
 #include <doctest/doctest.h>
@@ -55,6 +57,34 @@ TEST_CASE("run: as many steps as the duration asks for, and the probes look once
     CHECK(number(motion.table(), 3, 5) == doctest::Approx(-1));
     CHECK_THROWS_WITH_AS(MotionProbe("middle").observe(scene.world, {}, 0.5),
                          "the scene has no body \"middle\"; it has upper, lower", InputError);
+}
+
+TEST_CASE(
+    "run: a probe of motion tells place and velocity of one point, the centre of mass, of rigid and of soft bodies")
+{
+    Scene scene = read_scene(R"({"name": "flying", "dt": 0.01, "duration": 0.3, "bodies": [
+        {"name": "bowl", "type": "rigid", "mass": 2, "velocity": [1, 2, 0], "angular_velocity": [3, 0, 9], "position": [5, 0, 0],
+         "shape": {"bowl": {"inner_radius": 0.3, "thickness": 0.1, "rim_angle_deg": 90, "foot_radius": 0.1, "segments_around": 12,
+                            "segments_along": 4, "segments_rim": 2}}},
+        {"name": "arm", "type": "deformable", "young": 1e5, "poisson": 0.3, "density": 1000, "impulse_response": "implicit",
+         "shape": {"bar": {"size": [1, 0.2, 0.2], "cells": [3, 1, 1]}}, "fixed": {"max": [-0.49, 9, 9]}}]})",
+                             "", "flying.json", {});
+    const double at_once = centre_of_mass(*scene.world.bodies[0]).y();
+    CHECK(std::abs(scene.world.bodies[0]->centre().y() - at_once) >
+          0.005);  // another point than the mean vertex
+    MotionProbe bowl("bowl"), arm("arm");
+    run(scene, {}, {&bowl, &arm});
+    for (const MotionProbe* probe : {&bowl, &arm}) {
+        const Table& table = probe->table();
+        for (std::size_t row = 1; row < table.rows().size(); ++row)
+            for (std::size_t axis = 1; axis <= 3; ++axis) {
+                CAPTURE(row);
+                CAPTURE(axis);
+                const double moved = number(table, row, axis) - number(table, row - 1, axis);
+                CHECK(std::abs(moved / 0.01 - number(table, row, axis + 3)) < 1e-9);
+            }
+    }
+    CHECK(number(bowl.table(), 30, 2) == doctest::Approx(at_once + 0.6 - 9.81 * 1e-4 * 30 * 31 / 2));
 }
 
 TEST_CASE("run: duration / dt steps despite rounding, and one more when it is not whole")
