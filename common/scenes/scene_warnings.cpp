@@ -84,6 +84,32 @@ std::string sentence_on_weight(const DeformableBody& body, const Vec3& gravity)
            readable(strain_by_weight(body, gravity), 3) + "); is \"young\" in pascal?";
 }
 
+/// Each linear element keeps its volume from here on, nearly, and there are more elements than coordinates that could.
+constexpr double locking_poisson = 0.4;
+
+bool locks(const DeformableBody& body)
+{
+    return body.elastic().mesh().basis() == Basis::linear &&
+           body.elastic().material().poisson > locking_poisson;
+}
+
+std::string sentence_on_locking(const DeformableBody& body)
+{
+    return "'" + body.name() + "' has linear elements and a Poisson's ratio of " +
+           readable(body.elastic().material().poisson, 4) +
+           ", with which they bend several times too little; give it \"basis\": \"quadratic\"";
+}
+
+/// What to expect of the elements of a soft body.
+void warn_of(const DeformableBody& body, const Scene& scene, const std::string& file,
+             std::vector<std::string>& warnings)
+{
+    if (strain_by_weight(body, scene.world.gravity) > 1)
+        warnings.push_back(file + ": " + sentence_on_weight(body, scene.world.gravity));
+    if (locks(body))
+        warnings.push_back(file + ": " + sentence_on_locking(body));
+}
+
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const std::string& file)
@@ -95,8 +121,7 @@ std::vector<std::string> scene_warnings(const Scene& scene, const std::string& f
         warnings.push_back(file + ": " + sentence(overlap));
     for (const auto& body : scene.world.bodies)
         if (const auto* soft = dynamic_cast<const DeformableBody*>(body.get()))
-            if (strain_by_weight(*soft, scene.world.gravity) > 1)
-                warnings.push_back(file + ": " + sentence_on_weight(*soft, scene.world.gravity));
+            warn_of(*soft, scene, file, warnings);
     return warnings;
 }
 

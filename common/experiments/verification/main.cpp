@@ -11,6 +11,7 @@
 #include "common/worked_step/worked_step_tables.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -32,6 +33,31 @@ void lumping(const RunOptions&, Report& report) { leave(report, "lumping", verif
 void cantilever(const RunOptions&, Report& report)
 {
     leave(report, "cantilever", verification::cantilever());
+}
+
+/// Of the row of a kind of elements, the ratio of the sag to that of theory.
+double ratio_of(const Table& table, const char* basis, const char* split, double poisson)
+{
+    for (const auto& row : table.rows())
+        if (std::get<std::string>(row[0]) == basis && std::get<std::string>(row[1]) == split &&
+            std::get<double>(row[2]) == poisson)
+            return std::get<double>(row[5]);
+    throw std::logic_error("locking: there is no such row");
+}
+
+void locking(const RunOptions&, Report& report)
+{
+    const Table table = verification::locking();
+    leave(report, "locking", table);
+    report.fact("locking", "six_300", ratio_of(table, "linear", "six", 0.3), 2);
+    report.fact("locking", "six_450", ratio_of(table, "linear", "six", 0.45), 2);
+    report.fact("locking", "six_495", ratio_of(table, "linear", "six", 0.495), 2);
+    report.fact("locking", "five_450", ratio_of(table, "linear", "five", 0.45), 2);
+    report.fact("locking", "quadratic_450", ratio_of(table, "quadratic", "six", 0.45), 2);
+    double sideways = 0;
+    for (const auto& row : table.rows())
+        sideways = std::max(sideways, std::get<double>(row[6]));
+    report.fact("locking", "sideways_percent", sideways, 0);
 }
 
 void frequency(const RunOptions&, Report& report)
@@ -131,6 +157,8 @@ int main(int argc, char** argv)
                 {"lumping", "masses of the ten-node element: row sums, and two ways that stay positive",
                  lumping},
                 {"cantilever", "deflection of a clamped bar against beam theory with shear", cantilever},
+                {"locking", "sag of a clamped bar over Poisson's ratio, with both bases and both cuts",
+                 locking},
                 {"frequency", "first bending frequency of a clamped bar against beam theory", frequency},
                 {"torsion", "first torsional frequency of a clamped bar against Saint-Venant's torsion",
                  torsion},

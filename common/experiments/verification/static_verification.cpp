@@ -80,6 +80,46 @@ Table cantilever()
 
 namespace {
 
+/// Of the centre of mass of a bar that is clamped at one end, under its own weight: the mean over its length of the deflection by
+/// bending and by shear (Timoshenko; Cowper's coefficient) [m].
+double theory_of_sag(double length, double thickness, double weight, const ElasticMaterial& material)
+{
+    const double inertia = std::pow(thickness, 4) / 12, area = thickness * thickness,
+                 shear_coefficient = 10 * (1 + material.poisson) / (12 + 11 * material.poisson);
+    return weight * std::pow(length, 3) / (20 * material.young * inertia) +
+           weight * length / (3 * shear_coefficient * lame_constants(material).mu * area);
+}
+
+}  // namespace
+
+Table locking()
+{
+    constexpr double length = 1, thickness = 0.1, gravity = 0.3;
+    struct Kind {
+        Basis basis;
+        CellSplit split;
+        const char* name;
+    };
+    Table table({"basis", "split", "poisson", "sag_mm", "theory_mm", "ratio", "sideways_percent"});
+    for (const auto& [basis, split, name] : {Kind{Basis::linear, CellSplit::six, "six"},
+                                             {Basis::linear, CellSplit::five, "five"},
+                                             {Basis::quadratic, CellSplit::six, "six"},
+                                             {Basis::quadratic, CellSplit::five, "five"}})
+        for (const double poisson : {0.0, 0.3, 0.4, 0.45, 0.495}) {
+            const ElasticMaterial material{.young = 1e6, .poisson = poisson, .density = 1000};
+            const auto body = clamped_bar(length, thickness, {10, 2, 2}, basis, material, split);
+            const NodalVectors u = static_displacement(*body,
+                                                       Vec3(0, -gravity, 0) * body->masses().transpose());
+            const Vec3 moved = u * body->masses() / body->mass();
+            const double theory = theory_of_sag(length, thickness, gravity * body->mass(), material);
+            table.add({name_of(basis), std::string(name), poisson, -1000 * moved.y(), 1000 * theory,
+                       -moved.y() / theory, 100 * std::abs(moved.z() / moved.y())});
+        }
+    return table;
+}
+
+namespace {
+
 /// u = amplitude sin(pi x) sin(pi y) sin(pi z) on the unit cube, zero on its surface.
 struct SineBubble {
     Vec3 amplitude{1, -0.5, 0.8};

@@ -20,10 +20,11 @@ inline const char* name_of(Basis basis) { return basis == Basis::linear ? "linea
 
 /// A square bar along x, clamped at its lower end.
 inline std::unique_ptr<ElasticBody> clamped_bar(double length, double thickness, std::array<int, 3> cells,
-                                                Basis basis, const ElasticMaterial& material)
+                                                Basis basis, const ElasticMaterial& material,
+                                                CellSplit split = CellSplit::six)
 {
     auto body = std::make_unique<ElasticBody>(
-        with_elements(bar({length, thickness, thickness}, cells), basis), material,
+        with_elements(bar({length, thickness, thickness}, cells, split), basis), material,
         ElasticOptions{.freeze_rotations = true});
     for (int n = 0; n < body->node_count(); ++n)
         if (body->positions()(0, n) < -0.5 * length + 1e-9)

@@ -258,6 +258,27 @@ TEST_CASE("scene: a soft body that its own weight presses flat is told, and no o
             "is \"young\" in pascal?"});
 }
 
+TEST_CASE("scene: linear elements whose volume hardly changes are told to bend too little, and no others")
+{
+    const auto warnings_of = [](const std::string& poisson, const std::string& basis) {
+        return read(R"("bodies": [)" +
+                    body("jelly", "deformable", R"({"bar": {"size": [1, 1, 1]}})", "[0, 0, 0]",
+                         R"(, "mass": 10, "young": 1e5, "poisson": )" + poisson + basis) +
+                    "]")
+            .warnings;
+    };
+    const std::string linear = R"(, "basis": "linear")";
+    for (const std::string poisson : {"0.3", "0.4"})
+        CHECK(warnings_of(poisson, linear).empty());
+    CHECK(warnings_of("0.45", "").empty());
+    const std::vector<std::string> told = warnings_of("0.45", linear);
+    REQUIRE(told.size() == 1);
+    CHECK(
+        told[0] ==
+        "trial.json: 'jelly' has linear elements and a Poisson's ratio of 0.45, with which they bend several "
+        "times too little; give it \"basis\": \"quadratic\"");
+}
+
 TEST_CASE("scene: a soft body that is held at every node bears any step")
 {
     const auto told = [](const std::string& fixed) {

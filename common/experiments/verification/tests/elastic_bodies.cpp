@@ -57,6 +57,30 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "locking: linear elements sag the less the nearer Poisson's ratio is to one half, and sideways along one diagonal")
+{
+    const Table table = locking();
+    REQUIRE(table.rows().size() == 20);
+    for (std::size_t row = 0; row < table.rows().size(); ++row) {
+        CAPTURE(row);
+        const bool six = std::get<std::string>(table.rows()[row][1]) == "six";
+        const double ratio = number(table, row, 5), sideways = number(table, row, 6);
+        if (is(table, row, "quadratic")) {
+            CHECK(ratio > 0.8);
+            CHECK(ratio < 1.01);
+            CHECK(sideways < 2);
+        } else {
+            CHECK(ratio < 0.6);
+            if (row % 5 > 1)  // from 0.3 on
+                CHECK(ratio < number(table, row - 1, 5));
+            CHECK((six ? sideways > 5 : sideways < 1e-6));
+        }
+    }
+    CHECK(number(table, 0, 4) ==
+          doctest::Approx(18).epsilon(0.02));  // by hand: q L^4 / (20 E I), and a little shear
+}
+
 TEST_CASE("bending: the first frequency of a slender bar is within 2% of Euler and Bernoulli's")
 {
     const Table table = bending_frequency();
