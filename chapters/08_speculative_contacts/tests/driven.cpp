@@ -161,11 +161,24 @@ Scene resting_on_piston()
     return read_scene(
         R"({"name": "s", "dt": 0.01, "duration": 0.5, "contact": {"friction": {"model": "mass_splitting"}},
         "bodies": [
-        {"name": "piston", "type": "static", "shape": {"box": {"size": [1, 0.2, 1]}}, "motion": {"table": [
-         {"time": -0.2}, {"time": 0.3, "displacement": [0.1, 0.1, 0], "turn": {"axis": [0, 1, 0], "angle_deg": 40}}, {"time": 0.9}]}},
+        {"name": "piston", "type": "static", "shape": {"box": {"size": [1, 0.2, 1]}}, "motion": {"until": 0.6, "table": [
+         {"time": -0.2, "velocity": [0.1, 0, 0]}, {"time": 0.3, "displacement": [0.1, 0.1, 0], "turn": {"axis": [0, 1, 0], "angle_deg": 40}}, {"time": 0.9}]}},
         {"name": "cube", "type": "rigid", "shape": {"box": {"size": [0.3, 0.3, 0.3]}}, "mass": 2, "position": [0, 0.4, 0],
          "forces": [{"table": [{"time": 0, "force": [3, 0, 0]}, {"time": 0.4, "torque": [0, 1, 0]}], "axes": "body"}]}]})",
         "", "s.json", {});
+}
+
+/// A block on a plate that begins to move at once, at a time that may lie within a step.
+Scene jerked_plate(double begins)
+{
+    return read_scene(R"({"name": "s", "dt": 0.01, "duration": 0.5,
+        "contact": {"friction": {"model": "mass_splitting", "mu_s": 0.5, "mu_d": 0.5}}, "bodies": [
+        {"name": "plate", "type": "static", "shape": {"box": {"size": [6, 0.2, 1]}}, "position": [0, -0.1, 0], "motion": {"table": [
+         {"time": )" + std::to_string(begins) +
+                          R"(, "velocity": [1, 0, 0]}, {"time": 2, "displacement": [)" +
+                          std::to_string(2 - begins) + R"(, 0, 0], "velocity": [1, 0, 0]}]}},
+        {"name": "block", "type": "rigid", "shape": {"box": {"size": [0.4, 0.1, 0.4]}}, "mass": 2, "position": [0, 0.05, 0]}]})",
+                      "", "s.json", {});
 }
 
 Solver solver_for(const ContactParameters& parameters) { return chapter08_solver(parameters); }
@@ -179,6 +192,20 @@ TEST_CASE("held directions: what the ground does not carry slides along it, and 
     for (const auto& body : scene.world.bodies)
         CHECK((body->mean_velocity() - Vec3(3, 0, 0)).norm() < 1e-6);
     CHECK(scene.world.bodies[1]->centre().y() == doctest::Approx(1.25).epsilon(1e-5));
+}
+
+TEST_CASE(
+    "given motion: a plate that begins at once drags a block along, and its drive pays for speed and heat")
+{
+    for (const double begins : {0.0, 0.1, 0.1037}) {
+        CAPTURE(begins);
+        Scene scene = jerked_plate(begins);
+        run(scene, solver_for(scene.contact));
+        CHECK(scene.world.bodies[1]->mean_velocity().x() == doctest::Approx(1).epsilon(1e-6));
+        const double lags = 1 / (2 * 0.5 * 9.81);  // v^2 / (2 mu g): the block's way behind the plate
+        CHECK(scene.world.bodies[1]->centre().x() == doctest::Approx(0.5 - begins - lags).epsilon(0.03));
+        CHECK(scene.world.driven == doctest::Approx(2).epsilon(0.02));  // m v^2: half of it is heat
+    }
 }
 
 TEST_CASE("given motion and outside load: a run that is resumed goes on with the same numbers")
