@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace enduring {
 namespace {
@@ -123,6 +124,7 @@ public:
                 if (is_inside(vertex, piercing.edge_of_a))
                     volumes_.join(number_of(curve), number_of(vertex, piercing.edge_of_a));
             }
+        join_along_edges(intersection, a, b);
     }
     bool is_inside(int vertex, bool of_a) const
     {
@@ -132,6 +134,41 @@ public:
     int of_vertex(int vertex, bool of_a) { return volumes_.least_of(number_of(vertex, of_a)); }
 
 private:
+    //! [join_along_edges]
+    /// Where an edge goes in and comes out again, the piece between is inside: so both curves bound one volume, also if no vertex lies in
+    /// it, as of a body that a plate passes right through.
+    void join_along_edges(const Intersection& intersection, const StillSurface& a, const StillSurface& b)
+    {
+        struct Passage {
+            bool edge_of_a;
+            int edge;
+            double along;  ///< from the smaller vertex on, times the length of the edge [m^2]
+            int entry;
+            std::size_t curve;
+        };
+        std::vector<Passage> passages;
+        for (std::size_t curve = 0; curve < intersection.curves.size(); ++curve)
+            for (const int index : intersection.curves[curve].piercings) {
+                const Piercing& piercing = intersection.piercings[index];
+                const StillSurface& of_edge = piercing.edge_of_a ? a : b;
+                const auto [from, to] = of_edge.topology.edges()[piercing.edge];
+                const Vec3 &start = of_edge.positions[from], &end = of_edge.positions[to];
+                passages.push_back({piercing.edge_of_a, piercing.edge,
+                                    (point_of(piercing, a, b) - start).dot(end - start), piercing.entry,
+                                    curve});
+            }
+        std::sort(passages.begin(), passages.end(), [](const Passage& one, const Passage& other) {
+            return std::tie(one.edge_of_a, one.edge, one.along) <
+                   std::tie(other.edge_of_a, other.edge, other.along);
+        });
+        for (std::size_t i = 1; i < passages.size(); ++i) {
+            const Passage &in = passages[i - 1], &out = passages[i];
+            if (in.edge_of_a == out.edge_of_a && in.edge == out.edge && in.entry > 0 && out.entry < 0)
+                volumes_.join(number_of(in.curve), number_of(out.curve));
+        }
+    }
+    //! [join_along_edges]
+
     int number_of(int vertex, bool of_a) const
     {
         return of_a ? regions_a_.region_of_vertex[vertex]
@@ -176,7 +213,7 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
     Volumes volumes(intersection, a, b);
     struct Sum {
         Overlap overlap;
-        Vec3 area = Vec3::Zero();
+        Vec3 area = Vec3::Zero(), largest = Vec3::Zero();  ///< of all curves, and of one of them
         double size = 0;
     };
     std::map<int, Sum> sums;
@@ -193,6 +230,8 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
         for (const int piercing : intersection.curves[i].piercings)
             curve.push_back(intersection.piercings[piercing]);
         sum.area += area;
+        if (area.norm() > sum.largest.norm())
+            sum.largest = area;
         sum.size += area.norm();
     }
     std::vector<Overlap> overlaps;
@@ -204,6 +243,8 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
             overlap.separation_direction = shortest_path(a, overlap.vertices_of_a, b);
         else if (!overlap.vertices_of_b.empty())
             overlap.separation_direction = -shortest_path(b, overlap.vertices_of_b, a);
+        else  // edges alone, as of a pin through a plate: it leaves along itself
+            overlap.separation_direction = -sum.largest.stableNormalized();
         overlaps.push_back(std::move(overlap));
     }
     return overlaps;

@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 using namespace enduring;
 using namespace enduring::chapter09;
@@ -55,6 +56,27 @@ TEST_CASE(
             CHECK((area_of(one, other) - expected).norm() < 1e-9);
             CHECK((area_of(other, one) + expected).norm() < 1e-9);
         }
+}
+
+TEST_CASE(
+    "separation direction: a body that a plate passes right through shares one volume with it and has one way out")
+{
+    const SurfaceMesh plate = slope({2, 0.1, 2}, std::numbers::pi / 18, {2, 1, 8}), stone = tetrahedron(1);
+    for (const bool plate_first : {true, false}) {
+        const auto found = plate_first ? overlaps_of(plate, stone) : overlaps_of(stone, plate);
+        REQUIRE(found.size() == 1);
+        CHECK(found[0].curves.size() == 2);
+        CHECK((plate_first ? found[0].vertices_of_a : found[0].vertices_of_b).size() == 4);
+        // the stone is narrower above, so the volume shrinks as the stone goes down, across the plate
+        const Vec3 up(-std::sin(std::numbers::pi / 18), std::cos(std::numbers::pi / 18), 0);
+        CHECK((found[0].separation_direction - (plate_first ? up : -up)).norm() < 1e-9);
+    }
+    const auto pin = overlaps_of(moved(box({0.1, 1, 0.1}), {0.3, 0.05, 0.11}), box({2, 0.2, 2}));
+    REQUIRE(pin.size() == 1);
+    CHECK(pin[0].curves.size() == 2);
+    CHECK(pin[0].vertices_of_a.empty());
+    CHECK(pin[0].vertices_of_b.empty());
+    CHECK(std::abs(pin[0].separation_direction.y()) == doctest::Approx(1));
 }
 
 TEST_CASE("separation direction: a ball leaves a floor upwards, and the floor leaves the ball downwards")
@@ -120,8 +142,10 @@ TEST_CASE(
         plates.faces.push_back(face);
     }
     const auto overlaps = overlaps_of(moved(box({3, 0.2, 0.2}), {0, 0.23, 0.17}), plates);
-    CHECK(overlaps.size() ==
-          4);  // no vertex is inside, so nothing tells which two of the four curves bound one volume
+    REQUIRE(overlaps.size() ==
+            2);  // no vertex is inside: the rod's edges tell which two of the four curves bound one volume
+    for (const Overlap& overlap : overlaps)
+        CHECK(overlap.curves.size() == 2);
 }
 
 TEST_CASE("exit: the first face behind the point, where a straight way meets it")

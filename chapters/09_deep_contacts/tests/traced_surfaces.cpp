@@ -145,16 +145,16 @@ TEST_CASE("exact side: whichever coordinate decides, and however small all are, 
         }
 }
 
-TEST_CASE("separation direction: where a beam goes through a plate with no vertex inside, it is two overlaps")
+TEST_CASE(
+    "separation direction: where a beam goes through a plate with no vertex inside, it has one way, along itself")
 {
     const OverlapShape plate(box({2, 0.1, 2}, {4, 1, 4})),
         beam(moved(box({0.2, 3, 0.2}, {1, 5, 1}), {0.01, 0.02, 0.03}));
     for (const auto& overlaps :
          {find_overlaps(plate.still(), beam.still()), find_overlaps(beam.still(), plate.still())}) {
-        REQUIRE(overlaps.size() == 2);
-        CHECK((overlaps[0].separation_direction + overlaps[1].separation_direction).norm() < 1e-9);
+        REQUIRE(overlaps.size() == 1);
         CHECK(std::abs(overlaps[0].separation_direction.y()) > 1 - 1e-9);
-        CHECK(overlaps[0].curves.size() == 1);
+        CHECK(overlaps[0].curves.size() == 2);
     }
 }
 
