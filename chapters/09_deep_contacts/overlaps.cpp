@@ -239,12 +239,12 @@ std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b)
         Overlap& overlap = sum.overlap;
         if (sum.area.norm() > cancelled_area * sum.size)
             overlap.separation_direction = -sum.area.normalized();
+        else if (sum.size > 0)  // of a beam through a plate: it leaves along itself
+            overlap.separation_direction = -sum.largest.normalized();
         else if (!overlap.vertices_of_a.empty())
             overlap.separation_direction = shortest_path(a, overlap.vertices_of_a, b);
         else if (!overlap.vertices_of_b.empty())
             overlap.separation_direction = -shortest_path(b, overlap.vertices_of_b, a);
-        else  // edges alone, as of a pin through a plate: it leaves along itself
-            overlap.separation_direction = -sum.largest.stableNormalized();
         overlaps.push_back(std::move(overlap));
     }
     return overlaps;

@@ -42,9 +42,9 @@ Vec3 nearest_normal(const StillSurface& surface, const Vec3& point);
 ///
 /// The separation direction is that in which the volume shrinks fastest: if A moves by a small s, it grows by s times
 /// the integral of A's normals over its surface inside B, so against the vector areas of the curves around
-/// it. Where they cancel, as for a body that is wholly inside another, it is the one of the shortest path, of those
-/// along the normals of the faces that are nearest to its vertices. Without a vertex inside, as of a pin through a plate, it is
-/// against the largest of them.
+/// it. Where those of several curves cancel, as of a beam through a plate, it is against the largest of them. A body that is wholly
+/// inside another one has no curve: then it is the one of the shortest path, of those along the normals of the faces that are
+/// nearest to its vertices.
 std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b);
 
 /// Where a path from a point inside a surface leaves it.
