@@ -2,6 +2,7 @@
 
 #include "common/simulation/contact_geometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -10,10 +11,11 @@ namespace enduring {
 //! [last_part]
 double last_part(const World& world, double dt)
 {
-    if (world.bodies.empty())
-        return dt;
-    // A body is told the time at which each part of a step begins.
-    const double elapsed = world.time - world.bodies.front()->time();
+    // A body is told the time at which each part of a step begins; one that moves as given is already at its end.
+    double began = world.time;
+    for (const auto& body : world.bodies)
+        began = std::min(began, body->time());
+    const double elapsed = world.time - began;
     if (!(elapsed > 0))
         return dt;
     // A difference of times is rounded; a part is not.

@@ -1,5 +1,6 @@
 #include "common/simulation/contact_forces.hpp"
 
+#include "common/simulation/driven_body.hpp"
 #include "common/simulation/tests/triangle_body.hpp"
 
 #include <doctest/doctest.h>
@@ -59,6 +60,22 @@ TEST_CASE("contact forces: a weight that is carried is the weight, in however ma
                 const std::vector<Vec3> forces = body_forces(scene.world, scene.contacts, dt);
                 CHECK(forces.at(0).y() == doctest::Approx(scene.weight).epsilon(1e-14));
             }
+}
+
+TEST_CASE("contact forces: they are those of the last part also if the first body moves as given")
+{
+    CarriedSheet scene;
+    const SurfaceMesh tetrahedron{{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()},
+                                  {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+    scene.world.bodies.insert(scene.world.bodies.begin(),
+                              std::make_unique<DrivenBody>("drive", tetrahedron, Vec3::Zero(),
+                                                           GivenMotion::steady(Vec3::UnitX(), Vec3::Zero())));
+    for (Contact& contact : scene.contacts)
+        contact.body_a = 1;
+    advance(scene.world, scene.contacts, carrying(scene.weight, 2), 0.01);
+    CHECK(scene.world.thrown_away == 2);
+    CHECK(body_forces(scene.world, scene.contacts, 0.01).at(1).y() ==
+          doctest::Approx(scene.weight).epsilon(1e-14));
 }
 
 TEST_CASE(
