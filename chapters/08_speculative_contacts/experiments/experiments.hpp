@@ -32,6 +32,7 @@ void disk(const RunOptions& options, Report& report);
 void limits(const RunOptions& options, Report& report);
 void gears(const RunOptions& options, Report& report);
 void formulas(const RunOptions& options, Report& report);
+void forces(const RunOptions& options, Report& report);
 void harsh(const RunOptions& options, Report& report);
 void jams(const RunOptions& options, Report& report);
 void constants(const RunOptions& options, Report& report);
