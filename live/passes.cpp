@@ -26,7 +26,7 @@ Numbers passes(double h, int count, double mu, double normal, double along)
     const FrictionProblem problem = block_of(Vec3(normal, along, 0), mu);
     Numbers result;
     append_plane(result, solve_exactly(problem).impulses);
-    ExactSettings settings{.h = h, .keeps_h = true, .tolerance = 0, .first_residual = 1e-13};
+    ExactSettings settings{.h = h, .keeps_h = true, .tolerance = 0};
     settings.max_idle_passes = count + 1;
     for (settings.max_passes = 1; settings.max_passes <= count; ++settings.max_passes) {
         const Vec3 impulse = solve_exactly(problem, settings).impulses,

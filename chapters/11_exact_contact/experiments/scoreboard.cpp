@@ -149,7 +149,7 @@ Cell time_cell(const Outcomes& all, const std::string& solver, std::size_t probl
 /// One solve on springs alone, as well as it goes.
 double error_of_springs(const FrictionProblem& problem, double h)
 {
-    ExactSettings settings{.h = h, .keeps_h = true, .first_residual = 1e-10};
+    ExactSettings settings{.h = h, .keeps_h = true};
     settings.max_passes = 1;
     return solve_exactly(problem, settings).error;
 }

@@ -13,9 +13,8 @@ namespace {
 /// Every pass is solved as well as it can be, so that what is left is the spring's.
 ExactSolution after_passes(const FrictionProblem& problem, double h, int passes)
 {
-    ExactSettings settings{.h = h, .keeps_h = true, .tolerance = 0, .first_residual = 1e-12};
+    ExactSettings settings{.h = h, .keeps_h = true, .tolerance = 0};
     settings.max_passes = passes;
-    settings.max_newton_steps = 300;
     return solve_exactly(problem, settings);
 }
 
