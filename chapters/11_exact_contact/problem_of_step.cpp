@@ -1,6 +1,7 @@
 #include "chapters/11_exact_contact/problem_of_step.hpp"
 
 #include "chapters/07_implicit_contact/step_problem.hpp"
+#include "chapters/11_exact_contact/force_memory.hpp"
 #include "chapters/11_exact_contact/problem_file.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iomanip>
+#include <iostream>
 #include <sstream>
 
 namespace enduring {
@@ -56,15 +58,23 @@ struct Assembly {
     }
 };
 
+/// As triplets: Siconos takes a 1 before "CSparse" for these, and reads no other number there.
 void write_matrix(std::ostream& out, const Matrix& matrix)
 {
     out << "2\n"
-        << matrix.rows() << ' ' << matrix.cols() << "\n0\nCSparse Version 3\ntriplet: " << matrix.rows()
+        << matrix.rows() << ' ' << matrix.cols() << "\n1\nCSparse Version 3\ntriplet: " << matrix.rows()
         << "-by-" << matrix.cols() << ", nzmax: " << matrix.nonZeros() << " nnz: " << matrix.nonZeros()
         << '\n';
     for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
         for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
             out << entry.row() << ' ' << entry.col() << " : " << shortest(entry.value()) << '\n';
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text)
+{
+    std::ofstream out(file);
+    if (!(out << text) || !out.flush())
+        throw InputError(file.string() + ": cannot be written");
 }
 
 void write_vector(std::ostream& out, const Eigen::VectorXd& numbers)
@@ -124,6 +134,13 @@ std::string siconos_text(const FrictionProblem& problem)
     return out.str();
 }
 
+std::string answer_text(const Eigen::VectorXd& impulses)
+{
+    std::ostringstream out;
+    write_vector(out, impulses);
+    return out.str();
+}
+
 void take_problems(Solver& solver, const ContactParameters& parameters,
                    std::function<void(int step, const FrictionProblem&)> take)
 {
@@ -146,12 +163,16 @@ void write_problems(Solver& solver, const ContactParameters& parameters, const s
     take_problems(solver, parameters, [folder, form](int step, const FrictionProblem& problem) {
         std::ostringstream name;
         name << "step_" << std::setw(6) << std::setfill('0') << step;
+        const ExactSolution solution = solve_exactly(problem);
+        if (!solution.solved())
+            std::cerr << name.str() << ": written without an answer, the best one has an error of "
+                      << readable(solution.error, 2) << '\n';
         if (form == ProblemForm::fclib)
-            return write_fclib(problem, folder / (name.str() + ".hdf5"));
-        const std::filesystem::path file = folder / (name.str() + ".dat");
-        std::ofstream out(file);
-        if (!(out << siconos_text(problem)))
-            throw InputError(file.string() + ": cannot be written");
+            return write_fclib(problem, folder / (name.str() + ".hdf5"),
+                               solution.solved() ? solution.impulses : Eigen::VectorXd());
+        write_text(folder / (name.str() + ".dat"), siconos_text(problem));
+        if (solution.solved())
+            write_text(folder / (name.str() + ".answer"), answer_text(solution.impulses));
     });
 }
 

@@ -20,8 +20,11 @@ FrictionProblem problem_of_step(const World& world, const Contacts& contacts,
 /// Three rows: a normal and two directions at right angles to it.
 Mat3 contact_frame(const Vec3& normal);
 
-/// Siconos' text, sparse: what parse_siconos() reads.
+/// Siconos' text, sparse: what parse_siconos() reads, and Siconos.
 std::string siconos_text(const FrictionProblem& problem);
+
+/// Impulses as a NAME.answer holds them: a number a line.
+std::string answer_text(const Eigen::VectorXd& impulses);
 
 /// Chapter 11's solver, which hands on the problem of each step in which something is near. Of a step that is taken in halves it is the last part.
 /// @param take  is given the number of the step, from 1 on
@@ -31,7 +34,8 @@ void take_problems(Solver& solver, const ContactParameters& parameters,
 /// What a written problem is: Siconos' text, or FCLIB's HDF5.
 enum class ProblemForm { siconos, fclib };
 
-/// Chapter 11's solver, which writes the problem of each step into a folder: step_000001.dat and so on, or .hdf5.
+/// Chapter 11's solver, which writes the problem of each step into a folder, with its answer: step_000001.dat and
+/// step_000001.answer and so on, or step_000001.hdf5 with both. What has no answer to 1e-8 is told, and written without.
 /// @throws InputError  a file cannot be written; HDF5 where the program was built without it
 void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder,
                     ProblemForm form = ProblemForm::siconos);

@@ -8,7 +8,6 @@
 #include "chapters/11_exact_contact/problem_of_step.hpp"
 #include "chapters/11_exact_contact/solver.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
-#include "common/input/number_text.hpp"
 #include "common/simulation/deformable_body.hpp"
 
 #include <algorithm>
@@ -120,14 +119,6 @@ std::vector<Source> sources()
     };
 }
 
-std::string numbers_text(const Eigen::VectorXd& numbers)
-{
-    std::string text;
-    for (const double x : numbers)
-        text += shortest(x) + '\n';
-    return text;
-}
-
 /// Writes problems as NAME.dat and our answers as NAME.answer, both together as NAME.hdf5, and counts how they are solved.
 class Collection {
 public:
@@ -138,7 +129,7 @@ public:
         const std::string text = siconos_text(problem);
         const ExactSolution solution = solve_exactly(problem);
         write_file(report_.file(name + ".dat"), text);
-        write_file(report_.file(name + ".answer"), numbers_text(solution.impulses));
+        write_file(report_.file(name + ".answer"), answer_text(solution.impulses));
         if (knows_fclib())
             write_fclib(problem, report_.file(name + ".hdf5"), solution.impulses);
         table_.add({name, static_cast<long>(problem.contacts()), solution.error,

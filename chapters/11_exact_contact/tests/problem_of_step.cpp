@@ -7,12 +7,14 @@
 #include "chapters/11_exact_contact/solver.hpp"
 #include "chapters/11_exact_contact/tests/one_block.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
+#include "common/input/json_document.hpp"
 #include "common/scenes/scene.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <sstream>
 
 using namespace enduring;
 
@@ -90,6 +92,28 @@ TEST_CASE("problem of a step: a stack of which only W is known is solved by spri
         CAPTURE(h);
         CHECK(solve_exactly(problem, {.h = h}).solved());
     }
+}
+
+TEST_CASE("problem of a step: a matrix says that it comes from triplets, as Siconos asks")
+{
+    // Siconos counts where a sparse matrix comes from: 1 is triplets, and any other number ends its program
+    CHECK(siconos_text(hand_solved_blocks()[0].problem).find("\n3 3\n1\nCSparse") != std::string::npos);
+}
+
+TEST_CASE("problem of a step: its answer stands beside it")
+{
+    Scene scene = chapter07::scene_of(chapter07::stack_of(2), 0.01, 10);
+    const TemporaryFolder folder;
+    run_and_write(scene, 1, folder.path);
+    const FrictionProblem problem = read_problem(folder.path / "step_000001.dat");
+    const std::string text = read_text_file(folder.path / "step_000001.answer");
+    CHECK(text == answer_text(solve_exactly(problem).impulses));
+    std::istringstream words(text);
+    Eigen::VectorXd answer(problem.free_velocity.size());
+    for (double& x : answer)
+        words >> x;
+    CHECK(words);
+    CHECK(natural_map_error(problem, answer) <= 1e-8);
 }
 
 TEST_CASE("problem of a step: a gap counts as the velocity that closes it in the step")
