@@ -1,9 +1,11 @@
 #include "chapters/11_exact_contact/friction_problem.hpp"
 
 #include "common/input/input_error.hpp"
+#include "common/input/number_text.hpp"
 
 #include <Eigen/SparseCholesky>
 
+#include <cmath>
 #include <string>
 
 namespace enduring {
@@ -18,6 +20,29 @@ void require_size(Eigen::Index found, Eigen::Index wanted, const char* what, con
                          std::to_string(found));
 }
 
+/// What is larger has a square that is no number any more.
+constexpr double largest_number = 1e100;
+/// Friction of more holds everything, and tells of a wrong file.
+constexpr double largest_mu = 1e6;
+
+void require_numbers(const VectorXd& numbers, const char* what, const std::string& file)
+{
+    for (Eigen::Index i = 0; i < numbers.size(); ++i)
+        if (!(std::abs(numbers[i]) <= largest_number))
+            throw InputError(file + ": number " + std::to_string(i + 1) + " of " + what +
+                             ": expected at most 1e100, found " + shortest(numbers[i]));
+}
+
+void require_entries(const Eigen::SparseMatrix<double>& matrix, const char* what, const std::string& file)
+{
+    for (int column = 0; column < matrix.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, column); entry; ++entry)
+            if (!(std::abs(entry.value()) <= largest_number))
+                throw InputError(file + ": " + what + ", row " + std::to_string(entry.row() + 1) +
+                                 ", column " + std::to_string(column + 1) +
+                                 ": expected at most 1e100, found " + shortest(entry.value()));
+}
+
 void fill_from_bodies(FrictionProblem& problem, const std::string& file)
 {
     const BodyEquations& bodies = *problem.bodies;
@@ -27,6 +52,10 @@ void fill_from_bodies(FrictionProblem& problem, const std::string& file)
     require_size(bodies.levers.cols(), numbers, "columns of the matrix H", file);
     require_size(bodies.force.size(), coordinates, "numbers of the vector f", file);
     require_size(bodies.given_velocity.size(), numbers, "numbers of the vector w", file);
+    require_entries(bodies.mass, "the matrix M", file);
+    require_entries(bodies.levers, "the matrix H", file);
+    require_numbers(bodies.force, "the vector f", file);
+    require_numbers(bodies.given_velocity, "the vector w", file);
     const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> mass(bodies.mass);
     if (mass.info() != Eigen::Success)
         throw InputError(file + ": the matrix M is not positive definite");
@@ -54,15 +83,15 @@ void complete(FrictionProblem& problem, const std::filesystem::path& path)
     require_size(problem.response.cols(), numbers, "columns of the matrix W", file);
     require_size(problem.free_velocity.size(), numbers, "numbers of the vector q", file);
     for (Eigen::Index i = 0; i < problem.mu.size(); ++i)
-        if (!(problem.mu[i] >= 0))
+        if (!(problem.mu[i] >= 0 && problem.mu[i] <= largest_mu))
             throw InputError(file + ": mu of contact " + std::to_string(i + 1) +
-                             ": expected a number of at least 0, found " + std::to_string(problem.mu[i]));
+                             ": expected a number from 0 to 1e6, found " + shortest(problem.mu[i]));
     for (Eigen::Index i = 0; i < problem.mu.size(); ++i)
         if (problem.response.coeff(problem.dimension * i, problem.dimension * i) < 0)
             throw InputError(file + ": the matrix W is negative along the normal of contact " +
                              std::to_string(i + 1));
-    if (!problem.free_velocity.allFinite() || !problem.response.coeffs().allFinite())
-        throw InputError(file + ": a number is not finite");
+    require_numbers(problem.free_velocity, "the vector q", file);
+    require_entries(problem.response, "the matrix W", file);
 }
 
 }  // namespace enduring

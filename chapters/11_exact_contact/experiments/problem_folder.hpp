@@ -13,10 +13,14 @@ struct NamedProblem {
     FrictionProblem problem;
 };
 
+/// A file that is no problem, or one that is not solved here.
+struct RefusedFile {
+    std::string name, reason;
+};
+
 struct ProblemFolder {
     std::vector<NamedProblem> problems;  ///< by name
-    std::vector<std::string>
-        refused;  ///< what was said of each file that is no problem, or one that is not solved here
+    std::vector<RefusedFile> refused;    ///< by name
 };
 
 /// The public problems that lie beside the chapter, and our own.

@@ -2,7 +2,10 @@
 #include "chapters/11_exact_contact/experiments/siconos_scores.hpp"
 #include "chapters/11_exact_contact/force_memory.hpp"
 #include "chapters/11_exact_contact/natural_map.hpp"
+#include "common/experiments/report/progress.hpp"
 #include "common/experiments/run/processor_clock.hpp"
+#include "common/input/input_error.hpp"
+#include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +13,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <new>
 #include <sstream>
 #include <string>
 
@@ -28,13 +32,25 @@ struct Outcome {
 /// By solver; a place for each problem.
 using Outcomes = std::map<std::string, std::vector<Outcome>>;
 
+/// The answer to a problem; none where it needs more memory than there is.
+ExactSolution solution_of(const FrictionProblem& problem, const ExactSettings& settings = {})
+{
+    try {
+        return solve_exactly(problem, settings);
+    } catch (const std::bad_alloc&) {
+        ExactSolution none;
+        none.error = never;
+        return none;
+    }
+}
+
 /// The least of three runs, unless they are long.
 Outcome timed(const FrictionProblem& problem, const ExactSettings& settings)
 {
     Outcome outcome;
     for (int run = 0; run < 3; ++run) {
         const double begin = processor_seconds();
-        outcome.error = solve_exactly(problem, settings).error;
+        outcome.error = solution_of(problem, settings).error;
         const double seconds = processor_seconds() - begin;
         outcome.seconds = std::min(outcome.seconds, seconds);
         if (seconds > 0.05)
@@ -49,8 +65,11 @@ Outcomes outcomes_for(const std::vector<NamedProblem>& problems, double threshol
     Outcomes all;
     std::vector<Outcome>& ours = all["ours"];
     ours.reserve(problems.size());
-    for (const auto& [name, problem] : problems)
+    Progress progress("", static_cast<long>(problems.size()), " problems to " + shortest(threshold));
+    for (const auto& [name, problem] : problems) {
         ours.push_back(timed(problem, {.tolerance = asked * threshold}));
+        progress.update(static_cast<long>(ours.size()));
+    }
     for (const SiconosAnswer& answer : solve_by_siconos(problems, asked * threshold)) {
         std::vector<Outcome>& theirs = all[answer.solver];
         theirs.resize(problems.size());
@@ -151,7 +170,7 @@ double error_of_springs(const FrictionProblem& problem, double h)
 {
     ExactSettings settings{.h = h, .keeps_h = true};
     settings.max_passes = 1;
-    return solve_exactly(problem, settings).error;
+    return solution_of(problem, settings).error;
 }
 
 std::vector<ExactSolution> solutions_of(const std::vector<NamedProblem>& problems)
@@ -159,7 +178,7 @@ std::vector<ExactSolution> solutions_of(const std::vector<NamedProblem>& problem
     std::vector<ExactSolution> solutions;
     solutions.reserve(problems.size());
     for (const auto& [name, problem] : problems)
-        solutions.push_back(solve_exactly(problem));
+        solutions.push_back(solution_of(problem));
     return solutions;
 }
 
@@ -226,12 +245,41 @@ Table table_of(const std::vector<NamedProblem>& problems, const std::vector<Exac
     return table;
 }
 
-std::vector<NamedProblem> problems_in(const std::filesystem::path& folder)
+/// @throws InputError  no file of the folder could be read
+ProblemFolder problems_in(const std::filesystem::path& folder)
 {
     ProblemFolder read = read_problems(folder);
-    for (const std::string& refused : read.refused)
-        std::cerr << refused << '\n';
-    return std::move(read.problems);
+    for (const RefusedFile& refused : read.refused)
+        std::cerr << refused.reason << '\n';
+    if (read.problems.empty())
+        throw InputError(folder.string() + ": has no problem that can be read");
+    return read;
+}
+
+/// The same table with a row for each file that was refused, and why.
+Table with_refused(const Table& table, const std::vector<RefusedFile>& refused)
+{
+    std::vector<std::string> columns = table.columns();
+    columns.emplace_back("refused");
+    Table all(columns);
+    for (std::vector<Cell> row : table.rows()) {
+        row.emplace_back("");
+        all.add(std::move(row));
+    }
+    for (const RefusedFile& file : refused) {
+        std::vector<Cell> row(columns.size(), Cell("–"));
+        row.front() = file.name;
+        row.back() = file.reason;
+        all.add(std::move(row));
+    }
+    return all;
+}
+
+/// Tables of an earlier run are no tables of this one, which may end before it writes its own.
+void take_away(Report& report, const std::string& name)
+{
+    for (const char* kind : {".csv", ".md"})
+        std::filesystem::remove(report.folder() / (name + kind));
 }
 
 }  // namespace
@@ -241,10 +289,14 @@ std::vector<NamedProblem> problems_in(const std::filesystem::path& folder)
 void scoreboard(const RunOptions&, Report& report, const std::filesystem::path& more)
 {
     const bool is_ours = more.empty();
-    const std::vector<NamedProblem> given = problems_in(is_ours ? public_problems() : more),
-                                    own = is_ours ? problems_in(own_problems()) : std::vector<NamedProblem>{};
-    if (given.empty())
-        return;
+    const std::string table_name = is_ours ? "scoreboard" : "yours",
+                      profile_name = is_ours ? "profile" : "yours_profile";
+    take_away(report, table_name);
+    take_away(report, profile_name);
+    const ProblemFolder folder = problems_in(is_ours ? public_problems() : more);
+    const std::vector<NamedProblem>& given = folder.problems;
+    const std::vector<NamedProblem> own = is_ours ? problems_in(own_problems()).problems
+                                                  : std::vector<NamedProblem>{};
     std::vector<NamedProblem> all = given;
     all.insert(all.end(), own.begin(), own.end());
     std::vector<Outcomes> of_thresholds;
@@ -254,16 +306,22 @@ void scoreboard(const RunOptions&, Report& report, const std::filesystem::path& 
         write_file(report.file("siconos.txt"), kept_text(all, of_thresholds));
     else
         add_kept(all, of_thresholds);
-    const std::string table_name = is_ours ? "scoreboard" : "yours",
-                      profile_name = is_ours ? "profile" : "yours_profile";
     const std::vector<ExactSolution> solutions = solutions_of(given);
-    const Table table = table_of(given, solutions, of_thresholds.back()), parts = profile(of_thresholds);
+    Table table = table_of(given, solutions, of_thresholds.back());
+    if (!is_ours)
+        table = with_refused(table, folder.refused);
+    const Table parts = profile(of_thresholds);
     report.table(table_name, table);
     report.page_table(table_name, table, 2);
     report.table(profile_name, parts);
     report.page_table(profile_name, parts, 3);
-    if (!is_ours)
+    if (!is_ours) {
+        if (std::none_of(solutions.begin(), solutions.end(),
+                         [](const ExactSolution& solution) { return solution.solved(); }))
+            throw InputError(more.string() +
+                             ": none of its problems was solved; the table says how far each one came");
         return;
+    }
     report.plot("chapters/11_exact_contact/plots/profile.gp");
     tell(report, "public", given, solutions);
     tell(report, "own", own, solutions_of(own));

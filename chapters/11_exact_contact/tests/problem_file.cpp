@@ -117,7 +117,7 @@ TEST_CASE("problem file: what is wrong in a text is told with its line")
     CHECK(complaint("3\n2\n0\n3\n3\n3 3\n 1 0 0  0 1 0  0 0 1\n -1 1 1 \n 0.5 ")
               .starts_with("problem.dat:7: the matrix W has 3 rows"));
     CHECK(complaint("3\n1\n0\n3\n3\n3 3\n 1 0 0  0 1 0  0 0 1\n -1 1 1 \n -0.5 ")
-              .starts_with("problem.dat: mu of contact 1: expected a number of at least 0"));
+              .starts_with("problem.dat: mu of contact 1: expected a number from 0 to 1e6"));
     CHECK(complaint("3\n1\n0\n3\n3\n3 3\n -1 0 0  0 1 0  0 0 1\n -1 1 1 \n 0.5 ")
               .starts_with("problem.dat: the matrix W is negative along the normal of contact 1"));
     CHECK(
@@ -127,6 +127,16 @@ TEST_CASE("problem file: what is wrong in a text is told with its line")
     CHECK(complaint("2 2 1 4 4  3 2 2  2 3  2 4 ").find("its blocks end at 3 of its 4") != std::string::npos);
     CHECK(complaint("2 2 1 4 4  3 2 2  2 4  2 4  3 3  0 2 3  0 9 1").find("'9'") != std::string::npos);
     CHECK(complaint("").find("the file is empty") != std::string::npos);
+    CHECK(complaint("3\n1\n0\n3\n3\n3 3\n 1 0 0  0 1 0  0 0 1\n -1 1 1e308 \n 0.5 ") ==
+          "problem.dat: number 3 of the vector q: expected at most 1e100, found 1e+308");
+    CHECK(complaint("3\n1\n0\n3\n3\n3 3\n 1 0 0  0 1e200 0  0 0 1\n -1 1 1 \n 0.5 ") ==
+          "problem.dat: the matrix W, row 2, column 2: expected at most 1e100, found 1e+200");
+    CHECK(complaint("3\n1\n0\n3\n3\n3 3\n 1 0 0  0 1 0  0 0 1\n -1 1 1 \n 1e300 ") ==
+          "problem.dat: mu of contact 1: expected a number from 0 to 1e6, found 1e+300");
+    CHECK(
+        complaint(
+            "3 1  0 3 3 3 3  2 0 0 0 2 0 0 0 2   0 3 3 3 3  1 0 0 0 1 0 0 0 1   -2 2 3   0 1e308 0.1   0.5") ==
+        "problem.dat: number 2 of the vector w: expected at most 1e100, found 1e+308");
 }
 
 TEST_CASE("problem file: every beginning of a text ends with a message")
