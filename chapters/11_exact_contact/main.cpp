@@ -26,6 +26,8 @@ int main(int argc, char** argv)
              }},
             {"own_problems", "problems of our own scenes for others, written with our answers",
              chapter11::own_problems},
+            {"generated", "54 problems that rules make, written with our answers: towers, packings, graphs",
+             chapter11::generated},
             {"stack_exact", "a stack at rest on springs that remember their force: how deep it is pressed",
              chapter11::stack_exact},
             {"exact_scenes", "scenes at rest on springs and on springs that remember: depth, drift and time",
@@ -40,7 +42,7 @@ int main(int argc, char** argv)
             ->type_name("DIR");
         CLI::Option* const writes = app.add_option(
             "--write-problems", *written,
-            "folder for the problem of each step of your scene, as Siconos' text");
+            "folder for the problem of each step of your scene and its answer, as Siconos' text");
         writes->type_name("DIR")->needs(app.get_option("--scene"))->excludes(app.get_option("experiments"));
         app.add_flag("--fclib", *as_fclib, "writes them as FCLIB's HDF5")->needs(writes);
     };

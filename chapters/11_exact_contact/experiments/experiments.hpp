@@ -11,6 +11,7 @@ void spring_error(const RunOptions& options, Report& report);
 /// @param more  a folder of the reader's; nothing if empty
 void scoreboard(const RunOptions& options, Report& report, const std::filesystem::path& more);
 void own_problems(const RunOptions& options, Report& report);
+void generated(const RunOptions& options, Report& report);
 void stack_exact(const RunOptions& options, Report& report);
 void exact_scenes(const RunOptions& options, Report& report);
 void relaxation(const RunOptions& options, Report& report);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "chapters/11_exact_contact/experiments/problem_folder.hpp"
+
+namespace enduring::chapter11 {
+
+/// A problem that a rule made, and the rule's name.
+struct GeneratedProblem {
+    std::string kind;  ///< "tower", "packing", "graph", "dense" or "scaled"
+    NamedProblem named;
+};
+
+/// 54 problems that nobody has chosen, each given by W alone, the same on every machine:
+///   tower    2, 5 or 10 cubes with 4 contacts each, whose masses differ by 1 : 1e4 or 1 : 1e6
+///   packing  8, 27 or 64 spheres in a box without a lid, of one mass or of masses from 1 : 1000
+///   graph    4, 10 or 25 bodies, contacts between any two of them
+///   dense    W of random levers, with less, as many or more ways to move than contacts have numbers
+///   scaled   some of these, each contact in units that are a thousand times larger or smaller
+std::vector<GeneratedProblem> generated_problems();
+
+}  // namespace enduring::chapter11

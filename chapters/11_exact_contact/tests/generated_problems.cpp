@@ -1,0 +1,34 @@
+#include "chapters/11_exact_contact/experiments/generated_problems.hpp"
+
+#include "chapters/11_exact_contact/force_memory.hpp"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+
+using namespace enduring;
+
+TEST_CASE("generated problems: there are 54 of five kinds, each symmetric and with another name")
+{
+    std::map<std::string, int> of_kind;
+    std::set<std::string> names;
+    for (const auto& [kind, named] : chapter11::generated_problems()) {
+        ++of_kind[kind];
+        names.insert(named.name);
+        const Eigen::MatrixXd response(named.problem.response);
+        CHECK((response - response.transpose()).norm() <= 1e-14 * response.norm());
+    }
+    CHECK(names.size() == 54);
+    CHECK(of_kind == std::map<std::string, int>{
+                         {"tower", 16}, {"packing", 12}, {"graph", 12}, {"dense", 9}, {"scaled", 5}});
+}
+
+TEST_CASE("generated problems: those of up to 30 contacts are solved")
+{
+    for (const auto& [kind, named] : chapter11::generated_problems())
+        if (named.problem.contacts() <= 30) {
+            CAPTURE(named.name);
+            CHECK(solve_exactly(named.problem).solved());
+        }
+}
