@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Reads a problem of bodies by Siconos and solves it: siconos.py FILE prints the sum of all normal impulses.
+"""Reads a problem of bodies by Siconos and solves it: solve_by_siconos.py FILE COORDINATES prints its impulses, a number for each of r.
 
 Ends with 3 where Siconos is not installed (Debian 12: python3-siconos).
 """
