@@ -8,11 +8,11 @@
 namespace enduring::laboratory {
 namespace {
 
-/// Settings that tell `record` what was solved.
-ImplicitSettings telling(std::function<void(const SolveRecord&)> record)
+/// Settings that say nothing of a step that is not solved: the page shows it.
+ImplicitSettings silent()
 {
     ImplicitSettings settings;
-    settings.record = std::move(record);
+    settings.record = [](const SolveRecord&) {};
     return settings;
 }
 
@@ -26,10 +26,7 @@ std::tuple<ContactKind, int, int, int, int> features_of(const Contact& contact)
 Laboratory::Laboratory(const std::string& text, const std::string& file,
                        const std::vector<std::filesystem::path>& meshes, int chapter)
     : scene_(read_scene(text, "", file, {meshes})),
-      solver_(solvers::chapter_solver(chapter, scene_.contact, telling([this](const SolveRecord& record) {
-                                          rounds_ += record.rounds;
-                                          newton_steps_ += record.newton_steps;
-                                      })))
+      solver_(solvers::chapter_solver(chapter, scene_.contact, silent()))
 {
     require_asked(scene_, solver_);
     const auto pulled = [this](World& world, Contacts&, double dt) { pull(world, dt); };
@@ -62,12 +59,7 @@ void Laboratory::pull(World& world, double dt) const
 
 void Laboratory::step()
 {
-    rounds_ = newton_steps_ = 0;
-    const bool implicit = solver_.finds_stiffness;
-    advance(scene_.world, contacts_, solver_, scene_.dt, [&](const std::string& pass) {
-        if (!implicit && pass == "apply impulses")
-            ++rounds_;
-    });
+    advance(scene_.world, contacts_, solver_, scene_.dt);
     note_pairs();
 }
 

@@ -42,9 +42,6 @@ public:
     void step();
     StepNumbers numbers() const { return step_numbers(scene_.world, contacts_); }
     std::vector<PairNumbers> pairs() const;
-    /// Rounds of the last step's response: of detection and response together in chapters 1 to 6, of the implicit problem from chapter 7 on.
-    int rounds() const { return rounds_; }
-    int newton_steps() const { return newton_steps_; }  ///< of all parts of the last step; from chapter 7 on
     /// The hand's force acts in each step until it lets go.
     void hold(const Hand& hand) { hand_ = hand; }
 
@@ -59,7 +56,6 @@ private:
     Contacts contacts_;
     Hand hand_;
     std::map<PairKey, int> since_;
-    int rounds_ = 0, newton_steps_ = 0;
 };
 
 }  // namespace enduring::laboratory

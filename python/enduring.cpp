@@ -92,6 +92,15 @@ void declare_scene(py::module_& module)
         .def_property_readonly(
             "pairs", [](const Run& run) { return Pairs(run.scene.world, run.contacts, run.scene.dt); },
             "in contact after the last step")
+        .def_property_readonly(
+            "work",
+            [](const Run& run) {
+                py::dict numbers;
+                visit_work(run.scene.world.work,
+                           [&](const char* name, auto value) { numbers[name] = value; });
+                return numbers;
+            },
+            "what the last step cost, by name: counts, and the worst residual; attempts that were thrown away are counted")
         .def_property_readonly("energies", energies, "of each body: kinetic, gravitational, elastic [J]")
         .def_property_readonly(
             "spring_energy", [](const Run& run) { return spring_energy(*run.contacts); },

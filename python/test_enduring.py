@@ -51,6 +51,20 @@ class Scenes(unittest.TestCase):
         scene.step(200)
         self.assertGreater(scene.pairs.depth.min(), -1e-8)
 
+    def test_a_step_tells_what_it_cost_in_counts(self):
+        scene = ball()
+        self.assertEqual(scene.work["attempts"], 0)
+        worked = []
+        for _ in range(200):
+            scene.step()
+            worked.append(scene.work)
+        self.assertEqual({work["parts"] for work in worked[:20]}, {1})
+        self.assertEqual(sum(work["newton_steps"] for work in worked[:20]), 0)  # it falls
+        self.assertGreater(max(work["newton_steps"] for work in worked), 0)
+        self.assertEqual(worked[-1]["islands"], 1)
+        self.assertLess(worked[-1]["residual"], 1e-6)
+        self.assertTrue(all(work["attempts"] >= work["parts"] for work in worked))
+
     def test_a_patch_changes_a_file_of_the_course(self):
         scene = enduring.load(enduring.scene_file("falling_sphere"), patch={"dt": 0.002})
         self.assertEqual((scene.name, scene.dt), ("falling_sphere", 0.002))

@@ -122,6 +122,7 @@ struct IslandOutcome {
     SolveRecord record{};
     StepTrouble trouble = StepTrouble::none;
     double springs = 0;  ///< what they hold at the start of the step, where this is its first response [J]
+    int solves = 0;      ///< of Newton's matrix in this response
 };
 
 //! [solve_contacts]
@@ -138,6 +139,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     }
     SolveRecord& record = outcome.record;
     record.pairs = static_cast<int>(step.problem.rows.size());
+    outcome.solves = -matrix.solves();  // until now; at the end they are added
     const double least = least_speed(world, island, dt);
     AndersonMixing mixing(settings.mixing_rounds);
     const bool is_soft = follows_end(world, island);
@@ -188,6 +190,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     else if (largest_compression(world, step) > settings.kept_depth)
         outcome.trouble = StepTrouble::too_deep;
     find_slip(step);
+    outcome.solves += matrix.solves();
     return outcome;
 }
 //! [solve_contacts]
@@ -206,6 +209,18 @@ void add(const IslandOutcome& outcome, SolveRecord& all, World& world)
     // an island that is not solved says more than one that is solved too deep
     if (outcome.trouble == StepTrouble::unsolved || world.attempt.trouble == StepTrouble::none)
         world.attempt.trouble = outcome.trouble;
+}
+
+/// Counts what a response cost.
+void count(const std::vector<IslandOutcome>& outcomes, const SolveRecord& all, StepWork& work)
+{
+    work.islands = std::max(work.islands, static_cast<long>(all.islands));
+    for (const IslandOutcome& outcome : outcomes) {
+        work.rounds += outcome.record.rounds;
+        work.newton_steps += outcome.solves;
+    }
+    work.unsolved += all.unsolved_islands;
+    work.residual = std::max(work.residual, all.residual);
 }
 
 }  // namespace
@@ -238,6 +253,7 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
     SolveRecord record{world.step};
     for (const IslandOutcome& outcome : outcomes)
         add(outcome, record, world);
+    count(outcomes, record, world.attempt.work);
     for (Contact& contact : contacts)
         if (contact.waiting())
             contact.state = ContactState::answered;

@@ -50,11 +50,14 @@ StepNumbers step_numbers(const World& world, const Contacts& contacts)
         }
     numbers.thrown_away = world.thrown_away;
     numbers.ended_badly = world.ended_badly;
+    numbers.work = world.work;
     return numbers;
 }
 
 nlohmann::json shown_numbers(const StepNumbers& numbers)
 {
+    nlohmann::json work;
+    visit_work(numbers.work, [&](const char* name, auto value) { work[name] = value; });
     return {{"time", numbers.time},
             {"step", numbers.step},
             {"kinetic", numbers.kinetic},
@@ -64,7 +67,8 @@ nlohmann::json shown_numbers(const StepNumbers& numbers)
             {"depth", numbers.depth},
             {"pairs", numbers.pairs},
             {"thrown_away", numbers.thrown_away},
-            {"ended_badly", numbers.ended_badly}};
+            {"ended_badly", numbers.ended_badly},
+            {"work", std::move(work)}};
 }
 
 PairNumbers pair_numbers(const World& world, const Contact& contact, int since)

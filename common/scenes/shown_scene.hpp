@@ -2,6 +2,7 @@
 
 #include "common/scenes/scene.hpp"
 #include "common/simulation/contact.hpp"
+#include "common/simulation/step_work.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,6 +23,7 @@ struct StepNumbers {
     int pairs = 0;                                                    ///< that push
     long thrown_away = 0;  ///< attempts so far that were taken again in halves
     long ended_badly = 0;  ///< parts of steps so far that could not be halved any more
+    StepWork work{};       ///< of the last step
 };
 
 StepNumbers step_numbers(const World& world, const Contacts& contacts);

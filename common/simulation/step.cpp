@@ -234,6 +234,7 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     for (int n = 0; n < max_responses && any_waiting(contacts); ++n) {
         run_passes(solver.passes(StepStage::respond), world, contacts, dt, done);
         apply_impulses(world, contacts);
+        ++world.attempt.work.responses;
         done("apply impulses");
         update_predictions(world, dt);
         done("update prediction");
@@ -316,10 +317,13 @@ void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, d
     }
     const SavedState before(world, contacts);
     try_step(world, contacts, solver, dt, halvings < solver.max_halvings, done);
+    world.work.add(world.attempt.work,
+                   world.attempt.trouble == StepTrouble::none || !world.attempt.may_be_halved);
     if (world.attempt.trouble == StepTrouble::none)
         return;
     if (!world.attempt.may_be_halved) {
         ++world.ended_badly;
+        ++world.work.ended_badly;
         return;
     }
     ++world.thrown_away;
@@ -333,11 +337,13 @@ void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, d
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt, const PassObserver& done)
 {
     world.whole_dt = dt;
+    world.work = {};
     if (solver.max_halvings > 0) {
         advance_in_halves(world, contacts, solver, dt, 0, done);
     } else {
         world.attempt = {};
         take_step(world, contacts, solver, dt, done);
+        world.work.add(world.attempt.work, true);
     }
     ++world.step;
 }

@@ -3,6 +3,7 @@
 #include "common/simulation/body.hpp"
 #include "common/simulation/contact.hpp"
 #include "common/simulation/material_restitution.hpp"
+#include "common/simulation/step_work.hpp"
 
 #include <array>
 #include <cstdint>
@@ -51,6 +52,7 @@ struct StepAttempt {
     /// energy that came in on purpose: by a rule that winds springs up, by bodies that move as given [J]
     double put_in = 0;
     std::vector<OutsideImpulse> from_outside{};  ///< in this step: their work counts as put in
+    StepWork work{};                             ///< what it has cost so far
 };
 
 /// The bodies and planes of a scene, and where time stands.
@@ -61,6 +63,7 @@ struct World {
     double time = 0;            ///< of the committed state [s]
     int step = 0;               ///< steps committed so far
     StepAttempt attempt;        ///< at the next one, or how the last one ended
+    StepWork work;              ///< what the last step has cost, with the attempts that were thrown away
     long thrown_away = 0;       ///< attempts that were taken again in halves
     long ended_badly = 0;       ///< steps, or parts of steps, that could not be halved any more
     double whole_dt = 0;        ///< of the step that is taken, of which an attempt may be a part [s]

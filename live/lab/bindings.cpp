@@ -38,14 +38,6 @@ val caught(const Work& work)
 
 val parsed(const nlohmann::json& shown) { return val::global("JSON").call<val>("parse", line_of(shown)); }
 
-val numbers_of(const Laboratory& lab)
-{
-    nlohmann::json numbers = shown_numbers(lab.numbers());
-    numbers["rounds"] = lab.rounds();
-    numbers["newton_steps"] = lab.newton_steps();
-    return parsed(numbers);
-}
-
 /// Numbers of all pairs, one behind the other.
 val pairs_of(const Laboratory& lab)
 {
@@ -69,7 +61,7 @@ val positions_of(const Laboratory& lab)
 val frame()
 {
     val result = val::object();
-    result.set("numbers", numbers_of(*laboratory));
+    result.set("numbers", parsed(shown_numbers(laboratory->numbers())));
     result.set("pairs", pairs_of(*laboratory));
     result.set("positions", positions_of(*laboratory));
     return result;

@@ -5,7 +5,8 @@ import { readable } from "./pairs.js";
 const CURVES = [
   { title: "energy", unit: "J", value: n => n.kinetic + n.gravitational + n.elastic + n.springs },
   { title: "deepest pair", unit: "m", value: n => n.depth, logarithmic: true },
-  { title: "Newton steps, or rounds before chapter 7", unit: "", value: n => n.newton_steps || n.rounds, from: 0 },
+  { title: "Newton steps, or responses before chapter 7", unit: "", value: ({ work }) => work && (work.newton_steps || work.responses), from: 0 },
+  { title: "attempts at a step", unit: "", value: ({ work }) => work?.attempts, from: 0 },
 ];
 export const LANE_COLOURS = ["#3f8fd0", "#d9673f"];
 const EDGE = { left: 62, right: 6, top: 8, bottom: 20 }; // [px] around the curves, for what is written there

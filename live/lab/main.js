@@ -284,7 +284,7 @@ class Laboratory {
 
   tell() {
     const frames = this.lanes.map(lane => lane.frames[this.index]), [{ numbers: n }] = frames;
-    const work = ({ numbers: m, milliseconds }) => [this.replays ? "" : m.newton_steps ? `${counted(m.rounds, "round")} with ${counted(m.newton_steps, "Newton step")}` : counted(m.rounds, "round"),
+    const work = ({ numbers: m, milliseconds }) => [!m.work ? "" : m.work.newton_steps ? `${counted(m.work.rounds, "round")} with ${counted(m.work.newton_steps, "Newton step")}` : counted(m.work.responses, "response"),
       m.thrown_away ? `${m.thrown_away} halved so far` : "", milliseconds ? `${readable(Number(milliseconds.toFixed(1)))} ms a step` : ""].filter(Boolean).join(", ");
     const told = (frame, i) => (this.lanes.length > 1 ? `${this.lanes[i].title.textContent}: ` : "") + [`${frame.numbers.pairs} of ${pairCount(frame)} pairs push`, work(frame)].filter(Boolean).join("; ");
     this.state.textContent = `Step ${n.step}, ${n.time.toFixed(3)} s. ${frames.map(told).join(". ")}.`;

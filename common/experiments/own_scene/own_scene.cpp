@@ -4,6 +4,7 @@
 #include "common/experiments/own_scene/replay.hpp"
 #include "common/experiments/paraview/series.hpp"
 #include "common/experiments/render/run_pictures.hpp"
+#include "common/experiments/report/warn_once.hpp"
 #include "common/experiments/run/contact_census.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/experiments/run/saved_run.hpp"
@@ -13,11 +14,11 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <array>
 #include <exception>
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 namespace enduring {
@@ -86,15 +87,17 @@ void check(const OwnSceneOptions& choice, const Solver& solver, const Report& re
 /// Everything that watches the run, and what becomes of it.
 class Observers {
 public:
-    Observers(const Scene& scene, const std::string& solver, const RunOptions& options,
+    Observers(const Scene& scene, const Solver& solver, const RunOptions& options,
               const OwnSceneOptions& choice, Report& report)
-        : motion_(scene.world), penetration_(scene.contact.stiffness), filmed_(!options.quick),
-          pictures_(scene, {.filmed = filmed_}), replay_(scene, solver), replayed_(options.pictures),
-          tables_([this, &report](const World&, const Contacts&, double) {
+        : motion_(scene.world), penetration_(scene.contact.stiffness), first_(scene.world.step + 1),
+          filmed_(!options.quick), pictures_(scene, {.filmed = filmed_}), replay_(scene, solver.name),
+          replayed_(options.pictures), tables_([this, &report](const World&, const Contacts&, double) {
               for (const auto& [name, table] : all_tables())
                   report.rows_so_far(name, *table);
           })
     {
+        if (choice.times)
+            watching_.push_back(&times_.emplace(solver));
         if (options.pictures)
             watching_.insert(watching_.end(), {&pictures_, &replay_});
         if (!choice.paraview.empty())
@@ -107,11 +110,14 @@ public:
     Observers& operator=(const Observers&) = delete;
 
     const std::vector<Probe*>& probes() const { return watching_; }
+    StepTimes* times() { return times_ ? &*times_ : nullptr; }
 
     void save(Report& report)
     {
         for (const auto& [name, table] : all_tables())
             report.table(name, *table);
+        if (!times_)
+            std::filesystem::remove(report.folder() / "times.csv");  // of an earlier run
         report.plot("common/experiments/own_scene/plots/own_scene.gp", "energy");
         write_png(pictures_.strip_of_all(3), report.file("scene.png"));
         if (filmed_)
@@ -132,19 +138,50 @@ public:
         out << '\n' << "    " << steps << " steps of " << shortest(dt) << " s, solver of " << solver << '\n';
         line(out, "pairs", penetration_.table(), 1, "");
         line(out, "deepest pair", penetration_.table(), 4, " m");
-        line(out, "inverted elements", inversion_.table(), 1, "");
         line(out, "energy", energy_.table(), 4, " J");
+        if (steps > 0)
+            tell_costs(out);
         out << "    ";
     }
 
 private:
-    std::array<std::pair<const char*, const Table*>, 5> all_tables() const
+    std::vector<std::pair<const char*, const Table*>> all_tables() const
     {
-        return {{{"energy", &energy_.table()},
-                 {"motion", &motion_.table()},
-                 {"penetration", &penetration_.table()},
-                 {"contacts", &census_.table()},
-                 {"inverted", &inversion_.table()}}};
+        std::vector<std::pair<const char*, const Table*>> tables{{"energy", &energy_.table()},
+                                                                 {"motion", &motion_.table()},
+                                                                 {"penetration", &penetration_.table()},
+                                                                 {"contacts", &census_.table()},
+                                                                 {"steps", &costs_.table()}};
+        if (times_)
+            tables.emplace_back("times", &times_->table());
+        return tables;
+    }
+
+    /// What the run's steps cost: the numbers on `out` are the same for each run, those of a clock are told on stderr.
+    void tell_costs(std::ostream& out) const
+    {
+        const std::vector<double> newton = costs_.column("newton_steps"),
+                                  inverted = costs_.column("inverted_elements");
+        const auto sum = [&](const std::string& of) {
+            const std::vector<double> numbers = costs_.column(of);
+            return readable(std::accumulate(numbers.begin(), numbers.end(), 0.0), 4);
+        };
+        const bool is_implicit = std::any_of(newton.begin(), newton.end(), [](double n) { return n > 0; });
+        out << "    " << (is_implicit ? "Newton steps" : "responses")
+            << " of a step: " << mean_and_worst(is_implicit ? newton : costs_.column("responses"), "", first_)
+            << '\n';
+        out << "    " << sum("attempts") << " attempts, " << sum("parts") << " parts kept; "
+            << sum("ended_badly") << " ended badly, " << sum("unsolved") << " islands unsolved\n";
+        if (times_)
+            std::cerr << "processor time of a step: " << mean_and_worst(times_->totals(), " ms", first_)
+                      << '\n';
+        const auto most = std::max_element(inverted.begin(), inverted.end());
+        if (*most > 0)
+            warn_once(
+                readable(*most, 4) + " elements were inside out after step " +
+                std::to_string(first_ + (most - inverted.begin())) + ", the most of all steps, and " +
+                readable(inverted.back(), 4) +
+                " at the end: such elements push from the wrong side, so make dt shorter or the mesh finer");
     }
     static double number(const Cell& cell)
     {
@@ -166,7 +203,9 @@ private:
     MotionOfAll motion_;
     PenetrationProbe penetration_;
     ContactCensus census_;
-    InversionProbe inversion_;
+    StepCosts costs_;
+    std::optional<StepTimes> times_;
+    int first_;  ///< number of the first step
     bool filmed_;
     RunPictures pictures_;
     Replay replay_;
@@ -174,7 +213,7 @@ private:
     std::optional<ParaviewSeries> series_;
     std::optional<GltfAnimation> animation_;
     WatchProbe tables_;  ///< puts the rows of this step on the disk
-    std::vector<Probe*> watching_{&energy_, &motion_, &penetration_, &census_, &inversion_};
+    std::vector<Probe*> watching_{&energy_, &motion_, &penetration_, &census_, &costs_};
 };
 
 }  // namespace
@@ -205,6 +244,10 @@ ChapterProgram with_own_scenes(ChapterProgram program, MakeSolver make)
             ->check(CLI::Range(1, std::numeric_limits<int>::max()))
             ->needs(app.get_option("--scene"))
             ->excludes(app.get_option("experiments"));
+        app.add_flag("--times", choice->times,
+                     "times.csv: what each step took of the processors, in search, query and solve")
+            ->needs(app.get_option("--scene"))
+            ->excludes(app.get_option("experiments"));
         app.add_option("--resume", choice->resume,
                        "a state.json of the same scene, from which the run goes on")
             ->type_name("FILE")
@@ -229,7 +272,8 @@ void own_scene(const RunOptions& options, Report& report, const MakeSolver& make
     RunLimits limits;
     if (!choice.resume.empty())
         limits.contacts = resume_run(choice.resume, scene.world);
-    Observers observers(scene, solver.name, options, choice, report);
+    Observers observers(scene, solver, options, choice, report);
+    limits.times = observers.times();
     std::vector<Probe*> probes = observers.probes();
     std::optional<SaveProbe> save;
     if (choice.save > 0)

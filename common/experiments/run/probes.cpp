@@ -113,14 +113,4 @@ void MotionProbe::observe(const World& world, const Contacts&, double)
     table_.add({world.time, middle.x(), middle.y(), middle.z(), velocity.x(), velocity.y(), velocity.z()});
 }
 
-InversionProbe::InversionProbe() : TableProbe({"time_s", "inverted_elements"}) {}
-
-void InversionProbe::observe(const World& world, const Contacts&, double)
-{
-    long inverted = 0;
-    for (const std::unique_ptr<Body>& body : world.bodies)
-        inverted += body->inverted_elements();
-    table_.add({world.time, inverted});
-}
-
 }  // namespace enduring

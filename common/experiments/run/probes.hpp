@@ -96,13 +96,6 @@ private:
     std::string body_;
 };
 
-/// time_s, inverted_elements: summed over all bodies.
-class InversionProbe final : public TableProbe {
-public:
-    InversionProbe();
-    void observe(const World& world, const Contacts& contacts, double dt) override;
-};
-
 /// The body of this name.
 /// @throws InputError  there is none; lists those there are
 const Body& body_named(const World& world, std::string_view name);

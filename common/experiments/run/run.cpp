@@ -13,7 +13,11 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
     require_asked(scene, solver);
     RunResult result;
     result.contacts = limits.contacts;
-    const PassObserver lap = [&result](const std::string& pass) { result.timings.lap(pass); };
+    const PassObserver lap = [&](const std::string& pass) {
+        result.timings.lap(pass);
+        if (limits.times)
+            limits.times->lap(pass);
+    };
     const auto observe = [&] {
         for (Probe* probe : probes)
             probe->observe(scene.world, result.contacts, scene.dt);
@@ -31,6 +35,8 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
     observe();
     while (result.steps < steps) {
         result.timings.start();  // again: what the probes take is not the step's
+        if (limits.times)
+            limits.times->begin();
         advance(scene.world, result.contacts, solver, scene.dt, lap);
         ++result.steps;
         observe();

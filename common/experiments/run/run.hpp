@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/experiments/run/probes.hpp"
+#include "common/experiments/run/step_costs.hpp"
 #include "common/experiments/run/timings.hpp"
 #include "common/scenes/scene.hpp"
 #include "common/simulation/step.hpp"
@@ -19,7 +20,8 @@ struct RunLimits {
     std::function<bool(const World&, const Contacts&)> stop = {};
     /// for what shows a failure on purpose: a gain of energy is told on stderr, and the run goes on
     bool may_gain_energy = false;
-    Contacts contacts = {};  ///< pairs that live on from a run that is resumed
+    Contacts contacts = {};      ///< pairs that live on from a run that is resumed
+    StepTimes* times = nullptr;  ///< is told when a step begins, and of each of its passes
 };
 
 /// A limit of a run that shows on purpose how energy grows.

@@ -60,6 +60,8 @@ TEST_CASE(
         advance(pushed, contacts, pushing(5), dt);
         CHECK(pushed.thrown_away >= 31);  // each part of 1/32 is pushed again, so none ends well
         CHECK(pushed.ended_badly >= 32);
+        CHECK(pushed.work.attempts == pushed.thrown_away + pushed.work.parts);
+        CHECK(pushed.work.ended_badly == pushed.ended_badly);
         CHECK(pushed.time == doctest::Approx(dt));
         CHECK(pushed.step == 1);
 
