@@ -108,10 +108,10 @@ def use_faults(driver):
     link = run("return window.laboratory.link()")
     if "scene=tower" not in link or "step=12" not in link:
         yield f"a link to the twelfth step of the tower is {link}"
-    run("const lab = window.laboratory; lab.text.value = '{\"name\": \"x\", \"dt\": 9}'; lab.sceneChoice.value = 'own'; lab.reload()")
+    run("const lab = window.laboratory; lab.text.value = '{\"name\": \"x\", \"dt\": -9}'; lab.sceneChoice.value = 'own'; lab.reload()")
     message = "return window.laboratory.message.textContent"
     WebDriverWait(driver, 30).until(lambda d: "own.json" in d.execute_script(message))
-    if "own.json: /dt: expected a number from 1e-06 to 1 [s], found 9" not in run(message):
+    if "own.json: /dt: expected a number from 1e-06 to 3600 [s], found -9" not in run(message):
         yield f"a mistake in the text is told as {run(message)}"
 
 

@@ -71,8 +71,8 @@ Scene empty_scene(double dt, const Numbers& gravity, double mu_s, double mu_d)
 {
     Scene scene;
     scene.name = "scene";
-    if (!(dt >= 1e-6 && dt <= 1))
-        throw InputError("dt: expected a number from 1e-06 to 1 [s]");
+    if (!(dt >= 1e-6 && dt <= 3600))
+        throw InputError("dt: expected a number from 1e-06 to 3600 [s]");
     if (!vec3(gravity).allFinite())
         throw InputError("gravity: expected three finite numbers [m/s^2]");
     if (!(mu_d >= 0 && mu_d <= mu_s && mu_s <= 10))

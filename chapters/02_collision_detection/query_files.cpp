@@ -1,13 +1,13 @@
 #include "chapters/02_collision_detection/query_files.hpp"
 
 #include "common/input/input_error.hpp"
+#include "common/input/input_file.hpp"
 #include "common/input/text_lines.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <string_view>
 
 namespace enduring {
@@ -27,12 +27,18 @@ std::vector<std::string_view> fields_of(std::string_view line)
     return fields;
 }
 
+/// The smallest double is a fraction with 324 digits. The time of reading grows with the square of their number: three million take minutes.
+constexpr std::size_t most_digits = 1000;
+
 cpp_int integer(std::string_view field, const TextLines& lines)
 {
     const std::size_t sign = field.substr(0, 1) == "-" || field.substr(0, 1) == "+";
     const std::string_view digits = field.substr(sign);
     if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos)
         lines.fail(TextLines::quoted(field) + " is not an integer");
+    if (digits.size() > most_digits)
+        lines.fail("an integer of " + std::to_string(digits.size()) + " digits; at most " +
+                   std::to_string(most_digits) + " are read");
     // A leading zero would mean octal to the library.
     const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
     const cpp_int value{std::string(digits.substr(first))};
@@ -105,9 +111,7 @@ std::vector<FileQuery> read_queries(std::istream& stream, const std::string& nam
 
 std::vector<FileQuery> read_queries(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream)
-        throw InputError(file.string() + ": cannot be read");
+    std::ifstream stream = open_file(file);
     return read_queries(stream, file.string());
 }
 

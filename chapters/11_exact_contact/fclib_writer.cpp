@@ -3,6 +3,7 @@
 
 #ifdef ENDURING_HDF5
 #include "chapters/11_exact_contact/hdf5_handle.hpp"
+#include "common/input/pending_file.hpp"
 
 #include <Eigen/SparseCholesky>
 
@@ -15,12 +16,13 @@ namespace {
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// A new file, and what is written into it. Groups come with the first thing in them.
+/// A new file, and what is written into it. Groups come with the first thing in them. It is made in memory: a library that meets a full
+/// disk while it closes a file tells nobody, and tries again when the program ends.
 class NewFile {
 public:
     explicit NewFile(const std::filesystem::path& path)
-        : name_(path.string()), file_(open(path), H5Fclose),
-          with_groups_(H5Pcreate(H5P_LINK_CREATE), H5Pclose)
+        : path_(path), in_memory_(H5Pcreate(H5P_FILE_ACCESS), H5Pclose),
+          file_(open(path, in_memory_.id()), H5Fclose), with_groups_(H5Pcreate(H5P_LINK_CREATE), H5Pclose)
     {
         require(file_.valid() && with_groups_.valid());
         require(H5Pset_create_intermediate_group(with_groups_.id(), 1) >= 0);
@@ -35,17 +37,31 @@ public:
         write(place, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, numbers.data(),
               static_cast<std::size_t>(numbers.size()));
     }
+    /// Puts the whole file into its place.
+    /// @throws InputError  it cannot be written there
+    void publish() const
+    {
+        require(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL) >= 0);
+        const ssize_t size = H5Fget_file_image(file_.id(), nullptr, 0);
+        require(size > 0);
+        std::string bytes(static_cast<std::size_t>(size), '\0');
+        require(H5Fget_file_image(file_.id(), bytes.data(), bytes.size()) == size);
+        write_file(path_, bytes);
+    }
 
 private:
-    static hid_t open(const std::filesystem::path& path)
+    static hid_t open(const std::filesystem::path& path, hid_t in_memory)
     {
+        constexpr std::size_t grows_by = 1U << 16;
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // our own message says what is wrong
-        return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+        if (H5Pset_fapl_core(in_memory, grows_by, 0) < 0)
+            return -1;
+        return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, in_memory);
     }
     void require(bool done) const
     {
         if (!done)
-            throw InputError(name_ + ": cannot be written as an HDF5 file");
+            throw InputError(path_.string() + ": cannot be written as an HDF5 file");
     }
     void write(const std::string& place, hid_t in_file, hid_t in_memory, const void* numbers,
                std::size_t count)
@@ -58,8 +74,8 @@ private:
         require(data.valid() && H5Dwrite(data.id(), in_memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers) >= 0);
     }
 
-    std::string name_;
-    Hdf5Handle file_, with_groups_;
+    std::filesystem::path path_;
+    Hdf5Handle in_memory_, file_, with_groups_;
 };
 
 //! [write_matrix]
@@ -103,12 +119,13 @@ void write_fclib(const FrictionProblem& problem, const std::filesystem::path& pa
         file.write(at + "vectors/q", problem.free_velocity);
     }
     file.write(at + "vectors/mu", problem.mu);
-    if (impulses.size() == 0)
-        return;
-    if (problem.bodies)
-        file.write("/solution/v", body_velocities(*problem.bodies, impulses));
-    file.write("/solution/u", contact_velocities(problem, impulses));
-    file.write("/solution/r", impulses);
+    if (impulses.size() > 0) {
+        if (problem.bodies)
+            file.write("/solution/v", body_velocities(*problem.bodies, impulses));
+        file.write("/solution/u", contact_velocities(problem, impulses));
+        file.write("/solution/r", impulses);
+    }
+    file.publish();
 }
 
 }  // namespace enduring

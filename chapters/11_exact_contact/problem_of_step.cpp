@@ -3,11 +3,10 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 #include "chapters/11_exact_contact/force_memory.hpp"
 #include "chapters/11_exact_contact/problem_file.hpp"
-#include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
+#include "common/input/pending_file.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -68,13 +67,6 @@ void write_matrix(std::ostream& out, const Matrix& matrix)
     for (Eigen::Index column = 0; column < matrix.outerSize(); ++column)
         for (Matrix::InnerIterator entry(matrix, column); entry; ++entry)
             out << entry.row() << ' ' << entry.col() << " : " << shortest(entry.value()) << '\n';
-}
-
-void write_text(const std::filesystem::path& file, const std::string& text)
-{
-    std::ofstream out(file);
-    if (!(out << text) || !out.flush())
-        throw InputError(file.string() + ": cannot be written");
 }
 
 void write_vector(std::ostream& out, const Eigen::VectorXd& numbers)
@@ -159,7 +151,7 @@ void take_problems(Solver& solver, const ContactParameters& parameters,
 void write_problems(Solver& solver, const ContactParameters& parameters, const std::filesystem::path& folder,
                     ProblemForm form)
 {
-    std::filesystem::create_directories(folder);
+    require_writable_folder(folder, "--write-problems");
     take_problems(solver, parameters, [folder, form](int step, const FrictionProblem& problem) {
         std::ostringstream name;
         name << "step_" << std::setw(6) << std::setfill('0') << step;
@@ -170,9 +162,9 @@ void write_problems(Solver& solver, const ContactParameters& parameters, const s
         if (form == ProblemForm::fclib)
             return write_fclib(problem, folder / (name.str() + ".hdf5"),
                                solution.solved() ? solution.impulses : Eigen::VectorXd());
-        write_text(folder / (name.str() + ".dat"), siconos_text(problem));
+        write_file(folder / (name.str() + ".dat"), siconos_text(problem));
         if (solution.solved())
-            write_text(folder / (name.str() + ".answer"), answer_text(solution.impulses));
+            write_file(folder / (name.str() + ".answer"), answer_text(solution.impulses));
     });
 }
 

@@ -69,7 +69,8 @@ void GmshGroups::read_entities(TextLines& lines)
         lines.fail("the counts of $Entities are missing");
     std::array<long, 4> counts{};
     for (long& count : counts)
-        count = lines.next_integer("count of entities");
+        if (count = lines.next_integer("count of entities"); count < 0)
+            lines.fail("$Entities has a count of " + std::to_string(count) + ", below zero");
     for (int dimension = 0; dimension < 4; ++dimension)
         for (long i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
             if (!goes_on_to(lines, end))

@@ -4,10 +4,10 @@
 #include "common/geometry/gmsh_binary.hpp"
 #include "common/geometry/quadratic.hpp"
 #include "common/input/input_error.hpp"
+#include "common/input/input_file.hpp"
 #include "common/input/text_lines.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -84,6 +84,9 @@ void read_blocks(TextLines& lines, const std::string& section, const ReadBlock& 
     if (!goes_on(lines, end))
         lines.fail("the counts of $" + section + " are missing");
     const long blocks = lines.next_integer("count of blocks"), entries = lines.next_integer("count");
+    if (blocks < 0 || entries < 0)
+        lines.fail("$" + section + " has a count of " + std::to_string(std::min(blocks, entries)) +
+                   ", below zero");
     long blocks_read = 0, entries_read = 0;
     for (; goes_on(lines, end); ++blocks_read) {
         if (blocks_read == blocks)
@@ -221,7 +224,10 @@ void read_element(TextLines& lines, GmshContent& content)
     const std::string name = next_element_name(lines);
     const long type = lines.next_integer("element type");
     std::vector<long> groups;
-    for (long tags = lines.next_integer("number of tags"); tags > 0; --tags) {
+    const long count = lines.next_integer("number of tags");
+    if (count < 0)
+        lines.fail(name + " has " + std::to_string(count) + " tags, below zero");
+    for (long tags = count; tags > 0; --tags) {
         const long tag = lines.next_integer("tag");
         if (groups.empty())
             groups.push_back(tag);
@@ -330,14 +336,6 @@ GmshContent read_content(std::istream& stream, const std::string& name)
     return read_gmsh_content(lines);
 }
 
-std::ifstream open(const std::filesystem::path& file)
-{
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be opened");
-    return stream;
-}
-
 }  // namespace
 
 GmshSolid read_gmsh_with_groups(std::istream& stream, const std::string& name)
@@ -365,13 +363,13 @@ TetrahedralMesh read_gmsh(const std::filesystem::path& file) { return read_gmsh_
 
 GmshSolid read_gmsh_with_groups(const std::filesystem::path& file)
 {
-    std::ifstream stream = open(file);
+    std::ifstream stream = open_file(file);
     return read_gmsh_with_groups(stream, file.string());
 }
 
 QuadraticTetrahedralMesh read_gmsh_quadratic(const std::filesystem::path& file)
 {
-    std::ifstream stream = open(file);
+    std::ifstream stream = open_file(file);
     return read_gmsh_quadratic(stream, file.string());
 }
 

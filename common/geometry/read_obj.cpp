@@ -3,10 +3,10 @@
 #include "common/geometry/polygon_triangles.hpp"
 #include "common/geometry/surface_checks.hpp"
 #include "common/input/input_error.hpp"
+#include "common/input/input_file.hpp"
 #include "common/input/text_lines.hpp"
 
 #include <charconv>
-#include <fstream>
 
 namespace enduring {
 namespace {
@@ -98,9 +98,7 @@ SurfaceMesh read_obj(std::istream& stream, const std::string& name)
 
 SurfaceMesh read_obj(const std::filesystem::path& file)
 {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file))
-        throw InputError(file.string() + ": cannot be opened");
+    std::ifstream stream = open_file(file);
     return read_obj(stream, file.string());
 }
 

@@ -2,6 +2,7 @@
 #include "common/geometry/read_surface.hpp"
 #include "common/input/text_lines.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 namespace enduring {
@@ -27,6 +28,9 @@ std::array<long, 2> read_off_head(TextLines& lines)
         next_off_line(lines, "the count of vertices");
     const long vertices = lines.next_integer("count of vertices"),
                faces = lines.next_integer("count of faces");
+    if (vertices < 0 || faces < 0)
+        lines.fail("the count of " + std::string(vertices < 0 ? "vertices" : "faces") + " is " +
+                   std::to_string(std::min(vertices, faces)) + ", below zero");
     return {vertices, faces};
 }
 
@@ -50,7 +54,10 @@ SurfaceMesh read_off(const std::string& bytes, const std::string& name)
         next_off_line(lines, "a face");
         line_of.push_back(lines.number());
         std::vector<long>& corners = polygons.emplace_back();
-        for (long left = lines.next_integer("count of corners"); left > 0; --left)
+        const long count = lines.next_integer("count of corners");
+        if (count < 0)
+            lines.fail("the count of corners is " + std::to_string(count) + ", below zero");
+        for (long left = count; left > 0; --left)
             corners.push_back(lines.next_integer("vertex of the face"));
     }
     return surface_from_polygons(std::move(vertices), polygons, [&](long polygon, const std::string& reason) {

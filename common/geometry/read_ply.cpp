@@ -83,7 +83,11 @@ PlyHead read_ply_head(TextLines& lines)
             read_ply_format(lines, head);
         } else if (keyword == "element") {
             const std::string name(lines.next_word());
-            head.elements.push_back({name, lines.next_integer("count"), {}});
+            const long count = lines.next_integer("count");
+            if (count < 0)
+                lines.fail("the count of " + TextLines::quoted(name) + " is " + std::to_string(count) +
+                           ", below zero");
+            head.elements.push_back({name, count, {}});
         } else if (keyword == "property") {
             read_ply_property(lines, head);
         } else if (keyword == "end_header") {
@@ -199,6 +203,8 @@ void read_ply_entry(const PlyElement& element, PlyData& data, PlyContent& conten
             const bool is_corners = is_face &&
                                     (property.name == "vertex_indices" || property.name == "vertex_index");
             const long length = data.whole(*property.count_type, "the length of a list");
+            if (length < 0)
+                data.fail("the length of a list is " + std::to_string(length) + ", below zero");
             if (is_corners) {
                 content.polygons.emplace_back();
                 content.line_of.push_back(data.line());

@@ -2,9 +2,9 @@
 
 #include "common/geometry/read_obj.hpp"
 #include "common/input/input_error.hpp"
+#include "common/input/input_file.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <iterator>
 
 namespace enduring {
@@ -16,9 +16,7 @@ SurfaceMesh read_surface(const std::filesystem::path& file)
         return read_obj(file);
     if (kind != ".off" && kind != ".stl" && kind != ".ply")
         throw InputError(name + ": a surface is read from a file ending in .obj, .off, .stl or .ply");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file))
-        throw InputError(name + ": cannot be opened");
+    std::ifstream stream = open_file(file);
     const std::string bytes(std::istreambuf_iterator<char>(stream), {});
     return kind == ".off"   ? read_off(bytes, name)
            : kind == ".stl" ? read_stl(bytes, name)

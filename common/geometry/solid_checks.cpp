@@ -6,6 +6,9 @@
 #include "common/geometry/surface_extraction.hpp"
 #include "common/input/input_error.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace enduring {
 namespace {
 
@@ -37,8 +40,26 @@ void check_elements(const Mesh& mesh, const std::string& what)
             throw InputError(what + ": node " + std::to_string(n) + " belongs to no element");
 }
 
+/// An element given twice would have each of its faces twice, and its neighbours three.
+void check_no_element_twice(const TetrahedralMesh& mesh, const std::string& what)
+{
+    std::vector<std::pair<std::array<int, 4>, std::size_t>> sorted;
+    sorted.reserve(mesh.elements.size());
+    for (std::array<int, 4> nodes : mesh.elements) {
+        std::sort(nodes.begin(), nodes.end());
+        sorted.emplace_back(nodes, sorted.size());
+    }
+    std::sort(sorted.begin(), sorted.end());
+    const auto twin = std::adjacent_find(sorted.begin(), sorted.end(),
+                                         [](const auto& a, const auto& b) { return a.first == b.first; });
+    if (twin != sorted.end())
+        throw InputError(what + ": element " + std::to_string(std::next(twin)->second) +
+                         " has the same nodes as element " + std::to_string(twin->second));
+}
+
 void check_faces(const TetrahedralMesh& mesh, const std::string& what)
 {
+    check_no_element_twice(mesh, what);
     const auto crowded = faces_of_three_elements(mesh);
     if (!crowded.empty())
         throw InputError(what + ": more than two elements share the face over nodes " +
@@ -52,14 +73,16 @@ void check_solid(const TetrahedralMesh& mesh, const std::string& what)
 {
     check_elements(mesh, what);
     check_faces(mesh, what);
-    check_surface(surface_of(mesh).mesh, what);
+    const ExtractedSurface surface = surface_of(mesh);
+    check_surface(surface.mesh, what, Border::refused, surface.nodes);
 }
 
 void check_solid(const QuadraticTetrahedralMesh& mesh, const std::string& what)
 {
     check_elements(mesh, what);
     check_faces(corners_of(mesh), what);
-    check_surface(surface_of(mesh).mesh, what);
+    const ExtractedSurface surface = surface_of(mesh);
+    check_surface(surface.mesh, what, Border::refused, surface.nodes);
 }
 
 }  // namespace enduring

@@ -18,8 +18,11 @@ enum class Border { refused, allowed };
 /// Checks that contact can live on this surface: vertices finite and all in use, faces
 /// with an area and no face twice, manifold, neighbours facing the same way; and,
 /// unless a border is allowed, closed and facing outwards.
-/// @param what  names the mesh in the message, e.g. its file
+/// @param what   names the mesh in the message, e.g. its file
+/// @param nodes  of a solid's surface: which of the solid's nodes each vertex is. Then messages name nodes, and no faces,
+///               whose numbers nobody knows
 /// @throws InputError  "what: reason", naming the vertex, face or edge (counted from 0)
-void check_surface(const SurfaceMesh& mesh, const std::string& what, Border border = Border::refused);
+void check_surface(const SurfaceMesh& mesh, const std::string& what, Border border = Border::refused,
+                   const std::vector<int>& nodes = {});
 
 }  // namespace enduring

@@ -34,13 +34,12 @@ public:
     /// Edges of a face: {f0 f1}, {f1 f2}, {f2 f0}.
     const std::array<int, 3>& edges_of_face(int face) const;
 
+    bool has_one_fan(int vertex) const;     ///< its faces are neighbours, one after the other
     bool is_closed() const;                 ///< every edge has two faces
     bool is_manifold() const;               ///< at most two faces an edge, and one fan a vertex
     bool is_consistently_oriented() const;  ///< neighbours run along their common edge in opposite directions
 
 private:
-    bool has_one_fan(int vertex) const;
-
     int vertex_count_ = 0;
     std::vector<Face> faces_;
     std::vector<Edge> edges_;

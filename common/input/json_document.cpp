@@ -1,12 +1,12 @@
 #include "common/input/json_document.hpp"
 
 #include "common/input/input_error.hpp"
+#include "common/input/input_file.hpp"
 #include "common/input/json_value.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -18,28 +18,57 @@ using Json = nlohmann::json;
 /// Deeper nesting than any scene needs would only exhaust the parser's stack.
 constexpr int deepest_nesting = 32;
 
+/// Walks over a text and counts its lines, since the library tells the place of a syntax error only.
+class LineCounter {
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    LineCounter(const char* at, int& line) : at_(at), line_(&line) {}
+    reference operator*() const { return *at_; }
+    LineCounter& operator++()
+    {
+        *line_ += *at_ == '\n' ? 1 : 0;
+        ++at_;
+        return *this;
+    }
+    bool operator==(const LineCounter& other) const { return at_ == other.at_; }
+    bool operator!=(const LineCounter& other) const { return at_ != other.at_; }
+
+private:
+    const char* at_;
+    int* line_;
+};
+
 /// The library keeps the last of two equal keys without a word; a scene
 /// where one was meant to count is a mistake.
 class KeyCheck {
 public:
-    explicit KeyCheck(const std::string& file) : file_(file) {}
+    /// @param line  the one that the parser has come to
+    KeyCheck(const std::string& file, const int& line) : file_(file), line_(line) {}
 
     bool operator()(int depth, Json::parse_event_t event, Json& parsed)
     {
+        const auto fail = [&](const std::string& reason) {
+            throw InputError(file_ + ":" + std::to_string(line_) + ": " + reason);
+        };
         if (depth > deepest_nesting)
-            throw InputError(file_ + ": lists and objects are nested more than " +
-                             std::to_string(deepest_nesting) + " deep");
+            fail("lists and objects are nested more than " + std::to_string(deepest_nesting) + " deep");
         if (event == Json::parse_event_t::object_start)
             open_.emplace_back();
         else if (event == Json::parse_event_t::object_end)
             open_.pop_back();
         else if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
-            throw InputError(file_ + ": the key " + parsed.dump() + " stands twice in the same object");
+            fail("the key " + parsed.dump() + " stands twice in the same object");
         return true;
     }
 
 private:
     const std::string& file_;
+    const int& line_;
     std::vector<std::set<std::string>> open_;
 };
 
@@ -49,6 +78,15 @@ std::string plain_message(const Json::exception& error)
     const std::string text = error.what();
     const std::size_t bracket = text.find("] ");
     return bracket == std::string::npos ? text : text.substr(bracket + 2);
+}
+
+/// What fits in a line, the middle left out: a number may have a million digits.
+std::string cut(const std::string& message)
+{
+    constexpr std::size_t longest = 200, kept = 90;
+    if (message.size() <= longest)
+        return message;
+    return message.substr(0, kept) + " ... " + message.substr(message.size() - kept);
 }
 
 /// The entry of a list by index or by its "name"; of an object by key, which the last step may create.
@@ -91,21 +129,22 @@ Json& resolve(Json& document, const std::string& path, const std::string& file)
 
 Json parse_json(const std::string& text, const std::string& file)
 {
+    int line = 1;
     try {
-        return Json::parse(text, KeyCheck(file));
+        const LineCounter begin(text.data(), line), end(text.data() + text.size(), line);
+        return Json::parse(begin, end, KeyCheck(file, line));
+    } catch (const Json::out_of_range& error) {
+        throw InputError(file + ":" + std::to_string(line) + ": " + cut(plain_message(error)));
     } catch (const Json::exception& error) {
-        throw InputError(file + ": not valid JSON: " + plain_message(error));
+        throw InputError(file + ": not valid JSON: " + cut(plain_message(error)));
     }
 }
 
 std::string read_text_file(const std::filesystem::path& path)
 {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
-        throw InputError(path.string() + ": no such file");
-    std::ifstream stream(path, std::ios::binary);
+    std::ifstream stream = open_file(path);
     std::ostringstream text;
-    if (std::filesystem::is_directory(path, ignored) || !(text << stream.rdbuf()))
+    if (!(text << stream.rdbuf()))
         throw InputError(path.string() + ": cannot be read, or is empty");
     return text.str();
 }

@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -132,8 +133,11 @@ Vec3 read_free_axes(const JsonValue& locked, const std::string& key)
 {
     Vec3 free = Vec3::Ones();
     if (const std::optional<JsonValue> axes = locked.find(key))
-        for (const JsonValue& axis : axes->items(0, 3))
-            free[static_cast<Eigen::Index>(axis.choice({"x", "y", "z"}))] = 0;
+        for (const JsonValue& axis : axes->items(0, 3)) {
+            const auto direction = static_cast<Eigen::Index>(axis.choice({"x", "y", "z"}));
+            if (std::exchange(free[direction], 0) == 0)
+                axis.complain("is locked twice");
+        }
     return free;
 }
 

@@ -148,7 +148,7 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
     });
     mistakes.gather([&] { scene.name = root.at("name").text(); });
     mistakes.gather([&] { scene.description = root.text_or("description", ""); });
-    mistakes.gather([&] { scene.dt = root.at("dt").number({1e-6, 1, true, true, "s"}); });
+    mistakes.gather([&] { scene.dt = root.at("dt").number({1e-6, 3600, true, true, "s"}); });
     mistakes.gather([&] { scene.duration = root.at("duration").number({0, 3600, false, true, "s"}); });
     mistakes.gather([&] {
         scene.world.gravity = root.vector_or("gravity", {-1e3, 1e3, true, true, "m/s^2"},
@@ -198,7 +198,12 @@ Scene load_scene(const std::filesystem::path& path, const std::string& patch)
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path()
                                                                 : std::filesystem::path(".");
     const std::filesystem::path course_meshes = source_directory() / "common" / "meshes";
-    return read_scene(read_text_file(path), patch, path.string(), {{folder, course_meshes}});
+    Scene scene = read_scene(read_text_file(path), patch, path.string(), {{folder, course_meshes}});
+    if (const std::string stem = path.stem().string(); scene.name != stem)
+        scene.warnings.push_back(path.string() + ": /name: is \"" + scene.name +
+                                 "\", and the file is called \"" + stem +
+                                 "\"; results and pictures go by the file");
+    return scene;
 }
 
 void require_asked(const Scene& scene, const Solver& solver)

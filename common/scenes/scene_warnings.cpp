@@ -110,11 +110,29 @@ void warn_of(const DeformableBody& body, const Scene& scene, const std::string& 
         warnings.push_back(file + ": " + sentence_on_locking(body));
 }
 
+/// Beyond what the course has measured. A tenth: scenes of its own are warned of. Ten times: a run of hours begins without a word.
+constexpr std::size_t many_bodies = 1000;
+constexpr double long_step = 1;  ///< [s]; the same: in a step of 1 s a body falls 10 m
+
+void warn_of_size(const Scene& scene, const std::string& file, std::vector<std::string>& warnings)
+{
+    if (scene.world.bodies.size() > many_bodies)
+        warnings.push_back(file + ": /bodies: " + std::to_string(scene.world.bodies.size()) +
+                           " of them, and the course measures scenes of up to " +
+                           std::to_string(many_bodies) + ": steps may take seconds");
+    if (scene.dt > long_step)
+        warnings.push_back(file + ": /dt: a step of " + readable(scene.dt, 4) +
+                           " s is longer than any that the course measures (up to " + readable(long_step, 3) +
+                           " s); in it, a body falls " +
+                           readable(scene.world.gravity.norm() * scene.dt * scene.dt, 3) + " m");
+}
+
 }  // namespace
 
 std::vector<std::string> scene_warnings(const Scene& scene, const std::string& file)
 {
     std::vector<std::string> warnings;
+    warn_of_size(scene, file, warnings);
     for (const StartOverlap& overlap : start_overlaps(scene.world, scene.contact))
         warnings.push_back(file + ": " + sentence(overlap, speed_of(overlap, scene)));
     for (const StartSelfOverlap& overlap : start_self_overlaps(scene.world))

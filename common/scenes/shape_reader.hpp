@@ -14,7 +14,7 @@ namespace enduring {
 struct SceneLimits {
     int surface_faces = 1'000'000;  ///< of one generated surface
     int elements = 300'000;         ///< of one generated bar
-    std::size_t bodies = 1000;
+    std::size_t bodies = 100'000;
 };
 
 /// Where a scene's words lead: folders that are searched for meshes, in this order, and the limits.

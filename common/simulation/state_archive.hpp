@@ -4,7 +4,11 @@
 #include <Eigen/Geometry>
 
 #include <cassert>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -34,11 +38,14 @@ public:
         number = numbers_[next_++];
     }
     /// Flags, indices and enumerations.
+    /// @throws std::out_of_range  what is read is no whole number that the type can hold
     template <class Integer>
     void whole(Integer& value)
     {
         double number = static_cast<double>(value);
         (*this)(number);
+        if (reads_ && !holds<Integer>(number))
+            throw std::out_of_range("is no whole number of the kind that stands there");
         value = static_cast<Integer>(number);
     }
     /// A vector or matrix, whose size stays.
@@ -58,6 +65,17 @@ public:
     }
 
 private:
+    template <class Integer>
+    static bool holds(double number)
+    {
+        if constexpr (std::is_enum_v<Integer>)
+            return holds<std::underlying_type_t<Integer>>(number);
+        else
+            return number >= static_cast<double>(std::numeric_limits<Integer>::min()) &&
+                   number <= static_cast<double>(std::numeric_limits<Integer>::max()) &&
+                   number == std::floor(number);
+    }
+
     std::vector<double> numbers_;
     std::size_t next_ = 0;
     bool reads_ = false;

@@ -19,7 +19,7 @@ const given = JSON.parse(require('fs').readFileSync(0, 'utf8'));
 require(MODULE)().then(lab => {
   for (const [name, text] of Object.entries(given.meshes)) lab.add_mesh(name, text);
   const told = given.scenes.map(({ key, text, solver }) => [key, lab.load(text, `${key}.json`, solver).error ?? lab.advance(1).error ?? 'steps']);
-  told.push(['broken', lab.load('{"name": "x", "dt": 9, "duration": 1, "bodies": []}', 'own.json', 10).error]);
+  told.push(['broken', lab.load('{"name": "x", "dt": -9, "duration": 1, "bodies": []}', 'own.json', 10).error]);
   console.log(JSON.stringify(told));
 });"""
 LINKS = """import { readLink, writeLink } from LINK;
@@ -96,7 +96,7 @@ class Module(unittest.TestCase):
     def test_every_scene_of_the_menu_steps_under_its_solver_and_a_mistake_is_told_with_its_place(self):
         done = subprocess.run([NODE, "-e", STEP_ALL.replace("MODULE", json.dumps(str(MODULE)))], input=json.dumps(lab.data()), capture_output=True, text=True, check=True)
         told = dict(json.loads(done.stdout))
-        self.assertIn("own.json: /dt: expected a number from 1e-06 to 1 [s], found 9", told.pop("broken"))
+        self.assertIn("own.json: /dt: expected a number from 1e-06 to 3600 [s], found -9", told.pop("broken"))
         self.assertEqual(set(told.values()), {"steps"}, told)
 
 

@@ -3,6 +3,7 @@
 #include "common/experiments/gltf/gltf_file.hpp"
 #include "common/experiments/render/scene_view.hpp"
 #include "common/input/input_error.hpp"
+#include "common/input/pending_file.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/rigid_body.hpp"
 
@@ -70,6 +71,7 @@ GltfAnimation::GltfAnimation(const Scene& scene, std::filesystem::path file, con
     if (file_.extension() != ".glb")
         throw InputError("--gltf: '" + file_.string() + "' should end with .glb");
     require_gltf();
+    require_writable(file_, "--gltf");
 }
 
 void GltfAnimation::begin(const World& world)

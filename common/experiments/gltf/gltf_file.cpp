@@ -1,6 +1,7 @@
 #include "common/experiments/gltf/gltf_file.hpp"
 
 #include "common/experiments/render/palette.hpp"
+#include "common/experiments/report/report.hpp"
 #include "common/input/input_error.hpp"
 
 #ifdef ENDURING_GLTF
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <sstream>
 #endif
 
 namespace enduring {
@@ -250,10 +252,9 @@ void write_gltf(const std::filesystem::path& file, const std::vector<Track>& tra
         writer.add(track);
     for (const Plane& plane : planes)
         writer.add(square(plane, tracks));
-    if (file.has_parent_path())
-        std::filesystem::create_directories(file.parent_path());
-    if (!tinygltf::TinyGLTF().WriteGltfSceneToFile(&writer.model(), file.string(), true, true, false, true))
-        throw InputError("cannot write '" + file.string() + "'");
+    std::ostringstream bytes;  // the library does not notice a full disk
+    tinygltf::TinyGLTF().WriteGltfSceneToStream(&writer.model(), bytes, false, true);
+    write_file(file, bytes.str());
 }
 
 #endif

@@ -14,6 +14,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iostream>
 #include <limits>
@@ -82,6 +83,19 @@ void check(const OwnSceneOptions& choice, const Solver& solver, const Report& re
         throw InputError(
             "--resume: '" + choice.resume +
             "' lies beside the tables of its run, which would be written over; name another folder with --out");
+}
+
+/// A state is of a step of this scene: what else would the run count to its end from?
+/// @throws InputError  it is not
+void check_resumed(const Scene& scene, const std::string& file)
+{
+    const int last = step_count(scene);
+    if (scene.world.step > last)
+        throw InputError(file + ": /step: is " + std::to_string(scene.world.step) +
+                         ", and the scene ends after " + std::to_string(last) + " steps");
+    if (const double time = scene.world.step * scene.dt; std::abs(scene.world.time - time) > scene.dt / 2)
+        throw InputError(file + ": /time: is " + shortest(scene.world.time) + " s, and step " +
+                         std::to_string(scene.world.step) + " of the scene ends at " + shortest(time) + " s");
 }
 
 /// Everything that watches the run, and what becomes of it.
@@ -270,8 +284,10 @@ void own_scene(const RunOptions& options, Report& report, const MakeSolver& make
     require_asked(scene, solver);
     check(choice, solver, report);
     RunLimits limits;
-    if (!choice.resume.empty())
+    if (!choice.resume.empty()) {
         limits.contacts = resume_run(choice.resume, scene.world);
+        check_resumed(scene, choice.resume);
+    }
     Observers observers(scene, solver, options, choice, report);
     limits.times = observers.times();
     std::vector<Probe*> probes = observers.probes();
@@ -284,6 +300,8 @@ void own_scene(const RunOptions& options, Report& report, const MakeSolver& make
         const RunResult result = run(scene, solver, probes, limits);
         std::cerr << "real-time factor " << readable(scene.world.time / result.timings.total(), 3)
                   << ", without pictures and files\n";
+    } catch (const InputError&) {
+        throw;  // a place that cannot be written: what stands in the tables stays there
     } catch (const std::runtime_error& broken) {
         failure = std::current_exception();
         write_file(report.file(failure_note), std::string(broken.what()) + "\n");

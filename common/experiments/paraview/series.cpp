@@ -2,6 +2,7 @@
 
 #include "common/experiments/report/report.hpp"
 #include "common/input/input_error.hpp"
+#include "common/input/pending_file.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -23,6 +24,7 @@ ParaviewSeries::ParaviewSeries(std::filesystem::path folder, int every)
 {
     if (every < 1)
         throw InputError("a series saves every 1st, 2nd, ... step, not every " + std::to_string(every));
+    require_writable_folder(folder_, "--paraview");
 }
 
 void ParaviewSeries::observe(const World& world, const Contacts& contacts, double dt)

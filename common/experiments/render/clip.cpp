@@ -1,10 +1,10 @@
 #include "common/experiments/render/clip.hpp"
 
-#include "common/experiments/report/pending_file.hpp"
 #include "common/experiments/report/pictures_wanted.hpp"
 #include "common/experiments/report/subprocess.hpp"
 #include "common/experiments/report/warn_once.hpp"
 #include "common/input/input_error.hpp"
+#include "common/input/pending_file.hpp"
 
 #include <string_view>
 #include <vector>

@@ -1,18 +1,20 @@
 #include "common/experiments/report/chapter_program.hpp"
 
-#include "common/experiments/report/pending_file.hpp"
 #include "common/experiments/report/pictures_wanted.hpp"
 #include "common/experiments/report/progress.hpp"
 #include "common/experiments/report/share.hpp"
 #include "common/input/input_error.hpp"
+#include "common/input/pending_file.hpp"
 #include "common/input/source_directory.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <unistd.h>
 #include <algorithm>
+#include <csignal>
 #include <iomanip>
 #include <iostream>
+#include <new>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -38,6 +40,17 @@ std::string names_of_scene_readers(const ChapterProgram& program)
     return names;
 }
 
+/// An option with an empty text, as of a shell's variable that is not set, would be taken for one that was not given.
+void refuse_empty_texts(CLI::App& app)
+{
+    const auto not_empty = [](const std::string& text) {
+        return text.empty() ? std::string("an empty text; a value is needed") : std::string();
+    };
+    for (CLI::Option* const option : app.get_options())
+        if (option->get_expected_min() > 0)
+            option->check(CLI::Validator(not_empty, ""));
+}
+
 void describe(CLI::App& app, const ChapterProgram& program, CommandLine& line)
 {
     app.add_option("experiments", line.words, "experiments to run, all when none is named (see --list)");
@@ -61,6 +74,7 @@ void describe(CLI::App& app, const ChapterProgram& program, CommandLine& line)
     app.add_flag("--no-pictures", line.no_pictures, "tables alone: no pictures, plots or films");
     if (program.add_options)
         program.add_options(app);
+    refuse_empty_texts(app);
 }
 
 std::size_t widest_name(const ChapterProgram& program)
@@ -166,6 +180,17 @@ void run_experiments(const ChapterProgram& program, const std::vector<const Expe
     }
 }
 
+/// A file that may not grow (ulimit -f) is an error of its writer, which is told, and not the end of the program.
+void tell_of_full_files() { std::signal(SIGXFSZ, SIG_IGN); }
+
+/// What a program printed is a result, too: onto a full disk it does not get.
+/// @throws std::runtime_error  it did not
+void require_printed()
+{
+    if (!std::cout.flush())
+        throw std::runtime_error("the standard output cannot be written to its end (is the disk full?)");
+}
+
 /// A step of a solver asks for the memory that the step before has given back. To hand it to the system in between
 /// costs more than half of the time of a small step.
 void keep_freed_memory()
@@ -182,6 +207,7 @@ void keep_freed_memory()
 int run_chapter(int argc, char** argv, const ChapterProgram& program)
 {
     keep_freed_memory();
+    tell_of_full_files();
     CLI::App app(program.title, std::filesystem::path(argv[0]).filename().string());
     CommandLine line;
     describe(app, program, line);
@@ -218,11 +244,16 @@ int run_chapter(int argc, char** argv, const ChapterProgram& program)
             run_experiments(program, {&own_scene}, options);
         else if (!program.instead_of_experiments || !program.instead_of_experiments(options))
             run_experiments(program, experiments, options);
+        require_printed();
         return 0;
     } catch (const InputError& mistake) {
         std::cout << std::endl;
         std::cerr << app.get_name() << ": " << mistake.what() << '\n';
         return 2;
+    } catch (const std::bad_alloc&) {
+        std::cout << std::endl;
+        std::cerr << app.get_name() << ": failed: there is not enough memory\n";
+        return 1;
     } catch (const std::exception& failure) {
         std::cout << std::endl;
         std::cerr << app.get_name() << ": failed: " << failure.what() << '\n';

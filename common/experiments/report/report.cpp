@@ -1,6 +1,5 @@
 #include "common/experiments/report/report.hpp"
 
-#include "common/experiments/report/pending_file.hpp"
 #include "common/experiments/report/pictures_wanted.hpp"
 #include "common/experiments/report/subprocess.hpp"
 #include "common/experiments/report/table.hpp"
@@ -10,6 +9,8 @@
 #include "common/input/source_directory.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace enduring {
@@ -22,6 +23,13 @@ std::string gnuplot_quoted(const std::filesystem::path& path)
     for (const char c : path.string())
         quoted += c == '\'' ? "''" : std::string(1, c);
     return quoted + "'";
+}
+
+bool ends_as_svg(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    return text.find("</svg>", text.size() - std::min<std::size_t>(text.size(), 16)) != std::string::npos;
 }
 
 }  // namespace
@@ -58,14 +66,12 @@ void Report::rows_so_far(const std::string& name, const Table& table)
     auto growing = growing_.find(name);
     if (growing == growing_.end()) {
         growing = growing_.try_emplace(name).first;
-        growing->second.file.open(unfinished(name), std::ios::binary);
-        growing->second.file << csv_head(table);
+        growing->second.file = std::make_unique<RowsFile>(unfinished(name));
+        growing->second.file->append(csv_head(table));
     }
     auto& [out, rows] = growing->second;
-    out << csv_rows(table, rows) << std::flush;
+    out->append(csv_rows(table, rows));
     rows = table.rows().size();
-    if (!out)
-        throw InputError(unfinished(name).string() + ": cannot be written (is the disk full?)");
 }
 
 std::filesystem::path Report::unfinished(const std::string& table) const
@@ -127,6 +133,8 @@ void Report::plot(const std::filesystem::path& script_in_sources, const std::str
     gnuplot.finish();
     if (std::filesystem::file_size(picture.neighbour()) == 0)
         throw std::runtime_error(script.string() + ": gnuplot drew nothing");
+    if (!ends_as_svg(picture.neighbour()))  // gnuplot does not tell of a full disk
+        throw InputError(place.string() + ": cannot be written to its end (is the disk full?)");
     picture.publish();
 }
 
@@ -136,17 +144,6 @@ std::filesystem::path Report::file(const std::string& name)
     if (std::find(written_.begin(), written_.end(), place) == written_.end())
         written_.push_back(place);
     return place;
-}
-
-void write_file(const std::filesystem::path& path, const std::string& content)
-{
-    PendingFile file(path);
-    std::ofstream out(file.neighbour(), std::ios::binary);
-    out << content;
-    out.close();
-    if (!out)
-        throw InputError(path.string() + ": cannot be written to its end (is the disk full?)");
-    file.publish();
 }
 
 }  // namespace enduring

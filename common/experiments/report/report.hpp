@@ -1,10 +1,12 @@
 #pragma once
 
+#include "common/experiments/report/rows_file.hpp"
 #include "common/experiments/report/table.hpp"
+#include "common/input/pending_file.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -57,7 +59,7 @@ public:
 private:
     /// A table of which some rows stand in a file.
     struct Growing {
-        std::ofstream file;
+        std::unique_ptr<RowsFile> file;
         std::size_t rows = 0;
     };
     void write_facts(const std::string& experiment, std::vector<Cell> fact);
@@ -70,9 +72,5 @@ private:
     std::map<std::string, std::vector<std::vector<Cell>>> facts_;
     std::vector<std::filesystem::path> written_;
 };
-
-/// Writes through a neighbour file and a rename.
-/// @throws InputError  the place cannot be written; nothing is left behind
-void write_file(const std::filesystem::path& path, const std::string& content);
 
 }  // namespace enduring

@@ -3,11 +3,16 @@
 #include "common/experiments/report/report.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/json_document.hpp"
+#include "common/input/json_value.hpp"
+#include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/contact_state.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/step_attempt.hpp"
 
 #include <nlohmann/json.hpp>
 
+#include <limits>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -17,6 +22,7 @@ namespace {
 using nlohmann::json;
 using Numbers = std::vector<double>;
 
+constexpr double longest_run = 3600;  ///< that a scene may last [s]
 constexpr const char* format = "enduring contacts, state of a run, 1";
 
 Numbers state_of(Contact contact)
@@ -58,7 +64,39 @@ std::vector<std::pair<std::string, Numbers>> bodies_of(const json& document, Wor
     return bodies;
 }
 
-Contacts contacts_of(const json& document, const std::string& file)
+bool is_place(int place, std::size_t of_places)
+{
+    return place >= 0 && static_cast<std::size_t>(place) < of_places;
+}
+
+/// What a pair has that this world has not, in words; empty where it fits.
+std::string misfit(const Contact& contact, const World& world)
+{
+    if (contact.kind > ContactKind::edge_edge || contact.category > ContactCategory::hooked ||
+        contact.state > ContactState::held)
+        return "is of a kind or in a state that there is not";
+    const bool on_plane = contact.kind == ContactKind::vertex_plane;
+    if (!is_place(contact.body_a, world.bodies.size()) ||
+        !is_place(contact.body_b, on_plane ? world.planes.size() : world.bodies.size()))
+        return "is of a body or plane that the scene does not have";
+    for (int i = 0; i < contact.vertex_count(); ++i)
+        if (!is_place(contact.vertices[static_cast<std::size_t>(i)],
+                      body_of_vertex(world, contact, i).positions_t0().size()))
+            return "names a vertex that its body does not have";
+    const SurfaceTopology& a = world.bodies[static_cast<std::size_t>(contact.body_a)]->surface();
+    const bool of_edges = contact.kind == ContactKind::edge_edge;
+    if (!is_place(contact.feature_a,
+                  of_edges ? a.edges().size() : static_cast<std::size_t>(a.vertex_count())))
+        return "names a vertex or an edge that its first body does not have";
+    if (on_plane)
+        return contact.feature_b == -1 ? "" : "names a feature of a plane";
+    const SurfaceTopology& b = world.bodies[static_cast<std::size_t>(contact.body_b)]->surface();
+    return is_place(contact.feature_b, of_edges ? b.edges().size() : b.faces().size())
+               ? ""
+               : "names a face or an edge that its second body does not have";
+}
+
+Contacts contacts_of(const json& document, const World& world, const std::string& file)
 {
     Contacts contacts;
     for (Numbers& numbers : part<std::vector<Numbers>>(document, "pairs", file)) {
@@ -68,7 +106,15 @@ Contacts contacts_of(const json& document, const std::string& file)
                              std::to_string(numbers.size()) + " numbers, and a pair has " +
                              std::to_string(right));
         StateArchive archive(std::move(numbers));
-        visit_state(archive, contacts.emplace_back());
+        std::string mistake;
+        try {
+            visit_state(archive, contacts.emplace_back());
+            mistake = misfit(contacts.back(), world);
+        } catch (const std::out_of_range& error) {
+            mistake = error.what();
+        }
+        if (!mistake.empty())
+            throw InputError(file + ": /pairs/" + std::to_string(contacts.size() - 1) + " " + mistake);
     }
     return contacts;
 }
@@ -95,13 +141,26 @@ Contacts resume_run(const std::filesystem::path& file, World& world)
     const json document = parse_json(read_text_file(file), name);
     if (part<std::string>(document, "format", name) != format)
         throw InputError(name + ": /format: expected \"" + format + "\"");
+    const JsonValue root(document, name);
+    root.require_keys({"format", "time", "step", "driven", "bodies", "pairs"});
+    const double time = root.at("time").number({0, longest_run, true, true, "s"});
+    const int step = root.at("step").integer(0, std::numeric_limits<int>::max());
+    const double driven = part<double>(document, "driven", name);
     const auto bodies = bodies_of(document, world, name);
-    Contacts contacts = contacts_of(document, name);
-    world.time = part<double>(document, "time", name);
-    world.step = part<int>(document, "step", name);
-    world.driven = part<double>(document, "driven", name);
+    Contacts contacts = contacts_of(document, world, name);
+    const SavedState before(world, {});
     for (std::size_t i = 0; i < bodies.size(); ++i)
-        restore_state(*world.bodies[i], bodies[i].second);
+        try {
+            restore_state(*world.bodies[i], bodies[i].second);
+        } catch (const std::out_of_range& mistake) {
+            Contacts none;
+            before.restore(world, none);
+            throw InputError(name + ": /bodies/" + std::to_string(i) + " has a number that " +
+                             mistake.what());
+        }
+    world.time = time;
+    world.step = step;
+    world.driven = driven;
     return contacts;
 }
 

@@ -86,6 +86,7 @@ TEST_CASE("Gmsh reader: each kind of bad file is refused with file, line and rea
          "m.msh:13: element 1 is inverted: its volume is -0.166667 m^3"},
         {replaced(good, "4 0 0 1", "4 1 1 0"), "m.msh:13: element 1 is flat: its volume is 0 m^3"},
         {replaced(good, "4 0 0 1", "4 0 0 1e200"), "m.msh:13: element 1 is too large"},
+        {replaced(good, "1 4 2 1 1", "1 4 -2 1 1"), "m.msh:13: element 1 has -2 tags, below zero"},
         {replaced(good, "1 4 2 1 1", "1 5 2 1 1"), "m.msh:13: element 1 is of type 5"},
         {replaced(good, "1 4 2 1 1 1 2 3 4", "1 2 2 1 1 1 2 3"),
          "m.msh:14: the file ends without a tetrahedron"},
@@ -110,6 +111,7 @@ TEST_CASE("Gmsh reader: a file of blocks, version 4.1, is refused with file, lin
         {replaced(good, "4.1 0 8", "4.1 1 4"), "m.msh, byte 20: this binary Gmsh format is not supported"},
         {replaced(good, "2 4 1 4", "3 4 1 4"),
          "m.msh:16: $Nodes promises 4 entries in 3 blocks and has 4 in 2"},
+        {replaced(good, "2 4 1 4", "-2 4 1 4"), "m.msh:5: $Nodes has a count of -2, below zero"},
         {replaced(good, "2 4 1 4", "1 4 1 4"), "m.msh:13: $Nodes promises 1 blocks and goes on"},
         {replaced(good, "2 4 1 4", "2 5 1 4"),
          "m.msh:16: $Nodes promises 5 entries in 2 blocks and has 4 in 2"},
@@ -137,11 +139,11 @@ TEST_CASE("Gmsh reader: a file of blocks, version 4.1, is refused with file, lin
 
 TEST_CASE("mesh readers: a missing file and a folder are refused by name")
 {
-    CHECK(complaint_of([] { read_gmsh("/nowhere/bunny.msh"); }) == "/nowhere/bunny.msh: cannot be opened");
-    CHECK(complaint_of([] { read_obj("/nowhere/bunny.obj"); }) == "/nowhere/bunny.obj: cannot be opened");
+    CHECK(complaint_of([] { read_gmsh("/nowhere/bunny.msh"); }) == "/nowhere/bunny.msh: no such file");
+    CHECK(complaint_of([] { read_obj("/nowhere/bunny.obj"); }) == "/nowhere/bunny.obj: no such file");
     const std::string folder = std::filesystem::temp_directory_path().string();
-    CHECK(complaint_of([&] { read_gmsh(folder); }) == folder + ": cannot be opened");
-    CHECK(complaint_of([&] { read_obj(folder); }) == folder + ": cannot be opened");
+    CHECK(complaint_of([&] { read_gmsh(folder); }) == folder + ": is a folder, and a file is needed");
+    CHECK(complaint_of([&] { read_obj(folder); }) == folder + ": is a folder, and a file is needed");
 }
 
 TEST_CASE("OBJ reader: each kind of bad file is refused with file, line and reason")
@@ -187,7 +189,10 @@ TEST_CASE("surface checks: what contact cannot live on is refused, with the reas
 
     SurfaceMesh flipped = cube;
     std::swap(flipped.faces[0][0], flipped.faces[0][1]);
-    CHECK(refused(flipped) == "cube: neighbouring faces of the surface face opposite ways");
+    CHECK(
+        refused(flipped) ==
+        "cube: faces 0 and 9, neighbours of the surface, face opposite ways: both run along the edge between "
+        "vertices 0 and 1 in the same direction");
 
     SurfaceMesh inside_out = cube;
     for (Face& face : inside_out.faces)
@@ -197,11 +202,19 @@ TEST_CASE("surface checks: what contact cannot live on is refused, with the reas
     SurfaceMesh fin = cube;
     fin.vertices.emplace_back(0, 3, 0);
     fin.faces.push_back({fin.faces[0][1], fin.faces[0][0], 8});
-    CHECK(refused(fin, Border::allowed).find("cube: the surface is not manifold") == 0);
+    CHECK(refused(fin, Border::allowed)
+              .find("cube: the surface is not manifold: the edge between vertices " +
+                    std::to_string(std::min(fin.faces[0][0], fin.faces[0][1])) + " and " +
+                    std::to_string(std::max(fin.faces[0][0], fin.faces[0][1])) + " belongs to faces 0, ") ==
+          0);
+
+    SurfaceMesh bow_tie{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {0, 3, 4}}};
+    CHECK(refused(bow_tie, Border::allowed) ==
+          "cube: the surface is not manifold: two parts of it touch in vertex 0 only, of faces 0 and 1");
 
     SurfaceMesh twice = cube;
     twice.faces.push_back(twice.faces[0]);
-    CHECK(refused(twice).find("cube: two faces over the same vertices") == 0);
+    CHECK(refused(twice).find("cube: faces 0 and 12 are two over the same vertices 0, ") == 0);
 
     SurfaceMesh flat = cube;
     flat.vertices[0] = flat.vertices[flat.faces[0][1]];
@@ -248,7 +261,13 @@ TEST_CASE("solid checks: inverted elements, stray nodes and solids that touch in
     // Two tetrahedra over one edge: the surface has four faces there.
     const TetrahedralMesh hinge{{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}},
                                 {{0, 2, 3, 1}, {0, 4, 5, 1}}};
-    CHECK(refused(hinge).find("bar: the surface is not manifold") == 0);
+    CHECK(
+        refused(hinge) ==
+        "bar: the surface is not manifold: the edge between nodes 0 and 1 belongs to 4 faces, and at most two may share it");
+
+    TetrahedralMesh twice = good;
+    twice.elements.push_back(twice.elements[4]);
+    CHECK(refused(twice) == "bar: element 12 has the same nodes as element 4");
 
     // Three tetrahedra on one face.
     TetrahedralMesh crowded{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0.2, 0.2, 2}},

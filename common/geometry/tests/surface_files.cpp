@@ -171,6 +171,12 @@ TEST_CASE("surface files: each kind of bad file is refused with the file and a r
         {"", ".off", "m.off: the file is empty"},
         {"PLY\n1 2 3\n", ".off", "m.off:1: not an OFF file"},
         {"OFF\n2000000000 1 0\n", ".off", "m.off:2: the file ends where a vertex is missing"},
+        {"OFF\n-3 1 0\n", ".off", "m.off:2: the count of vertices is -3, below zero"},
+        {"OFF\n3 -1 0\n", ".off", "m.off:2: the count of faces is -1, below zero"},
+        {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", ".off",
+         "m.off:6: the count of corners is -3, below zero"},
+        {"ply\nformat ascii 1.0\nelement vertex -1\n", ".ply",
+         "m.ply:3: the count of 'vertex' is -1, below zero"},
         {"OFF\n1e9 1 0\n", ".off", "m.off:2: count of vertices is '1e9', not a whole number"},
         {"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n", ".off",
          "m.off:5: coordinate is 'nan', not a finite number"},
@@ -212,8 +218,7 @@ TEST_CASE("surface files: each kind of bad file is refused with the file and a r
     CHECK_THROWS_WITH_AS(read_surface("part.step"),
                          "part.step: a surface is read from a file ending in .obj, .off, .stl or .ply",
                          InputError);
-    CHECK_THROWS_WITH_AS(read_surface("/nowhere/part.STL"), "/nowhere/part.STL: cannot be opened",
-                         InputError);
+    CHECK_THROWS_WITH_AS(read_surface("/nowhere/part.STL"), "/nowhere/part.STL: no such file", InputError);
 }
 
 TEST_CASE("weld: a surface in pieces is closed again, and has its vertices in their old order")

@@ -293,6 +293,8 @@ TEST_CASE("scene: mistakes in what drives a body are named with their place")
           "driven.json: /bodies/1/forces/0/force: stands beside \"table\"; one of the two is enough");
     CHECK(complaint(R"({"/bodies/brick/locked": {"rotation": ["w"]}})") ==
           "driven.json: /bodies/1/locked/rotation/0: expected one of \"x\", \"y\", \"z\", found \"w\"");
+    CHECK(complaint(R"({"/bodies/brick/locked": {"rotation": ["x", "y", "x"]}})") ==
+          "driven.json: /bodies/1/locked/rotation/2: is locked twice");
     CHECK(complaint(R"({"/bodies/brick/gravity": 0})") ==
           "driven.json: /bodies/1/gravity: expected true or false, found 0");
     CHECK(complaint(R"({"/bodies/brick/material": "ice"})") ==

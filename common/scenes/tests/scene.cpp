@@ -178,8 +178,9 @@ TEST_CASE("scene: a change reaches one number, by index or by name")
 
 TEST_CASE("scene: numbers out of range are named with their path, range, unit and value")
 {
-    CHECK(complaint(R"({"dt": 0})") == "ball.json: /dt: expected a number from 1e-06 to 1 [s], found 0");
-    CHECK(complaint(R"({"dt": 2})") == "ball.json: /dt: expected a number from 1e-06 to 1 [s], found 2");
+    CHECK(complaint(R"({"dt": 0})") == "ball.json: /dt: expected a number from 1e-06 to 3600 [s], found 0");
+    CHECK(complaint(R"({"dt": 3601})") ==
+          "ball.json: /dt: expected a number from 1e-06 to 3600 [s], found 3601");
     CHECK(complaint(R"({"duration": -1})") ==
           "ball.json: /duration: expected a number above 0 up to 3600 [s], found -1");
     CHECK(complaint(R"({"contact": {"stiffness": 0}})") ==
@@ -211,11 +212,11 @@ TEST_CASE("scene: numbers out of range are named with their path, range, unit an
 TEST_CASE("scene: wrong types are named with what was expected")
 {
     CHECK(complaint(R"({"dt": "0.1"})") ==
-          "ball.json: /dt: expected a number from 1e-06 to 1 [s], found \"0.1\"");
+          "ball.json: /dt: expected a number from 1e-06 to 3600 [s], found \"0.1\"");
     CHECK(complaint(R"({"bodies": {}})") ==
-          "ball.json: /bodies: expected a list of 1 to 1000 entries, found the object {}");
+          "ball.json: /bodies: expected a list of 1 to 100000 entries, found the object {}");
     CHECK(complaint(R"({"bodies": []})") ==
-          "ball.json: /bodies: expected a list of 1 to 1000 entries, found the list []");
+          "ball.json: /bodies: expected a list of 1 to 100000 entries, found the list []");
     CHECK(complaint(R"({"gravity": [0, 1]})") ==
           "ball.json: /gravity: expected a list of three numbers, found the list [0,1]");
     CHECK(complaint(R"({"contact": {"method": "cpg"}})") ==
@@ -301,12 +302,17 @@ TEST_CASE("scene: a syntax error is named with its line, and a key that stands t
     CHECK(message("{\n \"dt\": 0.1,\n}").find("s.json: not valid JSON: parse error at line 3, column 1") ==
           0);
     CHECK(message("").find("s.json: not valid JSON") == 0);
-    CHECK(message("{\"dt\": 1e999}").find("s.json: not valid JSON: number overflow") == 0);
-    CHECK(message("{\"dt\": 0.1, \"dt\": 0.2}") == "s.json: the key \"dt\" stands twice in the same object");
+    CHECK(message("{\"dt\": 0.1, \"dt\": 0.2}") ==
+          "s.json:1: the key \"dt\" stands twice in the same object");
     CHECK(message("{\"name\": \"a\", \"dt\": 0.1, \"duration\": 1, \"contact\": {\"name\": 1}}")
               .find("s.json: /contact/name: unknown key") == 0);
-    CHECK(message(std::string(5000, '[')).find("s.json: lists and objects are nested more than 32 deep") ==
+    CHECK(message(std::string(5000, '[')).find("s.json:1: lists and objects are nested more than 32 deep") ==
           0);
+    CHECK(message("{\"dt\": 0.1,\n\n \"name\": {\"a\": 1,\n \"a\": 2}}") ==
+          "s.json:4: the key \"a\" stands twice in the same object");
+    CHECK(message("{\n\"dt\": 1e999}").find("s.json:2: number overflow parsing '1e999'") == 0);
+    CHECK(message("{\n\"dt\": " + std::string(3'000'000, '7') + "}").size() < 250);
+    CHECK(message("{\"dt\":\n" + std::string(40, '[')).find("s.json:2: lists and objects are nested") == 0);
     CHECK(message("\"\xff\"").find("s.json: not valid JSON") == 0);
     CHECK(message("7").find("s.json: /: expected an object with the keys") == 0);
 }

@@ -1,3 +1,4 @@
+#include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/scenes/start_overlap.hpp"
@@ -358,4 +359,39 @@ TEST_CASE(
     CHECK(crossed[0].faces > 0);
     CHECK(two_bars(Vec3(0.02, 0.03, 0.01), false).empty());
     CHECK(two_bars(Vec3(0.02, 0.101, 0.01), true).empty());
+}
+
+TEST_CASE("scene: more than a thousand bodies and steps above a second are taken with a warning")
+{
+    std::string bodies;
+    for (int i = 0; i < 1001; ++i)
+        bodies += (i == 0 ? "" : ", ") + body("t" + std::to_string(i), "static",
+                                              R"({"tetrahedron": {"edge": 1}})",
+                                              "[" + std::to_string(3 * i) + ", 0, 0]");
+    const Scene many = read("\"bodies\": [" + bodies + "]");
+    CHECK(many.world.bodies.size() == 1001);
+    REQUIRE(many.warnings.size() == 1);
+    CHECK(many.warnings[0].find(
+              "trial.json: /bodies: 1001 of them, and the course measures scenes of up to 1000") == 0);
+    const std::string one = R"(, "duration": 20, "bodies": [)" + cube("c", "[0, 0, 0]") + "]}";
+    const Scene slow = read_scene(R"({"name": "slow", "dt": 2)" + one, "", "slow.json", {});
+    CHECK(slow.dt == 2);
+    REQUIRE(slow.warnings.size() == 1);
+    CHECK(slow.warnings[0].find(
+              "slow.json: /dt: a step of 2 s is longer than any that the course measures") == 0);
+    CHECK(slow.warnings[0].find("a body falls 39.2 m") != std::string::npos);
+    CHECK(read_scene(R"({"name": "slow", "dt": 1)" + one, "", "slow.json", {}).warnings.empty());
+}
+
+TEST_CASE("scene: a name that is not the file's is told")
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder.path / "one.json")
+        << R"({"name": "other", "dt": 0.1, "duration": 1, "bodies": [)" << cube("c", "[0, 0, 0]") << "]}";
+    const std::string file = (folder.path / "one.json").string();
+    CHECK(load_scene(file).warnings ==
+          std::vector<std::string>{
+              file +
+              ": /name: is \"other\", and the file is called \"one\"; results and pictures go by the file"});
+    CHECK(load_scene(file, R"({"name": "one"})").warnings.empty());
 }

@@ -30,8 +30,8 @@ void steps(Laboratory& lab, int count)
 TEST_CASE("laboratory: a mistake in a scene's text is told with its place")
 {
     CHECK_THROWS_WITH_AS(
-        Laboratory(R"({"name": "x", "dt": 9, "duration": 1, "bodies": []})", "own.json", {}, 10),
-        doctest::Contains("own.json: /dt: expected a number from 1e-06 to 1 [s]"), InputError);
+        Laboratory(R"({"name": "x", "dt": -9, "duration": 1, "bodies": []})", "own.json", {}, 10),
+        doctest::Contains("own.json: /dt: expected a number from 1e-06 to 3600 [s]"), InputError);
     CHECK_THROWS_AS(Laboratory(cube(), "own.json", {}, 12), InputError);
 }
 

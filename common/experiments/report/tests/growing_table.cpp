@@ -1,6 +1,6 @@
 #include "common/experiments/report/growing_table.hpp"
-#include "common/experiments/report/pending_file.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
+#include "common/input/pending_file.hpp"
 
 #include <doctest/doctest.h>
 

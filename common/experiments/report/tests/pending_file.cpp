@@ -1,4 +1,4 @@
-#include "common/experiments/report/pending_file.hpp"
+#include "common/input/pending_file.hpp"
 #include "common/experiments/report/report.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
 #include "common/input/input_error.hpp"

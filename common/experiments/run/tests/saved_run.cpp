@@ -9,6 +9,8 @@
 
 #include <doctest/doctest.h>
 
+#include <functional>
+
 using namespace enduring;
 
 namespace {
@@ -27,7 +29,7 @@ World boxes(const std::vector<std::string>& names)
 /// Each of its numbers is another one.
 Contact full_contact()
 {
-    Contact contact{ContactKind::edge_edge, 1, 2, 3, 4, {5, 6, 7, 8}, {1.0 / 3, -2.0 / 7, 0.1, -0.4}};
+    Contact contact{ContactKind::edge_edge, 1, 0, 3, 4, {5, 6, 7, 2}, {1.0 / 3, -2.0 / 7, 0.1, -0.4}};
     contact.orientation = -1;
     contact.start = 0.7;
     contact.impulse = Vec3(1e-300, 0.1, 3);
@@ -43,6 +45,9 @@ Contact full_contact()
     contact.resolved = true;
     return contact;
 }
+
+/// Most of its numbers are those of a new pair.
+Contact face_contact() { return {ContactKind::vertex_face, 0, 1, 7, 11, {7, 0, 1, 2}}; }
 
 std::vector<double> numbers_of(Contact contact)
 {
@@ -74,7 +79,7 @@ TEST_CASE("saved run: bodies, pairs, time and step come back to the last bit")
     Contacts contacts;
     for (int step = 0; step < 3; ++step)
         advance(world, contacts, Solver(), 1.0 / 300);
-    contacts = {full_contact(), Contact()};
+    contacts = {full_contact(), face_contact()};
     save_run(file, world, contacts);
 
     World other = boxes({"one", "two"});
@@ -83,7 +88,7 @@ TEST_CASE("saved run: bodies, pairs, time and step come back to the last bit")
     CHECK(other.step == 3);
     REQUIRE(pairs.size() == 2);
     CHECK(numbers_of(pairs[0]) == numbers_of(full_contact()));
-    CHECK(numbers_of(pairs[1]) == numbers_of(Contact()));
+    CHECK(numbers_of(pairs[1]) == numbers_of(face_contact()));
     CHECK(pairs[0].kind == ContactKind::edge_edge);
     CHECK(pairs[0].sliding_normal == full_contact().sliding_normal);
     CHECK(pairs[0].held());
@@ -114,12 +119,60 @@ TEST_CASE(
         write_file(file, changed);
         return refusal(file, {"one", "two"});
     };
-    CHECK(with("\"step\"", "\"stop\"") ==
-          name + ": /step is missing, or is not what the state of a run has there");
-    CHECK(with("\"time\":0.0", "\"time\":\"now\"").find(name + ": /time is missing, or is not") == 0);
+    CHECK(with("\"step\"", "\"stop\"") == name + ": /stop: unknown key; did you mean \"step\"?");
+    CHECK(with("\"time\":0.0", "\"time\":\"now\"") ==
+          name + ": /time: expected a number from 0 to 3600 [s], found \"now\"");
+    CHECK(with("\"time\":0.0", "\"time\":-1e308").find(name + ": /time: expected a number from 0") == 0);
+    CHECK(with("\"step\":0", "\"step\":1000000000000000").find(name + ": /step: expected a whole number") ==
+          0);
     CHECK(with("run, 1", "run, 7").find(name + ": /format: expected") == 0);
     CHECK(with("\"pairs\":[[", "\"pairs\":[[1.0,").find(name + ": /pairs/0 has ") == 0);
     CHECK(with("[\"one\",[", "[\"one\",[1.0,").find(name + ": /bodies/0 ('one') has ") == 0);
     CHECK(with("{", "").find(name) == 0);
     CHECK(refusal(folder.path / "nothing.json", {"one", "two"}).find("nothing.json") != std::string::npos);
+}
+
+TEST_CASE("saved run: a pair of bodies, features or vertices that the scene does not have is refused")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "state.json";
+    const auto refused = [&](const std::function<void(Contact&)>& change, Contact contact) {
+        World world = boxes({"one", "two"});
+        change(contact);
+        save_run(file, world, {face_contact(), contact});
+        const std::string said = refusal(file, {"one", "two"}), start = file.string() + ": /pairs/1 ";
+        return said.starts_with(start) ? said.substr(start.size()) : said;
+    };
+    const std::string body = "is of a body or plane that the scene does not have";
+    for (const int place : {-1, 2, 2000000000}) {
+        CHECK(refused([&](Contact& c) { c.body_a = place; }, full_contact()) == body);
+        CHECK(refused([&](Contact& c) { c.body_b = place; }, face_contact()) == body);
+    }
+    CHECK(refused([](Contact& c) { c.vertices[3] = 8; }, full_contact()) ==
+          "names a vertex that its body does not have");
+    CHECK(refused([](Contact& c) { c.feature_a = 18; }, full_contact()) ==
+          "names a vertex or an edge that its first body does not have");
+    CHECK(refused([](Contact& c) { c.feature_b = 12; }, face_contact()) ==
+          "names a face or an edge that its second body does not have");
+    CHECK(refused([](Contact& c) { c.kind = ContactKind::vertex_plane; }, face_contact()) == body);
+    CHECK(refused([](Contact& c) { c.kind = static_cast<ContactKind>(7); }, face_contact()) ==
+          "is of a kind or in a state that there is not");
+    CHECK(refused([](Contact&) {}, face_contact()).empty());
+}
+
+TEST_CASE("saved run: an index that is no whole number is refused, and the world is as it was")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "state.json";
+    World world = boxes({"one", "two"});
+    save_run(file, world, {face_contact()});
+    const std::string text = read_text_file(file), first = "\"pairs\":[[1.0,0.0,";
+    REQUIRE(text.find(first) != std::string::npos);
+    for (const char* index : {"0.5", "1e15", "-1e308"}) {
+        std::string changed = text;
+        changed.replace(changed.find(first), first.size(), std::string("\"pairs\":[[1.0,") + index + ",");
+        write_file(file, changed);
+        CHECK(refusal(file, {"one", "two"}) ==
+              file.string() + ": /pairs/0 is no whole number of the kind that stands there");
+    }
 }

@@ -35,4 +35,15 @@ private:
     bool pending_ = true;
 };
 
+/// Writes through a neighbour file and a rename.
+/// @throws InputError  the place cannot be written; nothing is left behind
+void write_file(const std::filesystem::path& path, const std::string& content);
+
+/// Finds out whether a file could be written, before a run that takes long; what stands there stays.
+/// @param asked  whose value the place is, as "--gltf", for the message
+/// @throws InputError  it could not
+void require_writable(const std::filesystem::path& file, const std::string& asked);
+/// The same for files in a folder, which is created.
+void require_writable_folder(const std::filesystem::path& folder, const std::string& asked);
+
 }  // namespace enduring
