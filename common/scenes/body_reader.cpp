@@ -18,6 +18,7 @@ SurfaceMesh placed_surface(const JsonValue& value, const SceneSurroundings& surr
 {
     SurfaceMesh mesh = read_shape(value.at("shape"), surroundings).surface;
     try {
+        mesh = mend_if_asked(value.at("shape"), std::move(mesh), border, surroundings);
         check_surface(mesh, "its mesh", border);
     } catch (const InputError& error) {
         value.at("shape").pass_on(error);

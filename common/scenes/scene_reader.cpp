@@ -187,8 +187,12 @@ Scene read_scene(const std::string& text, const std::string& patch, const std::s
     nlohmann::json document = parse_json(text, file);
     if (!patch.empty())
         apply_patch(document, parse_json(patch, file + " (change)"), file);
-    Scene scene = read_root(JsonValue(document, file), surroundings);
+    std::vector<std::string> told;
+    SceneSurroundings telling = surroundings;
+    telling.told = &told;
+    Scene scene = read_root(JsonValue(document, file), telling);
     scene.warnings = scene_warnings(scene, file);
+    scene.warnings.insert(scene.warnings.begin(), told.begin(), told.end());
     scene.stiffness_warning = stiffness_warning(scene, file);
     return scene;
 }

@@ -1,6 +1,7 @@
 #include "common/scenes/shape_reader.hpp"
 
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/mend.hpp"
 #include "common/geometry/read_gmsh.hpp"
 #include "common/geometry/read_surface.hpp"
 #include "common/geometry/round_shapes.hpp"
@@ -163,9 +164,12 @@ Shape read_file(const JsonValue& value, const SceneSurroundings& surroundings)
 /// "weld": true, beside a "file" that is a surface.
 void weld_if_asked(const JsonValue& value, Shape& shape)
 {
+    const bool is_surface_file = value.find("file") && !shape.solid;
+    if (value.flag_or("mend", false) && !is_surface_file)
+        value.at("mend").complain("only a surface file (.obj, .off, .stl, .ply) can be mended");
     if (!value.flag_or("weld", false))
         return;
-    if (!value.find("file") || shape.solid)
+    if (!is_surface_file)
         value.at("weld").complain(
             "only the vertices of a surface file (.obj, .off, .stl, .ply) can be welded");
     shape.surface = welded(shape.surface, weld_distance(shape.surface));
@@ -211,16 +215,16 @@ constexpr std::array<NamedReader, 7> generated{{{"bar", read_bar},
                                                 {"sphere", read_sphere},
                                                 {"tetrahedron", read_tetrahedron}}};
 
-/// The one entry of the object that says which shape it is; "scale", "transform" and "weld" may stand beside it.
+/// The one entry of the object that says which shape it is; "scale", "transform", "weld" and "mend" may stand beside it.
 Shape read_unscaled(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     value.require_keys({"bar", "bowl", "box", "file", "plane_grid", "slope", "sphere", "tetrahedron", "scale",
-                        "transform", "weld"});
+                        "transform", "weld", "mend"});
     std::vector<std::pair<std::string, JsonValue>> kinds = value.members();
     kinds.erase(std::remove_if(kinds.begin(), kinds.end(),
                                [](const auto& member) {
                                    return member.first == "scale" || member.first == "transform" ||
-                                          member.first == "weld";
+                                          member.first == "weld" || member.first == "mend";
                                }),
                 kinds.end());
     if (kinds.size() != 1)
@@ -252,6 +256,17 @@ Shape read_shape(const JsonValue& value, const SceneSurroundings& surroundings)
             node *= scale;
     transform_if_asked(value, shape);
     return shape;
+}
+
+SurfaceMesh mend_if_asked(const JsonValue& shape, SurfaceMesh mesh, Border border,
+                          const SceneSurroundings& surroundings)
+{
+    if (!shape.flag_or("mend", false))
+        return mesh;
+    MendedSurface found = mended(mesh, border);
+    if (const std::string what = found.counts.text(); surroundings.told && !what.empty())
+        surroundings.told->push_back(shape.file() + ": " + shape.path() + "/mend: " + what);
+    return std::move(found.mesh);
 }
 
 }  // namespace enduring

@@ -2,10 +2,12 @@
 
 #include "common/geometry/gmsh_groups.hpp"
 #include "common/geometry/meshes.hpp"
+#include "common/geometry/surface_checks.hpp"
 #include "common/input/json_value.hpp"
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace enduring {
@@ -21,6 +23,7 @@ struct SceneLimits {
 struct SceneSurroundings {
     std::vector<std::filesystem::path> mesh_folders;
     SceneLimits limits{};
+    std::vector<std::string>* told = nullptr;  ///< is given a sentence on each surface that was mended
 };
 
 /// A shape in its own coordinates, scaled and transformed, not yet placed: a surface,
@@ -31,8 +34,13 @@ struct Shape {
     NodeGroups groups{};  ///< of the solid, by their names in its file
 };
 
-/// Reads {"box": {...}}, {"file": "part.stl", "scale": 0.001, "weld": true} and the other shapes of the scene format.
+/// Reads {"box": {...}}, {"file": "part.stl", "scale": 0.001, "weld": true, "mend": true} and the other shapes of the scene format.
+/// The one who knows whether it may have a border mends it (mend_if_asked()).
 /// @throws InputError  anything the format does not allow, with the JSON path
 Shape read_shape(const JsonValue& value, const SceneSurroundings& surroundings);
+
+/// "mend": true, beside a "file" that is a surface.
+SurfaceMesh mend_if_asked(const JsonValue& shape, SurfaceMesh mesh, Border border,
+                          const SceneSurroundings& surroundings);
 
 }  // namespace enduring

@@ -93,3 +93,20 @@ TEST_CASE("mesh files: a rotation by a quaternion is the one by its axis and ang
     CHECK(folder.complaint(part, R"(, "rotation": {"quaternion": [1, 0, 0, 0], "axis": [1, 0, 0]})")
               .find("s.json: /bodies/0/rotation/quaternion: stands beside") == 0);
 }
+
+TEST_CASE("mesh files: a surface is mended where it is asked for, and what was mended is told")
+{
+    const MeshFolder folder;
+    std::ofstream(folder.path / "twice.obj")
+        << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 3 4 2\n";
+    CHECK(folder.complaint(R"({"file": "twice.obj"})").find("faces 3 and 4 are two over the same vertices") !=
+          std::string::npos);
+    const Scene scene = folder.with(R"({"file": "twice.obj", "mend": true})");
+    CHECK(scene.world.bodies[0]->surface().faces().size() == 4);
+    CHECK(scene.warnings ==
+          std::vector<std::string>{
+              "s.json: /bodies/0/shape/mend: 1 face over the vertices of another one taken out"});
+    CHECK(folder.with(R"({"file": "one.obj", "mend": true})").warnings.empty());
+    CHECK(folder.complaint(R"({"box": {"size": [1, 1, 1]}, "mend": true})") ==
+          "s.json: /bodies/0/shape/mend: only a surface file (.obj, .off, .stl, .ply) can be mended");
+}
