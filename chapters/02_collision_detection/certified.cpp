@@ -44,11 +44,11 @@ bool finite(const EdgeEdgeStep& s)
            s.ea0_t1.allFinite() && s.ea1_t1.allFinite() && s.eb0_t1.allFinite() && s.eb1_t1.allFinite();
 }
 
-template <template <class> class Differences, class Step>
-CertifiedAnswer first_touch(const Step& step, double start);
+template <class Step>
+CertifiedAnswer first_touch_of(const Step& step, double start);
 
 /// Brings the step to a size at which products are safe. A power of two changes no digit of what matters.
-template <template <class> class Differences, class Step>
+template <class Step>
 CertifiedAnswer first_touch_rescaled(const Step& step, double start, double size)
 {
     if (!finite(step))
@@ -56,29 +56,35 @@ CertifiedAnswer first_touch_rescaled(const Step& step, double start, double size
     if (size == 0)
         return {start, QueryStage::height};  // all differences vanish throughout: the features share a point
     const int down = std::isfinite(size) ? -std::ilogb(size) : -4;
-    return first_touch<Differences>(scaled(step, down), start);
+    return first_touch_of(scaled(step, down), start);
 }
 
 //! [stages]
-template <template <class> class Differences, class Step>
-CertifiedAnswer first_touch(const Step& step, double start)
+template <class Step>
+CertifiedAnswer first_touch_of(const Step& step, double start)
 {
-    const Differences<double> quick(step);
-    const double size = quick.size();
-    if (!(size > smallest_size && size < largest_size))
-        return first_touch_rescaled<Differences>(step, start, size);
-    if (height(quick).sign() != 0)
+    const auto quick = differences<double>(step);
+    if (!(size(quick) > smallest_size && size(quick) < largest_size))
+        return first_touch_rescaled(step, start, size(quick));
+    const auto volume = height(quick);
+    if (volume.sign() != 0)
         return {std::nullopt, QueryStage::height};  // most pairs end here
+    if (boxes_apart(quick))
+        return {std::nullopt, QueryStage::doubles};
 
-    QueryStage stage = QueryStage::doubles;
-    Touch touch = search(quick, start);
-    if (touch.verdict == Verdict::open) {
-        stage = QueryStage::double_doubles;
-        touch = search(Differences<DoubleDouble>(step), start);
-    }
+    Touch<double> touch{Verdict::open, start};
+    if (start == 0 && changes_once(volume))
+        touch = touch_at_root(quick, volume);
+    if (touch.verdict == Verdict::open)
+        touch = first_touch(quick, touch.time);
     if (touch.verdict == Verdict::apart)
-        return {std::nullopt, stage};
-    return {start + (1 - start) * touch.time, stage};
+        return {std::nullopt, QueryStage::doubles};
+    if (touch.verdict == Verdict::touch)
+        return {touch.time, QueryStage::doubles};
+    const auto last = first_touch(differences<DoubleDouble>(step), DoubleDouble(touch.time));
+    if (last.verdict == Verdict::apart)
+        return {std::nullopt, QueryStage::double_doubles};
+    return {rounded(last.time), QueryStage::double_doubles};
 }
 //! [stages]
 
@@ -90,34 +96,22 @@ void require_part_of_step(double from)
 
 }  // namespace
 
-CertifiedAnswer certified_answer(const VertexFaceStep& step)
-{
-    return first_touch<VertexFaceDifferences>(step, 0);
-}
-CertifiedAnswer certified_answer(const EdgeEdgeStep& step)
-{
-    return first_touch<EdgeEdgeDifferences>(step, 0);
-}
+CertifiedAnswer certified_answer(const VertexFaceStep& step) { return first_touch_of(step, 0); }
+CertifiedAnswer certified_answer(const EdgeEdgeStep& step) { return first_touch_of(step, 0); }
 
-std::optional<double> time_of_impact(const VertexFaceStep& step)
-{
-    return first_touch<VertexFaceDifferences>(step, 0).time;
-}
-std::optional<double> time_of_impact(const EdgeEdgeStep& step)
-{
-    return first_touch<EdgeEdgeDifferences>(step, 0).time;
-}
+std::optional<double> time_of_impact(const VertexFaceStep& step) { return first_touch_of(step, 0).time; }
+std::optional<double> time_of_impact(const EdgeEdgeStep& step) { return first_touch_of(step, 0).time; }
 
 std::optional<double> time_of_impact(const VertexFaceStep& step, double from)
 {
     require_part_of_step(from);
-    return first_touch<VertexFaceDifferences>(step, from).time;
+    return first_touch_of(step, from).time;
 }
 
 std::optional<double> time_of_impact(const EdgeEdgeStep& step, double from)
 {
     require_part_of_step(from);
-    return first_touch<EdgeEdgeDifferences>(step, from).time;
+    return first_touch_of(step, from).time;
 }
 
 }  // namespace enduring

@@ -20,7 +20,7 @@ constexpr double time_of_impact_slack = 0x1p-34;
 ///     the products of coordinate differences that
 ///     they are made of. Nearer misses than that count as touches, at the
 ///     time where they can no longer be excluded.
-/// One query takes at most 160 steps of bounded cost, so its time has a bound too; when the steps run out,
+/// One query takes at most 128 proofs of bounded cost, so its time has a bound too; when they run out,
 /// the earliest time not yet excluded is returned.
 /// @return tau in [0, 1]
 /// @throws std::invalid_argument  a coordinate is not finite

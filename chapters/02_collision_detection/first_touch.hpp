@@ -1,7 +1,7 @@
 #pragma once
 
+#include "chapters/02_collision_detection/certificates.hpp"
 #include "chapters/02_collision_detection/certified.hpp"
-#include "chapters/02_collision_detection/separating_directions.hpp"
 
 #include <optional>
 
@@ -10,111 +10,133 @@ namespace enduring::certified {
 /// `open`: no contact before `time`, and too close to call from there on at this precision.
 enum class Verdict { apart, touch, open };
 
+template <class Real>
 struct Touch {
     Verdict verdict;
-    double time;
+    Real time;
 };
 
-/// Two times between which a height certainly changes sign.
-template <class Real>
-struct Bracket {
-    const BoundedPolynomial<Real, 3>& height;
-    double error = height.error + blossom_error<Real>(3, height.size());
-    double low = 0, high = 1;
-    double value_low = rounded(height.c[0]), value_high = rounded(height.c[3]);
-
-    double width() const { return high - low; }
-    double middle() const { return 0.5 * (low + high); }
-    double secant() const { return low + width() * (value_low / (value_low - value_high)); }
-
-    /// Replaces one end by s; false if the sign there is not certain. A
-    /// time outside the bracket changes nothing.
-    bool narrow(double s)
-    {
-        if (s <= low || s >= high)
-            return true;
-        const double value = rounded(value_at<Real>(height.c, s));
-        if (std::abs(value) <= error)
-            return false;
-        const bool as_low = (value > 0) == (value_low > 0);
-        (as_low ? low : high) = s;
-        (as_low ? value_low : value_high) = value;
-        return true;
-    }
-};
-
-/// Times at most `slack` apart on both sides of the only root of `height`, or nothing if rounding hides on
-/// which side of it a time lies, or `steps_left` runs out.
-template <class Real>
-std::optional<Bracket<Real>> bracket_root(const BoundedPolynomial<Real, 3>& height, double slack,
-                                          int& steps_left)
+template <class Real, template <class> class Differences>
+Differences<MovingVector<Real, 0>> at(const Differences<MovingDifference<Real>>& motion, const Real& time)
 {
-    Bracket<Real> bracket{height};
-    while (bracket.width() > slack) {
-        if (steps_left-- <= 0)
-            return std::nullopt;
-        const double width = bracket.width(), guess = bracket.secant();
-        // Step to both sides of the guessed root; where the height is too curved for the secant, halve.
-        if (!bracket.narrow(guess - 0.4 * slack) || !bracket.narrow(guess + 0.4 * slack))
-            return std::nullopt;
-        if (bracket.width() > 0.5 * width && !bracket.narrow(bracket.middle()))
-            return std::nullopt;
-    }
-    return bracket;
+    Differences<MovingVector<Real, 0>> result;
+    for (std::size_t i = 0; i < motion.v.size(); ++i)
+        result.v[i] = at(motion.v[i], time);
+    return result;
 }
 
-/// Narrowing a span to a root costs as much as this many halvings.
-constexpr int cuts_of_a_zoom = 5;
+template <class Real, template <class> class Differences>
+Differences<Vec3> rates(const Differences<MovingDifference<Real>>& motion)
+{
+    Differences<Vec3> result;
+    for (std::size_t i = 0; i < motion.v.size(); ++i)
+        result.v[i] = rounded(motion.v[i].c[1] + minus(motion.v[i].c[0]));
+    return result;
+}
 
-/// A part of the step, and how many cuts led to it.
-struct Span {
-    double start = 0, width = 1;
-    int depth = 0;
-};
+//! [crossing]
+/// Whether the origin is in the polygon at all times of a short span from `there` on.
+/// @return +1 certainly, -1 certainly not, as far as the sides tell, 0 too close to call
+template <class Real, template <class> class Differences>
+int within_sides(const Differences<MovingVector<Real, 0>>& there, double span)
+{
+    std::array<MovingVector<Real, 0>, Differences<Real>::corners> sides;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        sides[i] = side(there, i);
+        sides[i].error += 4 * span * sides[i].size;  // a quadratic changes at most by 4 sizes in the step
+    }
+    bool inside = false;
+    for (const auto axis : axes<Real>) {
+        const Signs seen = signs(sides, axis);
+        if (seen.some_disagree())
+            return -1;
+        inside = inside || seen.all_agree();
+    }
+    return inside ? 1 : 0;
+}
+
+/// Certainly the height vanishes exactly once in the step, changing sign.
+inline bool changes_once(const BoundedPolynomial<double, 3>& height)
+{
+    const std::array<int, 4> s{height.sign(0), height.sign(1), height.sign(2), height.sign(3)};
+    return s[0] * s[3] < 0 && s[1] * s[2] != 0 && (s[1] == s[0] || s[2] == s[3]);
+}
+
+/// The usual case in doubles: the height vanishes once. Its root is enclosed, and the sides tell whether the origin is in the polygon
+/// there. Where they do not, it is open from just before the root on.
+template <template <class> class Differences>
+Touch<double> touch_at_root(const Differences<MovingDifference<double>>& motion,
+                            const BoundedPolynomial<double, 3>& height)
+{
+    const auto& c = height.c;
+    const double sign = c[0] > 0 ? 1 : -1;
+    const double root = first_zero(
+        {sign * c[0], sign * 3 * (c[1] - c[0]), sign * 3 * (c[2] - 2 * c[1] + c[0]),
+         sign * (c[3] - 3 * c[2] + 3 * c[1] - c[0])},
+        1);
+    const double from = root - 0.4 * time_of_impact_slack, to = root + 0.4 * time_of_impact_slack;
+    const double error = height.error + value_error<double>(3, height.size());
+    if (!(from > 0 && to < 1 && sign * value_at(c, from) > error && sign * value_at(c, to) < -error))
+        return {Verdict::open, 0};
+    const int within = within_sides<double, Differences>(at(motion, from), to - from);
+    return {within > 0 ? Verdict::touch : within < 0 ? Verdict::apart : Verdict::open, from};
+}
+//! [crossing]
 
 //! [search]
-/// First contact within a span: most spans are settled at once; the others are narrowed to the only root of
-/// the height, or halved, earlier half first.
-/// @param steps_left  what the whole query may still spend; it bounds its time
-template <class Real, std::size_t Corners>
-Touch first_touch(const SeparatingDirections<Real, Corners>& directions, const Span& span, int& steps_left)
-{
-    if (directions.apart(Throughout{}))
-        return {Verdict::apart, span.start};
-    if (directions.height_changes_once()) {
-        const double slack = std::min(time_of_impact_slack / span.width, 0x1p-20);
-        if (const auto root = bracket_root(directions.height, slack, steps_left)) {
-            const Span narrow{span.start + span.width * root->low, span.width * root->width(),
-                              span.depth + cuts_of_a_zoom};
-            if (const int within = directions.within_polygon(root->low, root->width()))
-                return {within > 0 ? Verdict::touch : Verdict::apart, narrow.start};
-            steps_left -= cuts_of_a_zoom;
-            if (narrow.depth <= Precision<Real>::deepest)
-                return first_touch(part(directions, root->low, root->high), narrow, steps_left);
-        }
-    }
-    if (!directions.apart(AtStart{}) || span.depth >= Precision<Real>::deepest || steps_left-- <= 0)
-        return {Verdict::open, span.start};
+/// How many proofs one query takes in each precision, and how much shorter than proposed one of them may be.
+constexpr int most_proofs = 64;
+constexpr double shortest = 0x1p-40;
 
-    SeparatingDirections<Real, Corners> early, late;
-    halve(directions, early, late);
-    const double half = 0.5 * span.width;
-    const Touch touch = first_touch(early, Span{span.start, half, span.depth + 1}, steps_left);
-    if (touch.verdict != Verdict::apart)
-        return touch;
-    return first_touch(late, Span{span.start + half, half, span.depth + 1}, steps_left);
+/// Where a proof is proposed a little too long by rounding, this little less of it holds.
+constexpr double a_little_less = 1 - 0x1p-45;
+
+template <class Real>
+double left_of_step(const Real& time)
+{
+    return rounded(Real(1.0) - time);
+}
+
+/// Goes on from `time` to the end of a proof, or where the proof does not hold so long, to a half, a quarter, ... of it.
+template <class Real, template <class> class Differences>
+bool go_on(const Certificate& proof, const Differences<MovingDifference<Real>>& motion, double rest,
+           Real& time, Differences<MovingVector<Real, 0>>& now)
+{
+    double length = proof.length;
+    for (double less = a_little_less; length > shortest * proof.length; length *= less, less = 0.5) {
+        const Real end = length >= rest ? Real(1.0) : time + Real(length);
+        const auto then = at(motion, end);
+        if (!holds<Real, Differences>(proof, now, then))
+            continue;
+        const bool moved = time < end;
+        time = end;
+        now = then;
+        return moved;
+    }
+    return false;
+}
+
+/// First contact from `time` on, by a chain of proofs: take the proof that is likely to hold longest, and go to its end. What no
+/// proof excludes there is open; where the height changes its sign within the polygon, it is a touch.
+template <class Real, template <class> class Differences>
+Touch<Real> first_touch(const Differences<MovingDifference<Real>>& motion, Real time)
+{
+    const Differences<Vec3> speed = rates(motion);
+    auto now = at(motion, time);
+    for (int n = 0; n < most_proofs; ++n) {
+        const double rest = left_of_step(time);
+        const Certificate proof = Instant<Real, Differences>{motion, now, speed, rest}.longest();
+        if (proof.kind == Certificate::Kind::none || !go_on(proof, motion, rest, time, now))
+            return {Verdict::open, time};
+        if (!(time < Real(1.0)))
+            return {Verdict::apart, time};
+        if (proof.kind == Certificate::Kind::height && left_of_step(time) > time_of_impact_slack &&
+            height(at(motion, time + Real(time_of_impact_slack))).sign(0) == -proof.sign &&
+            within_sides<Real, Differences>(now, time_of_impact_slack) > 0)
+            return {Verdict::touch, time};
+    }
+    return {Verdict::open, time};
 }
 //! [search]
-
-/// First contact in [start, 1], in terms of that interval.
-template <template <class> class Differences, class Real>
-Touch search(const Differences<Real>& differences, double start)
-{
-    auto directions = separating_directions(differences);
-    if (start > 0)
-        directions = part(directions, start, 1.0);
-    int steps_left = Precision<Real>::budget;
-    return first_touch(directions, Span{}, steps_left);
-}
 
 }  // namespace enduring::certified
