@@ -127,6 +127,11 @@ public:
         positions_t1_ = positions_t0_;
     }
 
+    /// The step ends for its vertices where it began; velocities stay.
+    void stand_still() { positions_t1_ = positions_t0_; }
+    /// Between steps: a rigid body is at rest from now on. A soft one keeps its velocities, by which its elements go on.
+    virtual void stop() {}
+
     /// Brings inner forces to where the step ends as it is predicted: contact is answered there.
     /// @return  the imbalance that is left [1]
     virtual double settle(double /*dt*/) { return 0; }
@@ -148,6 +153,14 @@ public:
     virtual Vec3 acceleration(int /*vertex*/, const Vec3& gravity) const
     {
         return is_static() ? Vec3(Vec3::Zero()) : gravity_on(gravity);
+    }
+    /// Where its surface vertices are without given motion: that of a driven body as it was placed [m].
+    virtual std::span<const Vec3> placed() const { return positions_t0_; }
+    /// From now on its surface for contact is another one, with the same faces; mass and motion stay.
+    /// @param vertices  where those of placed() are to be [m]
+    virtual void take_contact_surface(const std::vector<Vec3>& vertices)
+    {
+        positions_t0_ = positions_t1_ = vertices;
     }
     /// Writes or reads all that the next step depends on. It is asked between steps: what was predicted is not kept.
     virtual void visit_state(StateArchive& archive) { archive(positions_t0_); }

@@ -3,10 +3,10 @@
 namespace enduring {
 namespace {
 
-ContactGeometry plane_geometry(const Plane& plane, const Vec3& p)
+ContactGeometry plane_geometry(const Plane& plane, const Vec3& p, double gap)
 {
-    const double depth = plane.normal.dot(p - plane.point);
-    return {p, p - depth * plane.normal, plane.normal, depth};
+    const double height = plane.normal.dot(p - plane.point);
+    return {p, p - height * plane.normal, plane.normal, height - gap};
 }
 
 /// Unit vector, or zero when the features are parallel or degenerate and no direction is better than another.
@@ -38,6 +38,39 @@ PairInstant instant(const Contact& contact, const PairVertices& x)
                                                     : edge_edge_instant(x, contact.orientation);
 }
 
+/// Along and across the mean of two sides, and their normal; none where they have no plane.
+std::optional<Mat3> axes_of(const PairInstant& pair)
+{
+    const Vec3 one = pair.side_1.stableNormalized(), other = pair.side_2.stableNormalized();
+    const Vec3 normal = one.cross(other).stableNormalized(), along = (one + other).stableNormalized();
+    if (normal.isZero(0) || along.isZero(0))
+        return std::nullopt;
+    Mat3 axes;
+    axes << along, normal, along.cross(normal);
+    return axes;
+}
+
+//! [turned_normal]
+/// The normal of the start, turned with the pair's features.
+Vec3 turned_normal(const Contact& contact, const PairVertices& t0, const PairVertices& x)
+{
+    const auto from = axes_of(instant(contact, t0)), to = axes_of(instant(contact, x));
+    return from && to ? Vec3(*to * (from->transpose() * contact.normal_t0)) : contact.normal_t0;
+}
+//! [turned_normal]
+
+Vec3 normal_at(const World& world, const Contact& contact, const PairVertices& x, double tau)
+{
+    if (contact.normal_t0.isZero(0))
+        return unit_or_zero(normal_direction(contact, x));
+    if (tau == 0)
+        return contact.normal_t0;
+    PairVertices t0;
+    for (std::size_t i = 0; i < 4; ++i)
+        t0[i] = contact_vertex(world, contact, static_cast<int>(i), 0);
+    return turned_normal(contact, t0, x);
+}
+
 }  // namespace
 
 Vec3 contact_vertex(const World& world, const Contact& contact, int i, double tau)
@@ -48,7 +81,8 @@ Vec3 contact_vertex(const World& world, const Contact& contact, int i, double ta
 ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau)
 {
     if (contact.kind == ContactKind::vertex_plane)
-        return plane_geometry(world.planes[contact.body_b], contact_vertex(world, contact, 0, tau));
+        return plane_geometry(world.planes[contact.body_b], contact_vertex(world, contact, 0, tau),
+                              contact.gap);
 
     std::array<Vec3, 4> x;
     ContactGeometry geometry;
@@ -59,8 +93,8 @@ ContactGeometry contact_geometry(const World& world, const Contact& contact, dou
         else
             geometry.q -= contact.weights[i] * x[i];
     }
-    geometry.normal = unit_or_zero(normal_direction(contact, x));
-    geometry.depth = geometry.normal.dot(geometry.p - geometry.q);
+    geometry.normal = normal_at(world, contact, x, tau);
+    geometry.depth = geometry.normal.dot(geometry.p - geometry.q) - contact.gap;
     return geometry;
 }
 
@@ -76,7 +110,10 @@ PairStep pair_step(const World& world, const Contact& contact)
         t0[i] = body.positions_t0()[vertex];
         t1[i] = body.positions_t1()[vertex];
     }
-    return {instant(contact, t0), instant(contact, t1)};
+    PairStep step{instant(contact, t0), instant(contact, t1)};
+    if (!contact.normal_t0.isZero(0))
+        step.plane_normal = contact.normal_t0;
+    return step;
 }
 
 double pair_stiffness(const World& world, const Contact& contact, double of_all_pairs)

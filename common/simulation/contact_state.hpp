@@ -26,10 +26,12 @@ inline void visit_state(StateArchive& archive, Contact& contact)
     archive(contact.load);
     archive(contact.outward);
     archive(contact.sliding_normal);
+    archive(contact.normal_t0);
+    archive(contact.gap);
     archive.whole(contact.category);
     archive.whole(contact.state);
     archive.whole(contact.resolved);
-    static_assert(sizeof(Contact) == 232, "a field that is new in Contact has its line here, too");
+    static_assert(sizeof(Contact) == 264, "a field that is new in Contact has its line here, too");
 }
 
 }  // namespace enduring

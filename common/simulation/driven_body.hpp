@@ -26,6 +26,13 @@ public:
     double turning_speed() const override { return motion_.at(time_).angular_velocity.norm(); }
     Mat3 inverse_mass(int) const override { return Mat3::Zero(); }
 
+    std::span<const Vec3> placed() const override { return placed_; }
+    void take_contact_surface(const std::vector<Vec3>& vertices) override
+    {
+        placed_ = vertices;
+        place(time_, positions_t0_);
+        positions_t1_ = positions_t0_;
+    }
     bool is_driven() const override { return true; }
     bool is_static() const override { return true; }
     double mass() const override { return 0; }

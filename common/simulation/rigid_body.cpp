@@ -224,6 +224,15 @@ void RigidBody::visit_state(StateArchive& archive)
         motion_.take(state);
 }
 
+void RigidBody::stop()
+{
+    RigidMotion::State state = motion_.state();
+    state.velocity.setZero();
+    state.angular_velocity.setZero();
+    state.spin_momentum.setZero();
+    motion_.take(state);
+}
+
 Energy RigidBody::energy(const Vec3& gravity) const
 {
     Energy energy;

@@ -49,6 +49,7 @@ public:
     {
         return Body::is_driven() || !loads_.empty() || !motion_.free_directions().hold_none();
     }
+    void stop() override;
     double pressing_force(double dt) const override;
     double driven_work(double /*dt*/) const override
     {
@@ -59,6 +60,11 @@ public:
     Vec3 acceleration(int vertex, const Vec3& gravity) const override
     {
         return motion_.acceleration_at(start_of(vertex), gravity_on(gravity));
+    }
+    void take_contact_surface(const std::vector<Vec3>& vertices) override
+    {
+        Body::take_contact_surface(vertices);
+        take_body_points();
     }
     void visit_state(StateArchive& archive) override;
 
