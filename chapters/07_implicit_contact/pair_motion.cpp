@@ -54,10 +54,11 @@ void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& ro
 
 void update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row)
 {
-    row.law.normal = normal_of(pair_step(world, contact), step.centre);
+    row.law.normal = contact.normal_t0.isZero(0) ? normal_of(pair_step(world, contact), step.centre)
+                                                 : contact_geometry(world, contact, step.centre).normal;
     const Vec3 start = relative_position(world, contact, &Body::positions_t0),
                end = relative_position(world, contact, &Body::positions_t1);
-    row.law.depth_t0 = row.law.normal.dot(start) - contact.rest_offset;
+    row.law.depth_t0 = row.law.normal.dot(start) - contact.gap - contact.rest_offset;
     row.velocity = (end - start) / step.dt;
     row.acting = contact.impulse + contact.friction;
     if (!contact.sliding_normal.isZero(0))
