@@ -70,6 +70,14 @@ void InsidePairs::trace(const World& world)
         }
 }
 
+std::vector<std::pair<int, int>> InsidePairs::overlapping_bodies() const
+{
+    std::vector<std::pair<int, int>> bodies;
+    for (const BodyOverlaps& overlap : overlaps_)
+        bodies.emplace_back(overlap.a, overlap.b);
+    return bodies;
+}
+
 void InsidePairs::append_pairs(const World& world, double margin, Contacts& contacts)
 {
     direction_of_vertex_.clear();

@@ -29,6 +29,8 @@ class InsidePairs {
 public:
     /// Finds where bodies overlap at the start of the step.
     void trace(const World& world);
+    /// Those that trace() found, each two ascending.
+    std::vector<std::pair<int, int>> overlapping_bodies() const;
     /// A pair for each vertex in a traced overlap that has none in the list, and for edges that cross on its border.
     /// @param margin  that of the search, see append_crossing_edges() [m]
     void append_pairs(const World& world, double margin, Contacts& contacts);
