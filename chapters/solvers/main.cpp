@@ -1,4 +1,4 @@
-#include "chapters/08_contact_by_distance/solver.hpp"
+#include "chapters/contact_by_distance/distance_solver.hpp"
 #include "chapters/solvers/chapter_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/experiments/own_scene/own_scene.hpp"

@@ -1,4 +1,4 @@
-#include "chapters/08_contact_by_distance/tests/small_world.hpp"
+#include "chapters/contact_by_distance/tests/small_world.hpp"
 
 #include <doctest/doctest.h>
 

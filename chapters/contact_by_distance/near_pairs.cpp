@@ -1,7 +1,7 @@
-#include "chapters/08_contact_by_distance/near_pairs.hpp"
+#include "chapters/contact_by_distance/near_pairs.hpp"
 
-#include "chapters/08_contact_by_distance/distance_parts.hpp"
 #include "chapters/08_speculative_contacts/feature_cones.hpp"
+#include "chapters/contact_by_distance/distance_parts.hpp"
 #include "common/geometry/closest_points.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "chapters/08_contact_by_distance/solver.hpp"
+#include "chapters/contact_by_distance/distance_solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/geometry/winding_number.hpp"

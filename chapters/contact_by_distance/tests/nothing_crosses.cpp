@@ -1,4 +1,4 @@
-#include "chapters/08_contact_by_distance/tests/random_scenes.hpp"
+#include "chapters/contact_by_distance/tests/random_scenes.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
-#include "chapters/08_contact_by_distance/crossings.hpp"
+#include "chapters/contact_by_distance/crossings.hpp"
 
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/impact_weights.hpp"
 #include "chapters/05_categorisation/normal_span.hpp"
-#include "chapters/08_contact_by_distance/distance_parts.hpp"
+#include "chapters/contact_by_distance/distance_parts.hpp"
 #include "common/geometry/closest_points.hpp"
 #include "common/simulation/contact_geometry.hpp"
 

@@ -1,7 +1,7 @@
-#include "chapters/08_contact_by_distance/skin.hpp"
+#include "chapters/contact_by_distance/skin.hpp"
 
-#include "chapters/08_contact_by_distance/distance_parts.hpp"
-#include "chapters/08_contact_by_distance/own_directions.hpp"
+#include "chapters/contact_by_distance/distance_parts.hpp"
+#include "chapters/contact_by_distance/own_directions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "chapters/02_collision_detection/broad_phase.hpp"
 #include "chapters/02_collision_detection/certified.hpp"
-#include "chapters/08_contact_by_distance/distance_parts.hpp"
-#include "chapters/08_contact_by_distance/skin.hpp"
+#include "chapters/contact_by_distance/distance_parts.hpp"
+#include "chapters/contact_by_distance/skin.hpp"
 
 #include <Eigen/Eigenvalues>
 

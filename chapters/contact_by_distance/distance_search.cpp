@@ -1,9 +1,9 @@
-#include "chapters/08_contact_by_distance/distance_search.hpp"
+#include "chapters/contact_by_distance/distance_search.hpp"
 
-#include "chapters/08_contact_by_distance/distance_parts.hpp"
 #include "chapters/08_speculative_contacts/contact_search.hpp"
 #include "chapters/08_speculative_contacts/sliding_normal.hpp"
 #include "chapters/10_self_contact/self_search.hpp"
+#include "chapters/contact_by_distance/distance_parts.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chapters/02_collision_detection/edge_triangle.hpp"
-#include "chapters/08_contact_by_distance/tests/small_world.hpp"
+#include "chapters/contact_by_distance/tests/small_world.hpp"
 
 #include <random>
 

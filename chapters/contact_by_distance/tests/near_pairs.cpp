@@ -1,5 +1,5 @@
-#include "chapters/08_contact_by_distance/near_pairs.hpp"
-#include "chapters/08_contact_by_distance/tests/small_world.hpp"
+#include "chapters/contact_by_distance/near_pairs.hpp"
+#include "chapters/contact_by_distance/tests/small_world.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <doctest/doctest.h>

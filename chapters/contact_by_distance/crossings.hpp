@@ -1,6 +1,6 @@
 #pragma once
 
-#include "chapters/08_contact_by_distance/near_pairs.hpp"
+#include "chapters/contact_by_distance/near_pairs.hpp"
 
 namespace enduring {
 

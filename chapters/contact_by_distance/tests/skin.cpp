@@ -1,4 +1,4 @@
-#include "chapters/08_contact_by_distance/skin.hpp"
+#include "chapters/contact_by_distance/skin.hpp"
 #include "chapters/02_collision_detection/certified.hpp"
 #include "chapters/02_collision_detection/surface_step.hpp"
 #include "common/geometry/box_shapes.hpp"

@@ -1,8 +1,8 @@
-#include "chapters/08_contact_by_distance/solver.hpp"
+#include "chapters/contact_by_distance/distance_solver.hpp"
 
-#include "chapters/08_contact_by_distance/distance_parts.hpp"
-#include "chapters/08_contact_by_distance/distance_search.hpp"
 #include "chapters/08_speculative_contacts/contact_memory.hpp"
+#include "chapters/contact_by_distance/distance_parts.hpp"
+#include "chapters/contact_by_distance/distance_search.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>

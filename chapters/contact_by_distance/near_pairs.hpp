@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chapters/02_collision_detection/candidate_search.hpp"
-#include "chapters/08_contact_by_distance/own_directions.hpp"
+#include "chapters/contact_by_distance/own_directions.hpp"
 
 #include <functional>
 #include <map>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "chapters/08_contact_by_distance/crossings.hpp"
-#include "chapters/08_contact_by_distance/skin.hpp"
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
+#include "chapters/contact_by_distance/crossings.hpp"
+#include "chapters/contact_by_distance/skin.hpp"
 
 #include <set>
 
