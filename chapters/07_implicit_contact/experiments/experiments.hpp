@@ -14,6 +14,7 @@ void slope(const RunOptions& options, Report& report);
 void soft_at_rest(const RunOptions& options, Report& report);
 void defeated(const RunOptions& options, Report& report);
 void free_collision(const RunOptions& options, Report& report);
+void levers(const RunOptions& options, Report& report);
 void determinism(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter07
