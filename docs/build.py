@@ -62,9 +62,9 @@ def leftovers(book):
         for place in set(re.findall(r'(?:src|href)="(figures/[^"]+)"', text)):
             if not (book / place).is_file():
                 yield f"{page.name}: {place} is missing"
-        body = re.sub(r"<(code|pre)\b.*?</\1>", "", text, flags=re.S)
+        body = re.sub(r'(?s:<(code|pre)\b.*?</\1>|\\\(.*?\\\)|\\\[.*?\\\])|<div class="line">.*', "", text)
         yield from (f"{page.name}: left in the text: {found}"
-                    for found in re.findall(r"@(?:fact|figure|table|figref|tabref|test|concordance)\{[^}]*\}|\\f[$\[].{0,40}", body))
+                    for found in re.findall(r"@(?:fact|figure|table|figref|tabref|test|concordance)\{[^}]*\}|\\f[$\[].{0,40}|\*\*.{0,40}", body))
 
 
 def keep_together(book):

@@ -9,12 +9,18 @@ import re
 MATH = re.compile(r"\$`(?P<fenced>[^`\n]+)`\$|(?P<code>(?P<ticks>`+)(?!`).+?(?<!`)(?P=ticks)(?!`))"
                   r"|\$\$(?P<alone>(?:[^$\n]|\n(?!\s*\n))+)\$\$|\$(?P<bare>[^$`\n]+)\$")
 EATEN = re.compile(r"\\[^A-Za-z0-9\s]|(?<![A-Za-z0-9'])_|\*|<[A-Za-z/!]|\]\(")
+BOLD = re.compile(r"(?P<code>(?P<ticks>`+)(?!`).+?(?<!`)(?P=ticks)(?!`))|\*\*(?=\S)(?P<bold>(?:(?!\*\*|\n\s*\n).)+?)(?<=\S)\*\*", re.S)
 FENCE = re.compile(r"\s*(```+|~~~+)\s*(\w*)")
 
 
 def for_doxygen(text):
     """A page's text with its formulas as Doxygen reads them, line by line; code is left as it is."""
-    return "\n".join(_fenced(kind, part) if kind is not None else MATH.sub(_of_doxygen, part) for kind, part in _parts(text))
+    return "\n".join(_fenced(kind, part) if kind is not None else BOLD.sub(_bold, MATH.sub(_of_doxygen, part)) for kind, part in _parts(text))
+
+
+def _bold(match):
+    """Doxygen leaves the stars of bold words with a formula or a command among them."""
+    return f"<b>{match['bold']}</b>" if match["bold"] and re.search(r"\\f\$|\\ref|@\w+\{", match["bold"]) else match[0]
 
 
 def _parts(text):

@@ -1,6 +1,7 @@
 """Measured numbers in a page: `42<!--damping.kept_percent-->`.
 
-A reader of the repository sees the 42, what the last full run measured. The book takes the number of its own run, whatever stands there.
+A reader of the repository sees the 42, what the last full run measured. A book of a full run takes the number of its own run, whatever stands
+there; a book of a quick run, whose experiments are small, shows the 42.
 Of a few words the first is marked: `<!---->48 soft elements<!--bar.elements-->`.
 """
 import math
@@ -16,9 +17,13 @@ TOLD, REFUSED = 1.1, 10.0  # how many times one number is the other
 ROUNDING = 1e-9            # numbers below it are rounding errors, which are another machine's own
 
 
-def woven(text, fact):
-    """The text with the numbers of this run. @param fact  gives the text of a fact by its name"""
-    return NUMBER.sub(lambda match: fact(match["name"]), text)
+def woven(text, fact, as_written=False):
+    """The text with the numbers of this run, or as_written with those that stand in it, without their marks.
+    @param fact  gives the text of a fact by its name, and throws where no run left it"""
+    def shown(match):
+        measured = fact(match["name"])
+        return (match["words"] or match["word"]) if as_written else measured
+    return NUMBER.sub(shown, text)
 
 
 def number(text):

@@ -26,8 +26,8 @@ import sentences
 import teaching
 from concordance import KINDS, Concordance, heading_of
 
-QUICK_NOTE = "\\note The numbers, tables and figures of this copy come from a quick run, of a small version of each experiment; `./course docs --full` makes the others."
-
+# Behind the number of a figure or table whose experiment ran in its small version. Sentences have the numbers of the full run in any case.
+QUICK_MARK = '<span class="quick" title="./course docs --full makes the other">small version, of a quick run</span>'
 
 LONG_TABLE = 30  # rows; more are folded: the text says what they come to
 
@@ -42,6 +42,7 @@ class Figure:
     anchor: str
     source: Path
     place: str  # in the finished book
+    kept: bool = False  # in the repository: no run made it
 
 
 @dataclass
@@ -166,14 +167,15 @@ def number_figures(page, results):
         match = FIGURE.match(line) or LIVE.match(line)
         if match:
             picture = match[2] if match.re is LIVE else match[1]
+            kept = drawn_by_hand(picture)
             try:
-                source = drawn_by_hand(picture) or results.file(page, "figure", picture)
+                source = kept or results.file(page, "figure", picture)
             except Mistake as mistake:
                 yield f"{page.path}:{line_number}: {mistake}"
                 continue
             number = ".".join(filter(None, [page.number, str(len(page.figures) + 1)]))
             page.figures[match[1]] = Figure(number, f"fig_{page.label}_{re.sub(r'[^a-zA-Z0-9]', '_', match[1])}", source,
-                                            f"figures/{source.parent.name}/{source.name}")
+                                            f"figures/{source.parent.name}/{source.name}", kept is not None)
         match = TABLE.match(line)
         if match and match[2]:
             page.tables[match[1]] = (".".join(filter(None, [page.number, str(len(page.tables) + 1)])),
@@ -186,26 +188,27 @@ def plain_words(caption):
     return html.escape(re.sub(r"\\f\$|[*`_]|@\w+\{.*?\}", "", caption))
 
 
-def with_caption(figure, shown, caption):
-    return f'<div class="figure">\n\\anchor {figure.anchor}\n{shown}\n<div class="caption"><b>Figure {figure.number}.</b> {caption}</div>\n</div>'
+def with_caption(figure, shown, caption, quick):
+    mark = f" {QUICK_MARK}" if quick and not figure.kept else ""
+    return f'<div class="figure">\n\\anchor {figure.anchor}\n{shown}\n<div class="caption"><b>Figure {figure.number}.</b>{mark} {caption}</div>\n</div>'
 
 
-def figure_block(figure, caption):
+def figure_block(figure, caption, quick):
     plain = plain_words(caption)
     if figure.place.endswith(".mp4"):
         shown = f'<video src="{figure.place}" autoplay loop muted controls playsinline aria-label="{plain}"></video>'
     else:
         shown = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain}" loading="lazy"></a>'
-    return with_caption(figure, f"\\htmlonly{shown}\\endhtmlonly", caption)
+    return with_caption(figure, f"\\htmlonly{shown}\\endhtmlonly", caption, quick)
 
 
-def live_block(figure, name, caption, live):
+def live_block(figure, name, caption, live, quick):
     """A picture that a script replaces where the chapters were compiled for the browser."""
     picture = f'<a href="{figure.place}"><img src="{figure.place}" alt="{plain_words(caption)}"></a>'
     scripts = "".join(f'<script src="live/{script}.js"></script>' for script in ("live", "figure", "turning", name)) if live else ""
     note = "" if live else '<p class="live-note">In the live book this figure answers to your hand: <code>./course docs --live</code></p>'
     shown = f'<div class="live" data-figure="{name}"{" data-live=" + chr(34) + name + chr(34) if live else ""}>{picture}</div>{note}{scripts}'
-    return with_caption(figure, f"\\htmlonly[block]\n{shown}\n\\endhtmlonly", caption)
+    return with_caption(figure, f"\\htmlonly[block]\n{shown}\n\\endhtmlonly", caption, quick and not live)
 
 
 def lab_block(live):
@@ -214,15 +217,16 @@ def lab_block(live):
     return f"\\htmlonly[block]\n{told}\n\\endhtmlonly"
 
 
-def table_block(page, name, caption, results):
+def table_block(page, name, caption, results, quick):
     rows = results.file(page, "table", name + ".md").read_text(encoding="utf-8").strip()
     box = '<div class="data wide">' if rows.splitlines()[0].count("|") > 9 else '<div class="data">'
     if (length := len(rows.splitlines()) - 2) > LONG_TABLE:
         rows = f"{exercise_pages.opened(f'All {length} rows')}\n\n{rows}\n\n{exercise_pages.CLOSED}"
+    mark = f" {QUICK_MARK}" if quick else ""
     if not caption:
-        return f'{box}\n\n{rows}\n\n</div>'
+        return f'{box}\n\n{rows}\n\n{mark}</div>'
     number, anchor = page.tables[name]
-    return (f'{box}\n\\anchor {anchor}\n<div class="caption"><b>Table {number}.</b> {caption}</div>\n\n'
+    return (f'{box}\n\\anchor {anchor}\n<div class="caption"><b>Table {number}.</b>{mark} {caption}</div>\n\n'
             f'{rows}\n\n</div>')
 
 
@@ -280,8 +284,8 @@ def test_names(root):
 
 # ------------------------------------------------------------------------------------------------------------ weaving
 class Weaver:
-    def __init__(self, root, pages, results, live=False):
-        self.live = live
+    def __init__(self, root, pages, results, live=False, quick=False):
+        self.live, self.quick = live, quick
         self.root, self.pages, self.results, self.tests = root, pages, results, test_names(root)
         self.chapters = [page for page in pages if page.folder]
         self.concordance, self.by_label = Concordance(root), {page.label: page for page in pages}
@@ -302,7 +306,8 @@ class Weaver:
         return f'<code class="test" title="fails: {html.escape(fails)}">{name}</code>'
 
     def numbers(self, page, text):
-        return measured.woven(text, lambda name: self.results.fact(page, name))
+        """Sentences are about the full run: where a quick one made the results, the numbers that stand in the source are those."""
+        return measured.woven(text, lambda name: self.results.fact(page, name), as_written=self.quick)
 
     def inline(self, page, text):
         """Measured numbers and references, everywhere but in `code`."""
@@ -322,12 +327,12 @@ class Weaver:
 
     def line(self, page, line):
         if match := FIGURE.match(line):
-            return figure_block(page.figures[match[1]], self.inline(page, match[2])) if match[1] in page.figures else ""
+            return figure_block(page.figures[match[1]], self.inline(page, match[2]), self.quick) if match[1] in page.figures else ""
         if match := LIVE.match(line):
             caption = self.inline(page, match[3])
-            return live_block(page.figures[match[1]], match[1], caption, self.live) if match[1] in page.figures else ""
+            return live_block(page.figures[match[1]], match[1], caption, self.live, self.quick) if match[1] in page.figures else ""
         if match := TABLE.match(line):
-            return table_block(page, match[1], self.inline(page, match[2] or ""), self.results)
+            return table_block(page, match[1], self.inline(page, match[2] or ""), self.results, self.quick)
         if match := re.match(r"^@pages\{(\w+)\}\s*$", line):
             return link_block(self, match[1])
         if line.startswith("@local{"):
@@ -354,7 +359,7 @@ class Weaver:
             return listing_block(self.root, page, *match.groups())
         return self.inline(page, line)
 
-    def page(self, page, quick):
+    def page(self, page):
         """The page's Markdown for Doxygen, and what is wrong with it."""
         woven, mistakes = dict(enumerate(page.lines, start=page.first_line)), []
         for number, line in prose(page):
@@ -365,8 +370,7 @@ class Weaver:
         body = "\n".join(woven.values())
         head = f"# {page.title} {{#{page.label}}}\n"
         contents = "" if page.label == "mainpage" or "[TOC]" in body else "\n[TOC]\n"
-        note = f"\n{QUICK_NOTE}\n" if quick and (page.folder or page.label == "mainpage") else ""
-        return "\n".join([head + contents + note, body, self.neighbours(page)]), mistakes
+        return "\n".join([head + contents, body, self.neighbours(page)]), mistakes
 
     def neighbours(self, page):
         chapters = [other for other in self.pages if other.folder]
@@ -426,7 +430,7 @@ def weave(root, results_root, out, quick, live=False):
     pages = all_pages(root)
     mistakes = [mistake for page in pages for mistake in number_figures(page, results)]
     mistakes += [fault for page in pages for fault in page.faults]
-    weaver, texts = Weaver(root, pages, results, live), {}
+    weaver, texts = Weaver(root, pages, results, live, quick), {}
     mistakes += unlisted_errata(root, weaver.tests)
     mistakes += weaver.orphans
     mistakes += what_nothing_explains(root, pages)
@@ -435,7 +439,7 @@ def weave(root, results_root, out, quick, live=False):
     mistakes += wrong
     print("".join(f"{note}\n" for note in notes).replace(f"{root}/", ""), end="", file=sys.stderr)
     for page in pages:
-        texts[page.label], found = weaver.page(page, quick)
+        texts[page.label], found = weaver.page(page)
         mistakes += found
     if mistakes:
         return mistakes
@@ -458,7 +462,7 @@ def main():
     parser.add_argument("--root", type=Path, default=root, help="the repository")
     parser.add_argument("--results", type=Path, default=root / "build/results", help="what the run left")
     parser.add_argument("--out", type=Path, default=root / "build/docs", help="where pages/ and figures/ go")
-    parser.add_argument("--quick", action="store_true", help="say on each page that the run was a quick one")
+    parser.add_argument("--quick", action="store_true", help="the run was a quick one: sentences keep the numbers written in them, and tables and figures are marked")
     parser.add_argument("--programs", type=Path, help="where the chapters' programs are: results of others are refused")
     parser.add_argument("--renew", action="store_true", help="write the measured numbers into the pages' sources, and weave nothing")
     parser.add_argument("--live", action="store_true", help="with figures that move: live/ stands beside the pages")

@@ -2,9 +2,11 @@
 import sys
 import tempfile
 import unittest
+from unittest import mock
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import build  # noqa: E402
 import changes  # noqa: E402
 import checks  # noqa: E402
 import teaching  # noqa: E402
@@ -159,6 +161,21 @@ class Teaching(InAFolder):
             self.plan('"How?" = 10')
         with self.assertRaisesRegex(teaching.TeachingError, "there is no section 'How"):
             self.plan('"Why?" = 10\n"How?" = 10')
+
+
+class Leftovers(InAFolder):
+    def left(self, body):
+        for name in ("pages/page.md", "page.html"):
+            self.write(name, body)
+        with mock.patch.object(build, "WORK", self.root):
+            return list(build.leftovers(self.root))
+
+    def test_marks_that_nothing_has_read_are_told(self):
+        for mark in ("**", "\\f$", "@figure{drop.svg}"):
+            self.assertEqual(len(self.left(f"<p>It is {mark} here</p>")), 1, mark)
+
+    def test_code_and_formulas_may_hold_stars(self):
+        self.assertEqual(self.left('<code>x**2</code>\n<div class="line">char **argv</div>\n\\(a^{**}\\)\n'), [])
 
 
 if __name__ == "__main__":

@@ -122,9 +122,19 @@ class WhatArrives(unittest.TestCase):
         book.write("chapters/01_drop/tests/wrong/upside_down.patch", "It falls up.\nfails: drop: another\n\ndiff\n")
         self.assertIn("no test is called 'drop: another'", book.weave().stderr)
 
-    def test_a_quick_run_is_said(self):
-        self.assertIn("quick run", self.woven("Why?", "--quick"))
-        self.assertNotIn("quick run", self.woven("Why?"))
+    def test_a_quick_run_marks_its_figures_and_tables_alone(self):
+        text = "@figref{drop.svg}, @tabref{steps}\n\n@figure{drop.svg, Up}\n\n@table{steps, Steps}\n\n@table{steps}\n"
+        self.assertEqual(self.woven(text, "--quick").count("quick run"), 3)
+        self.assertNotIn("quick run", self.woven(text))
+        self.assertNotIn("quick run", self.woven("Why?", "--quick"))
+
+    def test_a_sentence_of_a_quick_run_keeps_the_number_of_the_full_one(self):
+        self.assertIn("It falls 7 m.", self.woven("It falls <!---->7 m<!--drop.height-->.", "--quick"))
+        self.assertEqual(Book("# The drop\n7<!--drop.depth-->").weave("--quick").returncode, 2)
+
+    def test_bold_words_may_hold_a_formula(self):
+        page = self.woven("It is **stable for every $k$**, **always**; `**p $k$**`.")
+        self.assertIn("<b>stable for every \\f$k\\f$</b>, **always**; `**p $k$**`", page)
 
     def test_the_main_page_asks_what_the_chapter_asks(self):
         book = Book("# The drop\n\nHow deep does\nit fall? Far.\n")
