@@ -1,7 +1,7 @@
 # Where results lie, and whose they are. Read by `course`.
 # shellcheck shell=bash disable=SC2154  # quick is set in course
 #   .runs           of all folders: ninja's graph of the last run, its stamps, logs and seconds (cmake/run_beside.py)
-#   FOLDER/.made_by the hash of the program that made all of a folder; the book refuses those of another program (docs/checks.py)
+#   FOLDER/.made_by the hash of the program that made all of a folder; the book refuses those of another program (docs/tools/checks.py)
 
 results_root() { # small results never mix with full ones
     if [[ $quick == yes ]]; then echo build/results-quick; else echo build/results; fi

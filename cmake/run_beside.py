@@ -169,7 +169,7 @@ def ninja(plan, which, edges, jobs):
 
 
 def stamp_folders(plan, wanted):
-    """Says who made a folder's results, where all of them are of one program: the book takes no others (docs/checks.py)."""
+    """Says who made a folder's results, where all of them are of one program: the book takes no others (docs/tools/checks.py)."""
     for folder in wanted:
         cause = plan["edges"][f"cause/{folder}"]
         out, program = Path(plan["runs"]).parent / folder, Path(cause["program"])

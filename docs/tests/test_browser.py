@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-TEST = Path(__file__).resolve().parents[1] / "browser_test.py"
+TEST = Path(__file__).resolve().parents[1] / "tools/browser_test.py"
 PYTHON = "/usr/bin/python3"  # Debian's, which has Debian's selenium
 GOOD = """<!DOCTYPE html><html lang="en"><head><meta name="viewport" content="width=device-width, initial-scale=1"></head>
 <body style="background: #fff; color: #000"><p>%s</p></body></html>"""

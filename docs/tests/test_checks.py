@@ -5,7 +5,7 @@ import unittest
 from unittest import mock
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
 import build  # noqa: E402
 import changes  # noqa: E402
 import checks  # noqa: E402

@@ -10,7 +10,7 @@ from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(os.environ.get("ENDURING_BUILD", ROOT / "build/release")) / "bin"
-sys.path[:0] = [str(ROOT / "docs"), str(ROOT / "exercises")]
+sys.path[:0] = [str(ROOT / "docs/tools"), str(ROOT / "exercises")]
 import checks  # noqa: E402
 import course_exercises  # noqa: E402
 import editor  # noqa: E402

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-SCRIPT = Path(__file__).resolve().parents[1] / "compare_results.py"
+SCRIPT = Path(__file__).resolve().parents[1] / "tools/compare_results.py"
 
 
 class CompareResults(unittest.TestCase):

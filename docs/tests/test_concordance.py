@@ -17,7 +17,7 @@ def book(*entries, numbers=None, chapter=CHAPTER):
     result.write("docs/concordance.md", PAGE)
     manifest = ",\n".join(json.dumps(entry) for entry in entries)
     numbers = json.dumps(numbers or {"equation": ["1.1"], "figure": ["1.1"]})
-    result.write("docs/concordance.json", f'{{"numbers": {numbers},\n"entries": [\n{manifest}\n]}}\n')
+    result.write("docs/tools/concordance.json", f'{{"numbers": {numbers},\n"entries": [\n{manifest}\n]}}\n')
     return result
 
 
@@ -61,7 +61,7 @@ class WhatStopsTheBook(unittest.TestCase):
         return {key: value for key, value in BOUND.items() if key != part}
 
     def test_a_number_that_no_entry_binds(self):
-        self.refused("docs/concordance.json:1: equation 1.2 is bound to nothing", BOUND, DRAWING,
+        self.refused("docs/tools/concordance.json:1: equation 1.2 is bound to nothing", BOUND, DRAWING,
                      numbers={"equation": ["1.1-1.2"], "figure": ["1.1"]})
 
     def test_a_number_that_the_thesis_does_not_have(self):
@@ -71,7 +71,7 @@ class WhatStopsTheBook(unittest.TestCase):
         self.refused("equation 1.1 is bound 2 times", BOUND, BOUND, DRAWING)
 
     def test_an_entry_without_a_function(self):
-        self.refused("docs/concordance.json:3: equation 1.1: no function, and no reason why not", self.without("function"), DRAWING)
+        self.refused("docs/tools/concordance.json:3: equation 1.1: no function, and no reason why not", self.without("function"), DRAWING)
 
     def test_an_entry_without_a_test(self):
         self.refused("no test, and no reason why not", self.without("test"), DRAWING)
@@ -92,7 +92,7 @@ class WhatStopsTheBook(unittest.TestCase):
         self.refused("chapters/01_drop/depth.hpp has no 'metres'", dict(BOUND, function="chapters/01_drop/depth.hpp metres"), DRAWING)
 
     def test_the_name_of_no_test(self):
-        self.refused("docs/concordance.json:3: equation 1.1: no test is called 'drop: v < 1'", dict(BOUND, test=["drop: v < 1"]), DRAWING)
+        self.refused("docs/tools/concordance.json:3: equation 1.1: no test is called 'drop: v < 1'", dict(BOUND, test=["drop: v < 1"]), DRAWING)
 
     def test_a_page_that_does_not_exist(self):
         self.refused("no page has the label 'chapter_07'", dict(BOUND, paragraph="chapter_07: How deep?"), DRAWING)
@@ -105,10 +105,10 @@ class WhatStopsTheBook(unittest.TestCase):
 
     def test_a_manifest_that_is_not_json(self):
         woven = book(BOUND)
-        woven.write("docs/concordance.json", "{")
+        woven.write("docs/tools/concordance.json", "{")
         done = woven.weave()
         self.assertEqual(done.returncode, 2)
-        self.assertIn("docs/concordance.json:1: cannot be read", done.stderr)
+        self.assertIn("docs/tools/concordance.json:1: cannot be read", done.stderr)
 
     def test_a_page_that_shows_a_kind_there_is_not(self):
         woven = book(BOUND, DRAWING)

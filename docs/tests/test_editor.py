@@ -12,7 +12,7 @@ from pathlib import Path
 from unittest import mock
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "docs")]
+sys.path[:0] = [str(ROOT / "docs/tools")]
 import editor  # noqa: E402
 import student  # noqa: E402
 from judge import Failure, Outcome  # noqa: E402

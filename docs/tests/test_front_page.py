@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "docs"))
+sys.path.insert(0, str(ROOT / "docs/tools"))
 import front_page  # noqa: E402
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -43,7 +43,7 @@ class FrontPage(unittest.TestCase):
             small, made = front_page.pixels(front_page.thumbnail_of(chapter)), front_page.pixels(*front_page.source_of(chapter))
             self.assertEqual(len(small), 3 * front_page.WIDTH * front_page.HEIGHT, chapter)
             off = sum(abs(a - b) for a, b in zip(small, made)) / len(made)
-            self.assertLess(off, 2, f"{chapter}: `python3 docs/front_page.py` makes it anew")
+            self.assertLess(off, 2, f"{chapter}: `python3 docs/tools/front_page.py` makes it anew")
 
     def test_the_film_takes_ten_seconds_and_less_than_two_megabytes(self):
         film = ROOT / "renders/09_deep_contacts/film.webp"

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "docs")]
+sys.path[:0] = [str(ROOT / "docs/tools")]
 import npm  # noqa: E402
 
 PROGRAM = Path(os.environ.get("ENDURING_BUILD", ROOT / "build/release")) / "bin/chapter10"
@@ -42,7 +42,7 @@ class Gltf(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_the_validator_finds_no_error_and_no_warning(self):
-        if not (shutil.which("node") and npm.installed(ROOT / "docs/gltf", WORK)):
+        if not (shutil.which("node") and npm.installed(ROOT / "docs/tools/npm/gltf", WORK)):
             self.skipTest("needs node and npm, and for the first time the network")
         done = subprocess.run(["node", "-e", VALIDATE, str(self.file)], env={**os.environ, "NODE_PATH": str(WORK / "node_modules")},
                               capture_output=True, text=True, check=True)

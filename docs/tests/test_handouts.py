@@ -11,7 +11,7 @@ from test_browser import PYTHON, possible
 
 DOCS = Path(__file__).resolve().parents[1]
 BOOK = DOCS.parent / "build/book"
-sys.path.insert(0, str(DOCS))
+sys.path.insert(0, str(DOCS / "tools"))
 import handouts  # noqa: E402
 import weave  # noqa: E402
 
@@ -75,7 +75,7 @@ class Printed(unittest.TestCase):
             mathjax = '<script>window.MathJax = {Hub: {Queue: go => go()}};</script>'
             page.write_text(handouts.handout("", PAGE.replace("rest();", text), SOURCE, PLAN).replace("<body>", f"<body>{mathjax}"), encoding="utf-8")
             done = subprocess.run([PYTHON, "-c", "import sys; sys.path.insert(0, sys.argv[1]); import handouts, pathlib\n"
-                                   "sys.stdout.buffer.write(handouts.printed(pathlib.Path(sys.argv[2]), handouts.FAULTS))", DOCS, page], capture_output=True)
+                                   "sys.stdout.buffer.write(handouts.printed(pathlib.Path(sys.argv[2]), handouts.FAULTS))", DOCS / "tools", page], capture_output=True)
             return len(re.findall(rb"/Type /Page\b", done.stdout)), done.stderr.decode()
 
     def test_a_handout_is_two_pages(self):

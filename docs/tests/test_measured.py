@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
 import measured  # noqa: E402
 
 RUN = {"drop.kept": "50", "drop.error": "3·10⁻⁹", "bar.elements": "48 soft elements", "drop.time_ms": "7", "drop.noise": "9·10⁻¹⁵"}

@@ -9,7 +9,7 @@ from pathlib import Path
 from test_browser import PYTHON, possible
 
 DOCS = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(DOCS))
+sys.path.insert(0, str(DOCS / "tools"))
 import pdf  # noqa: E402
 
 PAGE = """<html><head><link href="book.css" rel="stylesheet"/><script src="navtree.js"></script></head><body>
@@ -63,7 +63,7 @@ class Printed(unittest.TestCase):
             page = Path(folder) / "page.html"
             page.write_text("<script>MathJax = {Hub: {Queue: go => go()}}</script><h1>Drop</h1><h2>Why?</h2>"
                             "<h1 style='break-before: page'>Fall</h1>")
-            script = f"import sys; sys.path.insert(0, {str(DOCS)!r}); import pdf; from pathlib import Path; " \
+            script = f"import sys; sys.path.insert(0, {str(DOCS / 'tools')!r}); import pdf; from pathlib import Path; " \
                      f"Path({folder!r}, 'a.pdf').write_bytes(pdf.printed(Path({str(page)!r})))"
             subprocess.run([PYTHON, "-c", script], check=True)
             text = subprocess.run(["pdftotext", "a.pdf", "-"], cwd=folder, capture_output=True, text=True, check=True).stdout

@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 from types import SimpleNamespace
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
 import sentences  # noqa: E402
 
 STRICT = '[[group]]\npages = "chapters/07_*/chapter.md"\npronouns = 0\nlong = 0\nminds = 0\nhistory = 0\nwords = 30\n'
@@ -20,8 +20,8 @@ class Book(unittest.TestCase):
         self.root = Path(held.name)
 
     def faults(self, text, name=NAME, rules=STRICT):
-        (self.root / "docs").mkdir(exist_ok=True)
-        (self.root / "docs/sentences.toml").write_text(rules)
+        (self.root / "docs/tools").mkdir(parents=True, exist_ok=True)
+        (self.root / "docs/tools/sentences.toml").write_text(rules)
         page = SimpleNamespace(path=self.root / name, lines=text.split("\n"), first_line=2)
         return list(sentences.all_faults(self.root, [page]))
 

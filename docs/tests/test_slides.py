@@ -6,7 +6,7 @@ import unittest
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(DOCS))
+sys.path.insert(0, str(DOCS / "tools"))
 import slides  # noqa: E402
 
 PAGE = r"""<html><head></head><body><div class="header"><div class="title">Chapter 1: A drop </div></div><div class="contents">
@@ -55,7 +55,7 @@ class OfAPage(unittest.TestCase):
 
 class Plans(unittest.TestCase):
     def test_each_section_of_a_plan_is_a_heading_of_its_chapter(self):
-        for name, plan in tomllib.loads((DOCS / "slides/plans.toml").read_text(encoding="utf-8")).items():
+        for name, plan in tomllib.loads((DOCS / "tools/slide_plans.toml").read_text(encoding="utf-8")).items():
             for label, headings in plan.items():
                 if label != "title":
                     page = next((DOCS.parent / "chapters").glob(f"{label[-2:]}_*/chapter.md")).read_text(encoding="utf-8")

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-WEAVE = Path(__file__).resolve().parent.parent / "weave.py"
+WEAVE = Path(__file__).resolve().parents[1] / "tools/weave.py"
 sys.path.insert(0, str(WEAVE.parent))
 
 import weave  # noqa: E402
@@ -183,7 +183,7 @@ class WhatArrives(unittest.TestCase):
 
 class NamesOfTests(unittest.TestCase):
     def test_none_has_a_semicolon_at_which_ctest_would_cut_it_and_then_run_no_test_at_all(self):
-        self.assertEqual([name for name in weave.test_names(WEAVE.parent.parent) if ";" in name], [])
+        self.assertEqual([name for name in weave.test_names(WEAVE.parents[2]) if ";" in name], [])
 
 
 class WhatStopsTheBook(unittest.TestCase):

@@ -1,4 +1,4 @@
-// The worker that compiles and links: clang and wasm-ld in WebAssembly. It sees the files of docs/editor.py's archive under /usr:
+// The worker that compiles and links: clang and wasm-ld in WebAssembly. It sees the files of docs/tools/editor.py's archive under /usr:
 // the course's headers, Eigen's and the compiler's own, the layers as an archive, and the C++ library that they were compiled with.
 import { progress } from "./packed.js";
 import { Exit, runLLVM } from "@yowasp/clang";
@@ -16,7 +16,7 @@ const options = ["clang", "-cc1", "-triple", "wasm32-unknown-emscripten", "-disa
 const libraries = ["standalonewasm-memgrow", "stubs", "c", "dlmalloc", "compiler_rt", "c++-except", "c++abi-except", "unwind-except"];
 const megabyte = 1 << 20;
 
-let offered; // what docs/editor.py says of the exercises
+let offered; // what docs/tools/editor.py says of the exercises
 let headers; // the precompiled ones
 const checks = new Map();
 

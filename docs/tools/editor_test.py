@@ -2,9 +2,9 @@
 """Proves the exercises in the page: in headless Chromium, stubs, solutions, second solutions and wrong answers get the verdict, the properties, the
 numbers and the diagnosis of `./course check`. Needs Debian's chromium-driver and python3-selenium, and a book built with --live.
 
-    docs/editor_test.py 1.1         one exercise
-    docs/editor_test.py --part 2/9  of all answers every ninth, from the second on
-    docs/editor_test.py --known     against what `./course prove` proves of each answer, its verdict, its properties and its diagnosis: no compiler is needed
+    docs/tools/editor_test.py 1.1         one exercise
+    docs/tools/editor_test.py --part 2/9  of all answers every ninth, from the second on
+    docs/tools/editor_test.py --known     against what `./course prove` proves of each answer, its verdict, its properties and its diagnosis: no compiler is needed
 """
 import argparse
 import http.server
@@ -22,7 +22,7 @@ import workshop
 from browser_test import PHONE, WebDriverWait, browser, screen
 from layers import part_of
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 SECONDS = 600  # of one answer, on a machine that has much else to do
 OPEN = """const [number, done] = arguments, page = new URL('live/editor/page.js', location.href);
 (async () => { const button = document.querySelector(`button[data-exercise="${number}"]`), open = (await import(page)).open;

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """The exercises in the page: on a served book each exercise has an editor, and clang in WebAssembly judges there as `./course check` does.
 
-    docs/editor.py                  build/editor: its files; into build/book, where that stands
-    docs/editor.py --serve          and serves the book
+    docs/tools/editor.py                  build/editor: its files; into build/book, where that stands
+    docs/tools/editor.py --serve          and serves the book
 
-All that is loaded comes compressed and on demand. From npm, in the versions and with the digests of docs/editor/package-lock.json: clang (YoWASP),
+All that is loaded comes compressed and on demand. From npm, in the versions and with the digests of docs/tools/npm/editor/package-lock.json: clang (YoWASP),
 CodeMirror, which edits, and esbuild, which makes one file of each script. Where npm does not give them, the book has no editor.
 """
 import argparse
@@ -25,7 +25,7 @@ import live
 import npm
 from judge import properties_of  # beside the catalogue, where exercise_pages found it
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 WORK, NPM = ROOT / "build/editor", ROOT / "build/editor_npm"
 EIGEN = Path("/usr/include/eigen3")
 CLANG = NPM / "node_modules/@yowasp/clang/gen"
@@ -54,7 +54,7 @@ def bundle():
     text = script.read_text(encoding="utf-8")
     if GROWS[1] not in text:
         if text.count(GROWS[0]) != 1:
-            sys.exit(f"{script}: another version than the one that docs/editor.py changes")
+            sys.exit(f"{script}: another version than the one that docs/tools/editor.py changes")
         script.write_text(text.replace(*GROWS), encoding="utf-8")
     for name in ("page.js", "compiler.js", "runner.js", "offer.js"):
         shape = "iife" if name == "offer.js" else "esm"
@@ -184,7 +184,7 @@ def build():
 
 def bring(book):
     """Its files into the book, and into each page of exercises the script that offers an editor; nothing where npm does not give them."""
-    if not npm.installed(ROOT / "docs/editor", NPM):
+    if not npm.installed(ROOT / "docs/tools/npm/editor", NPM):
         print("The exercises in the page: left out, npm does not give what they need")
         return
     size = build()

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Slides from the pages of the book: a deck for each chapter, and those of the instructors' plans (docs/slides/plans.toml).
+"""Slides from the pages of the book: a deck for each chapter, and those of the instructors' plans (docs/tools/slide_plans.toml).
 
 Of each section a deck takes its heading with the questions that it asks, then one slide for each formula that stands on its own, with
 the sentence before it, and one for each figure, live ones among them. What a figure or formula says is nowhere written twice.
@@ -15,7 +15,7 @@ from pathlib import Path
 import npm
 from pdf import KEPT_OF_THE_HEAD, content
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 LIBRARY = ["reveal.js", "reveal.css", "reset.css"]
 SHORT, MOST_QUESTIONS, ON_ONE_SLIDE = 5, 4, 2  # words of a question; questions and formulas on a slide
 NOT_SHOWN = {"Try it", "What changed", "Exercises", "Further reading"}
@@ -105,16 +105,16 @@ def planned(plan, pages):
         for heading in headings if label != "title" else []:
             found = [section for section in pages.get(label, []) if section[0] == heading]
             if not found:
-                raise NoSection(f"docs/slides/plans.toml: {label} has no section '{heading}'")
+                raise NoSection(f"docs/tools/slide_plans.toml: {label} has no section '{heading}'")
             yield found[0]
 
 
 def bring_library(place):
-    """reveal.js, of the version and with the digest that docs/slides/package-lock.json says."""
+    """reveal.js, of the version and with the digest that docs/tools/npm/slides/package-lock.json says."""
     work = ROOT / "build/slides"
     if not shutil.which("npm"):
         sys.exit("The slides need npm. On Debian: apt-get install npm   (or: ./course docs --slides, which does)")
-    if not npm.installed(ROOT / "docs/slides", work):
+    if not npm.installed(ROOT / "docs/tools/npm/slides", work):
         sys.exit("npm could not fetch what shows the slides")
     for name in LIBRARY:
         shutil.copyfile(work / "node_modules/reveal.js/dist" / name, place / name)
@@ -126,7 +126,7 @@ def write_decks(book, place):
     head = (book / "index.html").read_text(encoding="utf-8").split("</head>")[0]
     pages = {path.stem: sections(path.read_text(encoding="utf-8")) for path in sorted(book.glob("chapter_[0-9][0-9].html"))}
     decks = {label.split("_")[1]: (found[0][0], found) for label, found in pages.items()}
-    plans = tomllib.loads((ROOT / "docs/slides/plans.toml").read_text(encoding="utf-8"))
+    plans = tomllib.loads((ROOT / "docs/tools/slide_plans.toml").read_text(encoding="utf-8"))
     decks |= {name: (plan["title"], list(planned(plan, pages))) for name, plan in plans.items()}
     for name, (title, chosen) in decks.items():
         (place / f"{name}.html").write_text(deck(head, title, chosen, (book / "live").is_dir()), encoding="utf-8")

@@ -12,7 +12,7 @@ import re
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 # A clock takes part in these, and the ratios of what it measured; the same program writes them anew each time.
 CLOCK = re.compile(r"\[[mn]s\]|_[mn]s$|real.time.factor|by_clock$|bullet_over_tree| / DPF's$")
 CLOCK_TABLES = re.compile(r"^times\.csv$|^\w+_passes\.csv$|^(facts|pair)_cost\.csv$|^speed_\w+\.csv$")

@@ -1,4 +1,4 @@
-// Runs inside a page of the book, for docs/browser_test.py: what a reader would see, as numbers and as complaints.
+// Runs inside a page of the book, for docs/tools/browser_test.py: what a reader would see, as numbers and as complaints.
 const done = arguments[arguments.length - 1];
 
 // ------------------------------------------------------------------------------------------------------------- contrast

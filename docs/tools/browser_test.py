@@ -25,8 +25,8 @@ try:
 except ImportError:
     sys.exit("The browser test needs Debian's python3-selenium   (or: ./course setup)")
 
-ROOT = Path(__file__).resolve().parent.parent
-PROBE = (ROOT / "docs/browser_probe.js").read_text(encoding="utf-8")
+ROOT = Path(__file__).resolve().parents[2]
+PROBE = (ROOT / "docs/tools/browser_probe.js").read_text(encoding="utf-8")
 PHONE = {"width": 390, "height": 844, "deviceScaleFactor": 1, "mobile": False}  # "mobile" would widen to what does not fit
 LAPTOP = {"width": 1400, "height": 900, "deviceScaleFactor": 1, "mobile": False}
 DESKTOP = {"width": 1280, "height": 900, "deviceScaleFactor": 1, "mobile": False}

@@ -13,7 +13,7 @@ from pathlib import Path
 import lab
 from browser_test import DESKTOP, PHONE, ActionChains, By, WebDriverWait, browser, drag, open_page, screen
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 STEPS = 100
 # The page and the program differ in the last bits of sine and cosine, by which rotations are placed and turned: 1e-16 of a body's size. A contact that opens multiplies
 # a difference by the stiffness of its pair, k dt^2 / m; in a hundred steps of these scenes it stays a thousand times below this part of the scene's size. A wrong sign,

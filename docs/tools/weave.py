@@ -157,7 +157,7 @@ TABLE = re.compile(r"^@table\{\s*((?:\w+/)?[\w-]+)\s*(?:,\s*(.+))?\}\s*$")
 
 def drawn_by_hand(picture):
     """The figures of programs that no run starts are kept, in renders/."""
-    kept = Path(__file__).resolve().parent.parent / "renders" / picture
+    kept = Path(__file__).resolve().parents[2] / "renders" / picture
     return kept if "/" in picture and kept.is_file() else None
 
 
@@ -457,7 +457,7 @@ def weave(root, results_root, out, quick, live=False):
 
 
 def main():
-    root = Path(__file__).resolve().parent.parent
+    root = Path(__file__).resolve().parents[2]
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--root", type=Path, default=root, help="the repository")
     parser.add_argument("--results", type=Path, default=root / "build/results", help="what the run left")

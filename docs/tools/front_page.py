@@ -7,7 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 RENDERS = ROOT / "renders"
 PROGRAMS = Path(os.environ.get("ENDURING_BUILD", ROOT / "build/release")) / "bin"
 WIDTH, HEIGHT = 210, 140

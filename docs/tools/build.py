@@ -16,7 +16,7 @@ import lab
 import live
 import weave
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build/docs"
 THEME = Path("/usr/share/doxygen-awesome-css")
 MATHJAX = Path("/usr/share/javascript/mathjax")
@@ -131,7 +131,7 @@ def main():
     if options.live:
         live.compile_module()
         extra.append("--live")
-    woven = subprocess.run([sys.executable, str(ROOT / "docs/weave.py"), "--results", str(options.results), *extra])
+    woven = subprocess.run([sys.executable, str(ROOT / "docs/tools/weave.py"), "--results", str(options.results), *extra])
     if woven.returncode:
         sys.exit(woven.returncode)
     write_header()

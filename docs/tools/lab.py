@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """The laboratory: the page that runs the layers themselves. Makes its files, brings them into the book, or serves them by themselves.
 
-    docs/lab.py                     build/lab: the page without the book
-    docs/lab.py --serve [FILE]      and opens it in a browser, with a scene of the reader's own, or with a run: replay.json
+    docs/tools/lab.py                     build/lab: the page without the book
+    docs/tools/lab.py --serve [FILE]      and opens it in a browser, with a scene of the reader's own, or with a run: replay.json
 
-What draws comes from npm (three.js) in the version and with the digest of docs/lab/package-lock.json, and esbuild makes one file of it.
+What draws comes from npm (three.js) in the version and with the digest of docs/tools/npm/lab/package-lock.json, and esbuild makes one file of it.
 """
 import argparse
 import gzip
@@ -20,7 +20,7 @@ from pathlib import Path
 import live
 import npm
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build/lab"
 MESHES = ["bunny_363.msh", "bunny_785.msh"]
 LARGEST = 3_000_000  # bytes of all files, compressed: what a phone loads in some seconds
@@ -137,7 +137,7 @@ def bundle():
     work = ROOT / "build/lab_npm"
     if not shutil.which("npm"):
         sys.exit("The laboratory needs npm. On Debian: apt-get install npm   (or: ./course lab, which does)")
-    if not npm.installed(ROOT / "docs/lab", work):
+    if not npm.installed(ROOT / "docs/tools/npm/lab", work):
         sys.exit("npm could not fetch what the laboratory draws with")
     live.run([str(work / "node_modules/.bin/esbuild"), str(ROOT / "live/lab/main.js"), "--bundle", "--minify", "--format=iife", "--legal-comments=none",
               "--banner:js=/* With three.js, MIT licence, (c) 2010-2025 three.js authors */", f"--outfile={WORK / 'lab_page.js'}"], {"NODE_PATH": str(work / "node_modules")})

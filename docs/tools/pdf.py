@@ -10,7 +10,7 @@ from pathlib import Path
 
 import weave
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 NAME = "enduring-contacts.pdf"
 LOOKED_UP = ["page_failure_ledger", "page_glossary", "page_notation", "page_errata", "page_bibliography"]
 KEPT_OF_THE_HEAD = r'<link [^>]*stylesheet[^>]*>|<script type="text/x-mathjax-config">.*?</script>|<script[^>]*mathjax/MathJax\.js[^>]*></script>'

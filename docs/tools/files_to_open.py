@@ -1,14 +1,14 @@
 """How many files a reader opens for one step of a chapter: the headers that a layer includes, directly or not, and of each the
 .cpp beside it. Headers of libraries are not counted.
 
-    docs/files_to_open.py           the table
-    docs/files_to_open.py --list    and every file, with its lines and who includes it
+    docs/tools/files_to_open.py           the table
+    docs/tools/files_to_open.py --list    and every file, with its lines and who includes it
 """
 import argparse
 import re
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 READERS = {  # what a reader wants, and where he enters
     "chapter 1: one step of a rigid cube on a plane": ["chapters/01_particle_plane/solver.hpp", "common/simulation/rigid_body.hpp"],
 } | {  # and of every chapter the layer alone, with those below it, without bodies

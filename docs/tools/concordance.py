@@ -1,6 +1,6 @@
 """The concordance: every number of the thesis bound to a function, a test and a paragraph of the book.
 
-docs/concordance.json says which: "numbers" lists all that there are, and each entry binds one or several of them. A part
+docs/tools/concordance.json says which: "numbers" lists all that there are, and each entry binds one or several of them. A part
 that an entry does not have stands in its "why_not", with the reason.
 """
 import json
@@ -49,7 +49,7 @@ class Concordance:
     """The manifest, and what is wrong with it."""
 
     def __init__(self, root):
-        self.root, self.path = root, root / "docs/concordance.json"
+        self.root, self.path = root, root / "docs/tools/concordance.json"
         self.numbers, self.entries, self.mistakes = {}, [], []
         if not self.path.is_file():
             return

@@ -1,5 +1,5 @@
 """What a script can see of a page's prose: sentences with too many pronouns or words, bodies and solvers that want, know or say something, and
-history of the text. docs/sentences.toml has the limits of each group of pages, and the exceptions by name."""
+history of the text. docs/tools/sentences.toml has the limits of each group of pages, and the exceptions by name."""
 import re
 import tomllib
 from dataclasses import dataclass
@@ -55,7 +55,7 @@ def group_of(groups, name):
 def faults(name, text, rules, first_line=1):
     """What is wrong with one page.
     @param name   its path in the repository
-    @param rules  of docs/sentences.toml; the exceptions that are met are taken out of rules["unused"]"""
+    @param rules  of docs/tools/sentences.toml; the exceptions that are met are taken out of rules["unused"]"""
     group = group_of(rules["group"], name)
     if not group:
         return
@@ -83,7 +83,7 @@ def faults(name, text, rules, first_line=1):
 def all_faults(root, pages):
     """Of all pages that a group names, and exceptions that nothing needs.
     @param pages  with path, lines and first_line"""
-    path = root / "docs/sentences.toml"
+    path = root / "docs/tools/sentences.toml"
     if not path.is_file():
         return
     rules = tomllib.loads(path.read_text(encoding="utf-8"))
@@ -92,4 +92,4 @@ def all_faults(root, pages):
     for page in pages:
         if page.path.is_relative_to(root):
             yield from faults(page.path.relative_to(root).as_posix(), "\n".join(page.lines), rules, page.first_line)
-    yield from (f"docs/sentences.toml:1: no sentence of {e['page']} needs the exception '{e['text']}'" for e in rules["unused"])
+    yield from (f"docs/tools/sentences.toml:1: no sentence of {e['page']} needs the exception '{e['text']}'" for e in rules["unused"])

@@ -3,7 +3,7 @@ import html
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "exercises"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "exercises"))
 import catalogue  # noqa: E402
 
 KIND_NAMES = {"rebuild": "rebuild", "extend": "go further", "predict": "predict"}

@@ -5,7 +5,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 WORK = ROOT / "build/live"
 NODE_MODULES = "/usr/share/nodejs"  # where Debian keeps what the compiler's own scripts need, for a node that is not Debian's
 

@@ -3,7 +3,7 @@
 
 The first page has the idea, the formulas with the paragraphs before them, and the key figure; the second one the listing that matters and three
 questions with room for answers. Figure and questions take what room is left, and a handout in which something does not fit is refused. Headless
-Chromium prints them, as it prints the book (docs/pdf.py).
+Chromium prints them, as it prints the book (docs/tools/pdf.py).
 """
 import argparse
 import html
@@ -15,7 +15,7 @@ from pathlib import Path
 from pdf import KEPT_OF_THE_HEAD, Unprintable, content, printed
 import weave
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 PARTS = {"idea", "formulas", "figure", "listing", "questions"}
 # What does not fit on its page, once the formulas are set: a page that is too high, and a figure or an answer without enough room.
 FAULTS = """const height = (part, least, name) => part.getBoundingClientRect().height < least ? [`${name} has too little room`] : [];
