@@ -15,6 +15,7 @@ import student
 import update
 import variants
 import workshop
+import wrong_versions
 from catalogue import ROOT, CatalogueError, all_exercises
 
 
@@ -50,7 +51,7 @@ def stop(message):
 
 def prove_layers(options):
     """Of all layers, or of a chapter's (0 is the base)."""
-    everything = layers.all_versions()
+    everything = wrong_versions.all_versions()
     versions = [version for version in everything if options.number in (None, str(version.number))]
     if not versions:
         stop(f"there is no layer {options.number}. There are: {', '.join(sorted({str(version.number) for version in everything}))}")

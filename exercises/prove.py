@@ -40,7 +40,7 @@ def run_side_by_side(work, tasks):
 
 def prove_layers(versions, renew):
     """Proves that the layers' tests notice these wrong versions, and says of each which test did.
-    @param renew  write the names of the tests that noticed into the patches
+    @param renew  write down the names of the tests that noticed
     @return the exit status"""
     layers.prepare(versions)
     faults = 0

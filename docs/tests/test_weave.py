@@ -117,9 +117,10 @@ class WhatArrives(unittest.TestCase):
 
     def test_a_wrong_version_names_the_test_that_fails_in_it(self):
         book = Book("# The drop\n@wrong{upside_down}")
-        book.write("chapters/01_drop/tests/wrong/upside_down.patch", "It falls up.\nfails: drop: |v| < 1\n\ndiff\n")
+        wrong = '[upside_down]\nsays = "It falls up."\nfails = "%s"\nfile = "chapters/01_drop/depth.hpp"\nfind = "depth"\nreplace = "height"\n'
+        book.write("chapters/01_drop/tests/wrong.toml", wrong % "drop: |v| < 1")
         self.assertEqual((book.weave().returncode, book.page().count('title="fails: drop: |v| &lt; 1">upside_down</code>')), (0, 1))
-        book.write("chapters/01_drop/tests/wrong/upside_down.patch", "It falls up.\nfails: drop: another\n\ndiff\n")
+        book.write("chapters/01_drop/tests/wrong.toml", wrong % "drop: another")
         self.assertIn("no test is called 'drop: another'", book.weave().stderr)
 
     def test_a_quick_run_marks_its_figures_and_tables_alone(self):

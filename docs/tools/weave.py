@@ -24,6 +24,7 @@ import lab
 import measured
 import sentences
 import teaching
+import wrong_versions  # beside the catalogue, where exercise_pages found it
 from concordance import KINDS, Concordance, heading_of
 
 # Behind the number of a figure or table whose experiment ran in its small version. Sentences have the numbers of the full run in any case.
@@ -285,7 +286,7 @@ def test_names(root):
 # ------------------------------------------------------------------------------------------------------------ weaving
 class Weaver:
     def __init__(self, root, pages, results, live=False, quick=False):
-        self.live, self.quick = live, quick
+        self.live, self.quick, self.wrong_versions = live, quick, None
         self.root, self.pages, self.results, self.tests = root, pages, results, test_names(root)
         self.chapters = [page for page in pages if page.folder]
         self.concordance, self.by_label = Concordance(root), {page.label: page for page in pages}
@@ -298,10 +299,13 @@ class Weaver:
 
     def wrong(self, page, name):
         """The name of a wrong version, of the page's own chapter or else of any other layer, and of the test that fails in it."""
-        found = sorted(self.root.glob(f"chapters/{page.folder}/tests/wrong/{name}.patch")) or sorted(self.root.glob(f"c*/**/tests/wrong/{name}.patch"))
+        if self.wrong_versions is None:
+            self.wrong_versions = wrong_versions.all_versions(self.root)
+        named = [version for version in self.wrong_versions if version.title == name]
+        found = [version for version in named if version.layer == page.folder] or named
         if len(found) != 1:
             raise Mistake(f"{len(found)} wrong versions are called '{name}'")
-        fails = found[0].read_text(encoding="utf-8").split("\n")[1].removeprefix("fails: ")
+        fails = found[0].fails
         self.test(fails)
         return f'<code class="test" title="fails: {html.escape(fails)}">{name}</code>'
 

@@ -1,5 +1,7 @@
-"""Wrong versions of layers: what notices them, what survives, and what a patch has to be. On a layer of three small files."""
+"""Wrong versions of layers: what notices them, what survives, and how they are written down. On a layer of three small files."""
+import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -12,6 +14,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import layers  # noqa: E402
 import prove  # noqa: E402
 import workshop  # noqa: E402
+import wrong_patches  # noqa: E402
+import wrong_versions  # noqa: E402
 from catalogue import CatalogueError  # noqa: E402
 
 SOURCES = {
@@ -81,7 +85,7 @@ SPEED, WAY = 'fall: speed, of "free" bodies, grows with time', "fall: the way is
 DROP = "fall: a drop takes a second"
 
 
-@unittest.skipUnless(shutil.which("g++") and shutil.which("ninja") and shutil.which("git"), "needs g++, ninja and git")
+@unittest.skipUnless(shutil.which("g++") and shutil.which("ninja"), "needs g++ and ninja")
 class ALayer(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -101,23 +105,20 @@ class ALayer(unittest.TestCase):
         layers.passes_in_the_build.cache_clear()
         cls.addClassCleanup(workshop.recorded_includes.cache_clear)
 
-    def wrong(self, old, new, fails=SPEED, file="fall.cpp", name="wrong", says="It is wrong."):
-        """A patch of one line of the layer, with the lines around it."""
-        lines = SOURCES[f"chapters/01_fall/{file}"].splitlines()
-        at = next(i for i, line in enumerate(lines) if old in line)
-        first, last = max(0, at - 3), min(len(lines), at + 4)
-        body = [" " + line for line in lines[first:at]] + ["-" + lines[at], "+" + lines[at].replace(old, new)] + \
-            [" " + line for line in lines[at + 1:last]]
-        patch = self.root / f"chapters/01_fall/tests/wrong/{name}.patch"
-        patch.parent.mkdir(exist_ok=True)
-        self.addCleanup(lambda: patch.unlink(missing_ok=True))
-        count = last - first
-        patch.write_text("\n".join([says, f"fails: {fails}", f"--- a/chapters/01_fall/{file}", f"+++ b/chapters/01_fall/{file}",
-                                    f"@@ -{first + 1},{count} +{first + 1},{count} @@", *body]) + "\n", encoding="utf-8")
-        return patch
+    def wrong(self, find, replace, fails=SPEED, file="fall.cpp", name="wrong", says="It is wrong.", more=""):
+        """A wrong version, written down behind those that the layer has."""
+        home = self.root / "chapters/01_fall/tests/wrong.toml"
+        self.addCleanup(lambda: home.unlink(missing_ok=True))
+        values = {"says": says, "fails": fails, "file": f"chapters/01_fall/{file}", "find": find, "replace": replace}
+        with home.open("a", encoding="utf-8") as out:
+            out.write("\n".join([f"[{name}]", *(f"{key} = {json.dumps(value)}" for key, value in values.items()), more]) + "\n")
+        return home
+
+    def version(self, *arguments, **options):
+        return wrong_versions.read(self.wrong(*arguments, **options))[-1]
 
     def proven(self, *arguments, renew=False, **options):
-        return layers.prove(layers.read(self.wrong(*arguments, **options)), renew)
+        return layers.prove(self.version(*arguments, **options), renew)
 
     def test_the_test_that_notices_is_named(self):
         self.assertEqual(self.proven("0.981", "1.62"), (f'01_fall/wrong: noticed by "{SPEED}"', False))
@@ -126,13 +127,15 @@ class ALayer(unittest.TestCase):
         said, fault = self.proven("speed(t) * t", "speed(t)", fails=SPEED, renew=True)
         self.assertFalse(fault)
         self.assertEqual(said, f'01_fall/wrong: noticed by "{WAY}", not by "{SPEED}"')
-        self.assertEqual(layers.read(self.wrong("speed(t) * t", "speed(t)", fails=WAY)).fails, WAY)
+        self.assertEqual(wrong_versions.all_versions(self.root)[0].fails, WAY)
 
     def test_renewing_keeps_all_but_the_test(self):
-        patch = self.wrong("speed(t) * t", "speed(t)", fails=SPEED)
-        before = patch.read_text()
-        layers.prove(layers.read(patch), renew=True)
-        self.assertEqual(patch.read_text(), before.replace(SPEED, WAY))
+        self.wrong("0.981", "1.62", name="first")
+        home = self.wrong("speed(t) * t", "speed(t)", fails="fall: \\\"", name="second")
+        self.wrong("0.981", "1.62", name="third")
+        before = home.read_text()
+        layers.prove(wrong_versions.read(home)[1], renew=True)
+        self.assertEqual(home.read_text(), before.replace(json.dumps("fall: \\\""), json.dumps(WAY)))
 
     def test_a_survivor_is_a_fault(self):
         said, fault = self.proven("v = 0;", "v = 1e-9;", says="The speed begins at a nanometre a second.")
@@ -153,13 +156,11 @@ class ALayer(unittest.TestCase):
                          (f'01_fall/wrong: noticed by "{DROP}"', False))
 
     def test_a_file_that_no_test_reads_is_a_fault(self):
-        patch = self.wrong("0.981", "1.62")
         shutil.copy(self.root / "chapters/01_fall/fall.cpp", self.root / "chapters/01_fall/rise.cpp")
         self.addCleanup((self.root / "chapters/01_fall/rise.cpp").unlink)
-        patch.write_text(patch.read_text().replace("fall.cpp", "rise.cpp"))
-        said, fault = layers.prove(layers.read(patch))
-        self.assertTrue(fault)
-        self.assertEqual(said, "01_fall/wrong changes chapters/01_fall/rise.cpp, which no test of its layer reads")
+        self.assertEqual(self.proven("0.981", "1.62", file="rise.cpp"),
+                         ("01_fall/wrong changes chapters/01_fall/rise.cpp, which no test of its layer reads", True))
+        self.assertEqual(self.proven("0.981", "1.62", file="gone.cpp", name="gone"), ("01_fall/gone changes chapters/01_fall/gone.cpp, which is not there", True))
 
     def test_a_loop_without_end_counts_as_noticed_and_is_told(self):
         with mock.patch.object(layers, "SECONDS", 1):
@@ -172,19 +173,21 @@ class ALayer(unittest.TestCase):
         self.assertFalse(fault)
         self.assertIn(SPEED, said)
 
-    def test_a_patch_that_does_not_apply_any_more_is_a_fault(self):
-        patch = self.wrong("0.981", "1.62")
-        patch.write_text(patch.read_text().replace("double v = 0", "double w = 0").replace("return v", "return w"))
-        said, fault = layers.prove(layers.read(patch))
-        self.assertTrue(fault)
-        self.assertIn("does not apply any more", said)
+    def test_a_text_that_does_not_stand_there_once_is_a_fault(self):
+        for find, count in (("double w", 0), ("double", 5)):
+            said, fault = self.proven(find, "float", name=f"found_{count}")
+            self.assertTrue(fault)
+            self.assertIn(f"does not apply any more: its text stands {count} times in chapters/01_fall/fall.cpp, not once: {find}", said)
 
-    def test_a_patch_still_applies_where_lines_have_moved(self):
-        patch = self.wrong("0.981", "1.62")
-        patch.write_text(patch.read_text().replace("@@ -4,", "@@ -104,").replace("+4,", "+104,"))
-        self.assertFalse(layers.prove(layers.read(patch))[1])
+    def test_lines_may_have_moved_and_been_broken_elsewhere(self):
+        version = self.version("for (int i = 0;\n  i < 10; ++i)", "for (int i = 0; i < 9; ++i)")
+        self.assertIn("// new\n    for (int i = 0; i < 9; ++i)\n", version.applied("// new\n    for (int i = 0; i < 10;\n         ++i)\n"))
 
-    def test_a_patch_that_does_not_compile_is_a_fault(self):
+    def test_a_mistake_may_have_two_places(self):
+        version = self.version("double v = 0;", "", more='[[wrong.also]]\nfind = "return v;"\nreplace = "return 0;"')
+        self.assertEqual(version.applied("double v = 0; return v;"), " return 0;")
+
+    def test_one_that_does_not_compile_is_a_fault(self):
         said, fault = self.proven("double v = 0;", "double v = ;")
         self.assertTrue(fault)
         self.assertIn("does not compile", said)
@@ -199,37 +202,72 @@ class ALayer(unittest.TestCase):
         for name, new in (("a", "1.62"), ("b", "0.9810000001")):
             self.wrong("0.981", new, name=name)
         with mock.patch.object(layers, "prepare"), mock.patch("builtins.print") as told:
-            self.assertEqual(prove.prove_layers(layers.all_versions(self.root), False), 1)
+            self.assertEqual(prove.prove_layers(wrong_versions.all_versions(self.root), False), 1)
         self.assertIn("1 faults in 2 wrong versions", told.call_args[0][0])
 
-    def refused(self, message, text):
-        patch = self.wrong("0.981", "1.62")
-        patch.write_text(text(patch.read_text()))
-        with self.assertRaisesRegex(CatalogueError, message):
-            layers.read(patch)
-
-    def test_what_a_patch_lacks_is_named(self):
-        self.refused("begins with a sentence", lambda text: text.split("\n", 1)[1])
-        self.refused("begins with a sentence", lambda text: text.replace("fails:", "breaks:"))
-        self.refused("changes 0 files", lambda text: text.replace("+++", "++"))
+    def test_what_one_lacks_is_named(self):
+        for key, text, told in (("says", "says = 'It is wrong'", "a full stop"), ("fails", "", "lacks the text 'fails'"), ("find", "find = ' '", "lacks the text 'find'"),
+                                ("file", "file = 3", "lacks the text 'file'"), ("replace", "", "lacks the text 'replace'"), ("replace", "replace = ''\nby = ''", "unknown key: by"),
+                                ("replace", "replace = ''\n[[wrong.also]]\nfind = 'x'", "a second place"), ("replace", "replace = '", "Expected")):
+            with self.subTest(told):
+                home = self.wrong("0.981", "1.62")
+                home.write_text(re.sub(rf"^{key} = .*$", lambda _, by=text: by, home.read_text(), flags=re.M))
+                with self.assertRaisesRegex(CatalogueError, f"wrong.toml: .*{told}"):
+                    wrong_versions.read(home)
+                home.unlink()
 
     def test_a_layer_needs_eight(self):
-        versions = [layers.read(self.wrong("0.981", "1.62", name=str(i))) for i in range(7)]
+        versions = [self.version("0.981", "1.62", name=f"wrong_{i}") for i in range(7)]
         self.assertEqual(list(layers.too_few(versions)), ["01_fall: 7 wrong versions, and it needs 8"])
         self.assertEqual(list(layers.too_few(versions + versions[:1])), [])
 
 
-@unittest.skipUnless(shutil.which("git"), "needs git")
 class TheCourse(unittest.TestCase):
-    """What takes hours to prove in full, CI proves a part of at each commit; that every patch applies is known in a second."""
+    """What takes hours to prove in full, CI proves a part of at each commit; that every wrong version applies is known in a second."""
 
     def test_every_wrong_version_applies(self):
+        for version in wrong_versions.all_versions():
+            with self.subTest(version.name):
+                source = wrong_versions.ROOT / version.source
+                self.assertTrue(source.is_file(), version.source)
+                text = source.read_text(encoding="utf-8")
+                self.assertNotEqual(version.applied(text), text)
+
+    def test_names_are_given_once_in_a_layer(self):
+        names = [version.name for version in wrong_versions.all_versions()]
+        self.assertEqual(len(names), len(set(names)))
+
+
+class Patches(unittest.TestCase):
+    """Those that are not yet in a wrong.toml."""
+
+    PATCH = """It is wrong.
+fails: a test
+--- a/chapters/01_fall/fall.cpp
++++ b/chapters/01_fall/fall.cpp
+@@ -1,5 +1,5 @@
+ first
+ second
+ third
+-old
++new
+ fourth
+"""
+
+    def read(self, text):
         with tempfile.TemporaryDirectory() as folder:
-            for tree in ("chapters", "common"):
-                shutil.copytree(layers.ROOT / tree, Path(folder) / tree, ignore=layers.without_data)
-            for version in layers.all_versions():
-                with self.subTest(version.name):
-                    layers.apply(version.patch, Path(folder), "--check")
+            patch = Path(folder) / "wrong.patch"
+            patch.write_text(text)
+            return wrong_patches.read(patch, wrong_versions.WrongVersion)
+
+    def test_a_patch_is_a_text_to_find_and_another_one(self):
+        self.assertEqual(self.read(self.PATCH).changes, [("second\nthird\nold\nfourth", "second\nthird\nnew\nfourth")])
+
+    def test_what_a_patch_lacks_is_named(self):
+        for text, told in ((self.PATCH.replace("wrong.", "wrong"), "begins with a sentence"), (self.PATCH.replace("fails", "breaks"), "begins with a sentence"),
+                           (self.PATCH.replace("+++", "++"), "changes 0 files")):
+            with self.assertRaisesRegex(CatalogueError, told):
+                self.read(text)
 
 
 class Parts(unittest.TestCase):
