@@ -96,17 +96,23 @@ def probe_all(pages):
     return reports
 
 
+SEARCHED = {"rest offset": "chapter_", "capstan": "chapter_10.html", "continuous_impulse": "continuous_impulse"}  # words of the text, and a name of the code
+
+
 def search_faults(driver, book):
-    """The search finds a word that stands in the book."""
-    screen(driver, DESKTOP)
-    open_page(driver, book / "index.html")
-    field = WebDriverWait(driver, 20).until(lambda d: d.find_element(By.ID, "MSearchField"))
-    field.send_keys("continuous_impulse")
-    found = "return [...document.querySelectorAll('#MSearchResults, #SRResults')].map(e => (e.contentDocument?.body ?? e)?.innerText ?? '').join(' ')"
-    try:
-        WebDriverWait(driver, 20).until(lambda d: "continuous_impulse" in d.execute_script(found))
-    except WebDriverException:
-        yield f"index.html: the search does not find continuous_impulse ({driver.execute_script(found)[:60]!r})"
+    """The search finds words of the text and names of the code, and leads to their page."""
+    for size in (DESKTOP, PHONE):
+        screen(driver, size)
+        open_page(driver, book / "index.html")
+        field = WebDriverWait(driver, 20).until(lambda d: d.find_element(By.CSS_SELECTOR, "#book-search input"))
+        for words, told in SEARCHED.items():
+            field.clear()
+            field.send_keys(words)
+            found = "return [...document.querySelectorAll('#book-search .found a')].map(e => e.href + ' ' + e.innerText).join('\\n')"
+            try:
+                WebDriverWait(driver, 20).until(lambda d: words in d.execute_script(found).lower() and told in d.execute_script(found))
+            except WebDriverException:
+                yield f"index.html, {size['width']} px: the search does not find {words} ({driver.execute_script(found)[:60]!r})"
 
 
 def sidebar_faults(driver, book):

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import book_search
 import checks
 import editor
 import lab
@@ -26,7 +27,7 @@ MATHJAX_PARTS = ["MathJax.js", "extensions", "jax/element/mml", "jax/input/TeX",
 
 def need_tools():
     for thing, package in ((shutil.which("doxygen"), "doxygen"), (THEME.is_dir(), "doxygen-awesome-css"),
-                           (MATHJAX.is_dir(), "libjs-mathjax")):
+                           (MATHJAX.is_dir(), "libjs-mathjax"), (book_search.LIBRARY.is_file(), "libjs-lunr")):
         if not thing:
             sys.exit(f"The book needs {package}. On Debian: apt-get install {package}   (or: ./course setup)")
 
@@ -145,6 +146,7 @@ def main():
         lab.bring(html)
         editor.bring(html)
     mend_member_lists(html)
+    book_search.bring(html, [page.stem.replace("mainpage", "index") for page in sorted((WORK / "pages").glob("*.md"))])
     if faults := [*leftovers(html), *checks.link_faults(html)]:
         sys.exit("\n".join(faults))
     (html / ".made_from").write_text(str(options.results), encoding="utf-8", errors="surrogateescape")
