@@ -6,6 +6,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from xml.etree import ElementTree
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = Path(sys.argv.pop(1)).resolve()
@@ -34,6 +35,25 @@ class Drop(unittest.TestCase):
     def test_the_readme_shows_this_very_program(self):
         listing = re.search(r"```cpp\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.S)[1]
         self.assertEqual(listing, (ROOT / "examples/drop.cpp").read_text(encoding="utf-8"))
+
+
+class OneFile(unittest.TestCase):
+    """examples/chapter01.cpp: no build system, no header of the course."""
+
+    def test_a_compiler_makes_a_picture_of_it(self):
+        source = ROOT / "examples/chapter01.cpp"
+        self.assertLess(len(source.read_text(encoding="utf-8").splitlines()), 100)
+        with tempfile.TemporaryDirectory() as folder:
+            said("g++", "-O2", "-Wall", "-Wextra", "-Werror", source, "-o", f"{folder}/a.out")
+            text = subprocess.run(["./a.out"], cwd=folder, capture_output=True, text=True, check=True).stdout
+            kept = {name: list(map(int, re.findall(r"(\d+) %", rest))) for name, rest in re.findall(r"^(\w+) *: a bounce keeps(.*)$", text, re.M)}
+            svg = ElementTree.parse(f"{folder}/drop.svg").getroot()
+        self.assertTrue(all(100 > more > less for more, less in zip(kept["continuous"], kept["discrete"], strict=True)), kept)
+        lines = [[tuple(map(float, point.split(","))) for point in line.get("points").split()] for line in svg.iter("{http://www.w3.org/2000/svg}polyline")]
+        self.assertEqual([len(line) for line in lines], [501, 501])
+        for line in lines:  # free fall at first: 200 px for a metre
+            for step, (_, y) in enumerate(line[:40], 1):
+                self.assertAlmostEqual(y, 250 - 200 * (1 - 9.81 * 0.01**2 * step * (step + 1) / 2), delta=0.06)
 
 
 class Forces(unittest.TestCase):
