@@ -162,15 +162,16 @@ def tell_list(exercises, progress, wrong):
 
 
 def tell_next(exercises, progress, named):
-    """Where to go on; after a single exercise, among all."""
-    if named and not exercises[0].untouched():
+    """Where to go on; after a single exercise, among all: in its chapter, behind it, then before it; then in the next chapters."""
+    done = exercises[-1] if named and not exercises[0].untouched() else None
+    if done:
         exercises = all_exercises()
     right = [exercise for exercise in exercises if progress.holds(exercise)]
     waiting = [exercise for exercise in exercises if exercise.untouched()]
     if not waiting:
         print(f"\nAll {len(right)} hold. Well done.")
         return
-    exercise = waiting[0]
+    exercise = min(waiting, key=lambda one: (one.chapter != done.chapter, one.order < done.order, one.order)) if done else waiting[0]
     count = "" if named and len(exercises) == 1 else f"{len(right)} of {len(exercises)} hold. "
     print(f"\n{count}Next: {exercise.number} {exercise.title} "
           f"({KINDS[exercise.kind]}; {exercise.minutes} minutes, difficulty {exercise.difficulty} of 3)")

@@ -25,17 +25,22 @@ class NotBuilt(Exception):
 
 
 def prepare(exercises, reconfigure=False):
-    """Builds all that the answers to these exercises are linked with: the checks, the layers, and for a rebuild the
+    """Builds all that the answers to these exercises are linked with, and no more: the checks, their libraries, and for a rebuild the
     chapter's own tests and its program."""
+    if reconfigure or not (BUILD / "build.ninja").is_file():
+        run_quietly(["cmake", "--preset", "release", "-B", str(BUILD)])
     targets = {"check_main"}
     for exercise in exercises:
         chapter = exercise.chapter[:2]
-        targets |= {f"check_{exercise.target}", f"chapter{chapter}_experiments"}
+        targets |= {f"check_{exercise.target}", *libraries_of(exercise)}
         if exercise.kind == "rebuild":
             targets |= {f"test_chapter{chapter}", f"chapter{chapter}"}
-    if reconfigure or not (BUILD / "build.ninja").is_file():
-        run_quietly(["cmake", "--preset", "release", "-B", str(BUILD)])
     build(targets)
+
+
+def libraries_of(exercise):
+    """The course's own libraries that an answer is linked with, as the build calls them."""
+    return {word for word in last_command(f"bin/exercise_{exercise.target}") if word.endswith(".a") and not word.startswith("/")}
 
 
 def build(targets):

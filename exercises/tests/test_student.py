@@ -55,6 +55,16 @@ class AStudent(unittest.TestCase):
             status = student.check(exercises, named)
         return status, told.getvalue()
 
+    def test_the_next_is_one_of_the_same_chapter(self):
+        other = replace(self.first, number="2.1", chapter="02_rise", name="1_rise")
+        for path in (other.stub, other.check):
+            path.parent.mkdir(exist_ok=True)
+            path.write_text("check", encoding="utf-8")
+        for first in ([other, *self.exercises], [*self.exercises, other]):
+            with mock.patch.object(student, "all_exercises", return_value=first), mock.patch.object(catalogue.Exercise, "untouched", lambda one, path=None: one.number != "1.3"):
+                self.answer(self.exercises[1])
+                self.assertIn("Next: 1.2", self.check([self.exercises[1]], RIGHT, named=True)[1])
+
     def test_what_a_prediction_should_be_is_not_shown_before_it(self):
         for exercise in (replace(self.first, kind="predict"), replace(self.first, text="Before you run the check: how deep?")):
             for text, shown in ((exercise.stub_text(), False), ("mine", True)):
