@@ -39,7 +39,8 @@ def first_screen(where):
     """README.md's line of what can be read and tried at once."""
     if not where["book"]:
         return "**The book, the laboratory and exercises in the page:** `./course docs --live` makes them, in `build/book/index.html`."
-    return " · ".join(f"**[{'Exercises in the page' if name == 'exercises' else f'The {name}'}]({where['book']}/{page})**" for name, page in PAGES.items())
+    links = [f"**[{'Exercises in the page' if name == 'exercises' else f'The {name}'}]({where['book']}/{page})**" for name, page in PAGES.items()]
+    return " · ".join([*links, *([f"[the book here on GitHub]({where['repository']}/tree/book)"] if where["repository"] else [])])
 
 
 def clone_line(where):
