@@ -44,7 +44,15 @@ class Menu(unittest.TestCase):
     def test_no_two_scenes_share_a_key_and_each_mesh_is_there(self):
         scenes = list(lab.all_scenes())
         self.assertEqual(len({scene["key"] for scene in scenes}), len(scenes))
-        self.assertEqual({name for scene in scenes for name in re.findall(r'"file": "([^"]+)"', scene["text"])}, set(lab.MESHES))
+        self.assertEqual({name for scene in scenes for name in re.findall(r'"file": "([^"]+)"', scene["text"])}, set(lab.meshes()))
+
+    def test_ten_scenes_stand_first_each_with_a_picture_and_what_to_look_at(self):
+        first = lab.data()["scenes"][:10]
+        self.assertEqual({scene["group"] for scene in first}, {"To begin with"})
+        for scene in first:
+            self.assertTrue(scene["look"].endswith((".", "?")), scene["key"])
+            self.assertTrue(scene["thumbnail"].startswith("data:image/webp;base64,UklGR"), scene["key"])
+            self.assertTrue(json.loads(scene["text"]).get("planes") or scene["key"] == "cradle", scene["key"])
 
     def test_a_change_leads_into_lists_by_name_merges_objects_and_removes_by_null(self):
         scene = {"bodies": [{"name": "a", "shape": {"file": "x", "scale": 2}}], "dt": 1, "old": 2}

@@ -7,6 +7,7 @@
 What draws comes from npm (three.js) in the version and with the digest of docs/tools/npm/lab/package-lock.json, and esbuild makes one file of it.
 """
 import argparse
+import base64
 import gzip
 import http.server
 import json
@@ -17,6 +18,7 @@ import webbrowser
 from functools import partial
 from pathlib import Path
 
+import lab_stars
 import live
 import npm
 
@@ -85,15 +87,20 @@ def ledger_scenes():
 
 
 def all_scenes():
-    for basis, elements in (("linear", ""), ("quadratic", ", quadratic elements")):
-        patch = json.dumps({"/bodies/bunny/shape/file": "bunny_363.msh", "/bodies/bunny/basis": basis})
-        yield {"key": f"bunny_363_{basis}", "group": "To begin with", "title": f"a soft bunny falls into a bowl{elements}", "text": text_of("bunny_at_rest", patch), "note": f"Here with 363 {basis} elements.",
-               "solver": 10, "beside": 0}
-    yield {"key": "tower", "group": "To begin with", "title": "five cubes, edge on edge", "text": text_of("tower"), "note": "", "solver": 10, "beside": 0}
+    stars = list(lab_stars.scenes())
+    yield from stars
+    patch = json.dumps({"/bodies/bunny/shape/file": "bunny_363.msh", "/bodies/bunny/basis": "quadratic"})
+    yield {"key": "bunny_363_quadratic", "group": "Scenes of the course", "title": "bunny of 363 quadratic elements", "text": text_of("bunny_at_rest", patch),
+           "note": "Here with 363 quadratic elements.", "solver": 10, "beside": 0}
     yield from ledger_scenes()
     for path in sorted((ROOT / "common/scenes").glob("*.json")):
-        if path.stem != "tower":
+        if path.stem not in {star["key"] for star in stars}:
             yield {"key": path.stem, "group": "Scenes of the course", "title": path.stem.replace("_", " "), "text": path.read_text(encoding="utf-8"), "note": "", "solver": 10, "beside": 0}
+
+
+def meshes():
+    """The meshes of the menu's scenes, by name."""
+    return {name: (ROOT / "common/meshes" / name).read_text(encoding="utf-8") for name in MESHES} | {"stone.obj": lab_stars.stone()}
 
 
 def solver_of(text):
@@ -122,14 +129,18 @@ def run_in(path):
 
 
 def data(own=None):
-    scenes, meshes = list(all_scenes()), {name: (ROOT / "common/meshes" / name).read_text(encoding="utf-8") for name in MESHES}
+    scenes, given = list(all_scenes()), meshes()
+    for scene in scenes:
+        if "thumbnail" in scene:
+            picture = (ROOT / "live/lab/thumbnails" / scene["thumbnail"]).read_bytes()
+            scene["thumbnail"] = f"data:image/webp;base64,{base64.b64encode(picture).decode()}"
     if run := own and run_in(own):
-        return {"scenes": scenes, "meshes": meshes, "run": run}
+        return {"scenes": scenes, "meshes": given, "run": run}
     if own:
         scene, its = own_scene(own)
         scenes.insert(0, scene)
-        meshes |= its
-    return {"scenes": scenes, "meshes": meshes}
+        given |= its
+    return {"scenes": scenes, "meshes": given}
 
 
 def bundle():

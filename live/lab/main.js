@@ -7,6 +7,7 @@ import { readLink, writeLink } from "./link.js";
 import { keyOf, pairAt, pairCount, readable, rowsOf } from "./pairs.js";
 import { button, element, labelled, select } from "./parts.js";
 import { replayed } from "./replay.js";
+import { Knobs } from "./knobs.js";
 import { View } from "./view.js";
 
 const CHAPTERS = [[1, "1: particle and plane"], [2, "2: collision detection"], [3, "3: penalty impulses"], [4, "4: friction"], [5, "5: categorisation"], [6, "6: redefinition"],
@@ -38,9 +39,16 @@ class Laboratory {
   makeControls() {
     const groups = new Map();
     for (const scene of this.given.scenes) groups.set(scene.group, [...groups.get(scene.group) ?? [], [scene.key, scene.title]]);
-    this.sceneChoice = select([...groups.entries(), ["Your own", [[OWN, "the text below"], [RUN, "a run that a program wrote"]]]], () => this.chooseScene());
-    this.solverChoice = select(CHAPTERS, () => this.reload());
-    this.besideChoice = select([[0, "none"], ...CHAPTERS], () => this.reload());
+    this.sceneChoice = select([...groups.entries(), ["Your own", [[OWN, "the text below"], [RUN, "a run that a program wrote"]]]], () => this.start(this.chooseScene()));
+    this.solverChoice = select(CHAPTERS, () => this.start(this.reload()));
+    this.besideChoice = select([[0, "none"], ...CHAPTERS], () => this.start(this.reload()));
+    this.stars = element("div", { className: "lab-stars", ariaLabel: "scenes to begin with" }, this.given.scenes.filter(({ thumbnail }) => thumbnail).map(scene => {
+      const made = button("", scene.look, () => { this.sceneChoice.value = scene.key; this.start(this.chooseScene()); });
+      made.dataset.scene = scene.key;
+      made.append(element("img", { src: scene.thumbnail, alt: "", width: 168, height: 112 }), element("span", { textContent: scene.title }));
+      return made;
+    }));
+    this.knobs = new Knobs(() => this.text.value, text => { this.text.value = text; this.start(this.reload()); });
     this.speedChoice = select(SPEEDS, () => this.restartClock());
     this.playButton = button("▶ play", "space bar", () => this.play(!this.playing));
     this.pairsShown = element("input", { type: "checkbox", checked: true });
@@ -51,6 +59,7 @@ class Laboratory {
     this.slider = element("input", { type: "range", min: 0, max: 0, value: 0, className: "lab-time", ariaLabel: "steps that were shown" });
     this.slider.addEventListener("input", () => { this.play(false); this.show(Number(this.slider.value)); });
     this.about = element("p", { className: "lab-about" });
+    this.look = element("p", { className: "lab-look" });
     this.views = element("div", { className: "lab-views" });
     this.curvesBox = element("div", { className: "lab-curves" });
     this.state = element("p", { className: "lab-state", ariaLive: "off" });
@@ -68,9 +77,8 @@ class Laboratory {
     this.filmButton.hidden = !filmType();
     this.runFile = element("input", { type: "file", accept: ".json", hidden: true });
     this.runFile.addEventListener("change", () => this.openFile(this.runFile.files[0]));
-    this.box.replaceChildren(
-      element("div", { className: "lab-bar" }, [labelled("scene", this.sceneChoice), labelled("solver of chapter", this.solverChoice), labelled("beside it", this.besideChoice)]),
-      this.about, this.message, this.views, this.slider, steps, this.state, this.curvesBox, this.pairBox, keep, this.runFile, own);
+    const choices = element("div", { className: "lab-bar" }, [labelled("scene", this.sceneChoice), labelled("solver of chapter", this.solverChoice), labelled("beside it", this.besideChoice)]);
+    this.box.replaceChildren(this.stars, steps, this.message, this.views, this.slider, this.look, choices, this.knobs.box, this.about, this.state, this.curvesBox, this.pairBox, keep, this.runFile, own);
     this.box.addEventListener("keydown", event => this.key(event));
   }
 
@@ -94,6 +102,12 @@ class Laboratory {
     return this.reload();
   }
 
+  // A scene that a reader has chosen moves at once, but for readers who want no motion.
+  async start(loading) {
+    await loading;
+    if (!matchMedia("(prefers-reduced-motion: reduce)").matches && !this.replays && (this.message.hidden || this.message.classList.contains("mild"))) this.play(true);
+  }
+
   // Reads the text anew, under each of the solvers. `keepView`: the camera of a link.
   async reload(keepView = null) {
     const turn = ++this.begun, known = this.given.scenes.find(({ key }) => key === this.sceneChoice.value);
@@ -110,6 +124,9 @@ class Laboratory {
     this.say(failed?.error ?? loaded[0].scene.warnings.join("\n"), !failed);
     if (failed) return;
     this.lanes.forEach((lane, i) => this.begin(lane, loaded[i].scene, [this.kept(loaded[i].frame)], { title: `chapter ${chapters[i]}`, colour: LANE_COLOURS[i], keepView }));
+    this.look.textContent = known?.look ? `Look at this: ${known.look}` : "";
+    for (const star of this.stars.children) star.setAttribute("aria-pressed", String(star.dataset.scene === known?.key));
+    this.knobs.show(this.text.value, Math.min(...chapters));
     this.about.textContent = [known?.note, this.lanes[0].scene.description].filter(Boolean).join(" ");
     this.choose(null);
     this.index = 0;
@@ -164,6 +181,8 @@ class Laboratory {
     if (!this.lanes.length) this.lanes.push(this.makeLane());
     this.begin(this.lanes[0], scene, frames, { title: scene.solver, colour: LANE_COLOURS[0] });
     this.say("", true);
+    this.look.textContent = "";
+    this.knobs.box.hidden = true;
     this.about.textContent = `${counted(frames.length, "frame")} of a run. ${scene.description}`;
     this.choose(null);
     this.until = Infinity;
@@ -358,6 +377,7 @@ class Laboratory {
     this.solverChoice.value = CHAPTERS.some(([chapter]) => chapter === link.solver) ? link.solver : link.scene ? 10 : scene?.solver ?? 10;
     this.besideChoice.value = CHAPTERS.some(([chapter]) => chapter === link.beside) ? link.beside : link.scene ? 0 : scene?.beside ?? 0;
     await this.reload(link.view);
+    if (!link.scene && !link.text) return this.start();
     for (let step = 0; step < (link.step ?? 0) && !this.broken; ++step) {
       await this.advance(1);
       if (step % 5 === 4) this.show(this.last);
