@@ -99,13 +99,10 @@ def tell_failure(failure):
 
 
 def tell_misconceptions(exercise, outcome):
-    """Those with the same wrong numbers; else the one that fails in the same cases, said with care."""
+    """Those with the same wrong numbers."""
     found = misconceptions(exercise, outcome)
-    alike = [mutant for mutant in exercise.mutants if set(mutant.fails) == cases_to_explain(outcome)]
     for mutant in found:
         tell_diagnosis("Perhaps: " if tells_apart(outcome) else "This has many possible reasons. One of them: ", mutant)
-    if not found and len(alike) == 1 and not any(re.search(r"\bnan\b", failure.message) for failure in outcome.failures):
-        tell_diagnosis("Another answer, with other numbers, failed in the same properties. Of that one we would say: ", alike[0])
 
 
 def tells_apart(outcome):

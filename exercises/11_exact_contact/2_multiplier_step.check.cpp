@@ -15,7 +15,7 @@ BlockOnSpring block_of(double h, double mu, const Vec3& free_velocity)
 
 }  // namespace
 
-TEST_CASE("solve: a spring that is not pressed in stops h / (1 + h) of the velocity")
+TEST_CASE("solve: a spring that is not pressed in stops the part of the velocity that its stiffness gives")
 {
     given("2 kg, h 3, mu 1, free velocity (-1, 0.3, 0.4) m/s");
     expect("impulse", impulse_of_spring(block_of(3, 1, Vec3(-1, 0.3, 0.4)), Vec3::Zero()),
@@ -54,7 +54,7 @@ TEST_CASE("memory: a block at rest under it is pushed the same, and does not mov
     expect("impulse of the next solve", impulse_of_spring(block, begin), Vec3(2, -0.6, -0.8), 1e-13, "N s");
 }
 
-TEST_CASE("passes: each leaves 1 / (1 + h) of the error, as predicted")
+TEST_CASE("passes: each leaves the part of the error that is predicted")
 {
     struct Case {
         double mu;
@@ -73,6 +73,8 @@ TEST_CASE("passes: each leaves 1 / (1 + h) of the error, as predicted")
                 expect("prediction", predicted_impulse(block, one.exact, passes), expected, 1e-12, "N s");
             }
     const BlockOnSpring block = block_of(3, 0.6, Vec3(-1, 0.3, 0.4));
-    for (const int passes : {1, 2, 5})
-        say("h = 3, passes: ", passes, ", part missing: ", 1 - impulse_after(block, passes).x() / 2);
+    int passes = 0;
+    while (passes < 100 && std::abs(1 - impulse_after(block, passes).x() / 2) > 1e-6)
+        ++passes;
+    say("h = 3: ", passes, " passes until less than a millionth of the impulse is missing");
 }

@@ -112,7 +112,7 @@ export function told(exercise, outcome) {
         ...others.length ? [others.join("\n")] : []].join("\n\n");
 }
 
-/** The known mistakes whose wrong numbers this answer has, or the one that fails in the same properties.
+/** The known mistakes whose wrong numbers this answer has.
  *  @param judged  gives the outcome of a known mistake, or nothing where nobody waits any more */
 export async function diagnosis(exercise, outcome, judged) {
     const cases = to_explain(outcome), mine = wrong_numbers(outcome), found = [];
@@ -129,9 +129,7 @@ export async function diagnosis(exercise, outcome, judged) {
         const apart = outcome.failures.some(({ message }) => /\d\.\d{2}|\d{3}|\de[-+]\d/.test(message.split(", got ").slice(1).join(", got ")));
         return found.filter(({ same }) => same === most).map(({ mutant }) => (apart ? "Perhaps: " : "This has many possible reasons. One of them: ") + mutant.diagnosis).join("\n\n");
     }
-    const alike = exercise.mutants.filter(mutant => mutant.fails.length === cases.size && within(mutant.fails, cases));
-    return alike.length === 1 && !outcome.failures.some(({ message }) => /\bnan\b/.test(message))
-        ? `Another answer, with other numbers, failed in the same properties. Of that one we would say: ${alike[0].diagnosis}` : "";
+    return "";
 }
 
 /** The first errors of the compiler, each at its line of the answer. */
