@@ -17,7 +17,6 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-import wrong_patches
 from catalogue import ROOT, CatalogueError, shown
 from honest import DoesNotCompile
 
@@ -38,7 +37,7 @@ class WrongVersion:
     @property
     def layer(self):
         """The layer's folder, as in "03_penalty_impulses" or "fem"."""
-        return next(folder for folder in self.home.parents if folder.name == "tests").parent.name
+        return self.home.parents[1].name
 
     @property
     def number(self):
@@ -101,14 +100,11 @@ def _version(home, title, entry):
 def all_versions(root=ROOT):
     """Every wrong version, the chapters' first."""
     return [version for tree in ("chapters", "common")
-            for layer in sorted((root / tree).rglob("tests"))
-            for version in [*wrong_patches.read_all(layer / "wrong", WrongVersion), *(read(layer / "wrong.toml") if (layer / "wrong.toml").is_file() else [])]]
+            for home in sorted((root / tree).rglob("tests/wrong.toml")) for version in read(home)]
 
 
 def write_fails(version, noticed):
     """Writes the name of another test into the version's home."""
-    if version.home.suffix == ".patch":
-        return wrong_patches.write_fails(version, noticed)
     with WRITING:
         head, found, rest = version.home.read_text(encoding="utf-8").partition(f"[{version.title}]\n")
         rest = re.sub(r"^fails = .*$", lambda _: f"fails = {json.dumps(noticed, ensure_ascii=False)}", rest, count=1, flags=re.M)

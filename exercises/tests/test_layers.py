@@ -14,7 +14,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import layers  # noqa: E402
 import prove  # noqa: E402
 import workshop  # noqa: E402
-import wrong_patches  # noqa: E402
 import wrong_versions  # noqa: E402
 from catalogue import CatalogueError  # noqa: E402
 
@@ -236,38 +235,6 @@ class TheCourse(unittest.TestCase):
     def test_names_are_given_once_in_a_layer(self):
         names = [version.name for version in wrong_versions.all_versions()]
         self.assertEqual(len(names), len(set(names)))
-
-
-class Patches(unittest.TestCase):
-    """Those that are not yet in a wrong.toml."""
-
-    PATCH = """It is wrong.
-fails: a test
---- a/chapters/01_fall/fall.cpp
-+++ b/chapters/01_fall/fall.cpp
-@@ -1,5 +1,5 @@
- first
- second
- third
--old
-+new
- fourth
-"""
-
-    def read(self, text):
-        with tempfile.TemporaryDirectory() as folder:
-            patch = Path(folder) / "wrong.patch"
-            patch.write_text(text)
-            return wrong_patches.read(patch, wrong_versions.WrongVersion)
-
-    def test_a_patch_is_a_text_to_find_and_another_one(self):
-        self.assertEqual(self.read(self.PATCH).changes, [("second\nthird\nold\nfourth", "second\nthird\nnew\nfourth")])
-
-    def test_what_a_patch_lacks_is_named(self):
-        for text, told in ((self.PATCH.replace("wrong.", "wrong"), "begins with a sentence"), (self.PATCH.replace("fails", "breaks"), "begins with a sentence"),
-                           (self.PATCH.replace("+++", "++"), "changes 0 files")):
-            with self.assertRaisesRegex(CatalogueError, told):
-                self.read(text)
 
 
 class Parts(unittest.TestCase):
