@@ -237,7 +237,7 @@ void DistanceSearch::find_more(const World& world)
             collect_own_pairs(tree(body), *neighbours, append_body_pair(body, body));
 }
 
-bool DistanceSearch::may_meet(const Body& body, int edge) const
+bool DistanceSearch::edge_may_meet(const Body& body, int edge) const
 {
     return !keeps_shape(body) || is_ridge(body, edge);
 }

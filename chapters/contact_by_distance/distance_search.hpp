@@ -30,7 +30,7 @@ public:
 
 protected:
     void find_more(const World& world) override;
-    bool may_meet(const Body& body, int edge) const override;
+    bool edge_may_meet(const Body& body, int edge) const override;
 
 private:
     void remember_shapes(const World& world);

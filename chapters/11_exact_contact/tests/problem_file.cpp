@@ -195,8 +195,9 @@ TEST_CASE("problem file: what is written as HDF5 is read as the same problem, to
             CHECK(read.bodies->given_velocity == problem.bodies->given_velocity);
         }
     }
-    CHECK_THROWS_WITH_AS(write_fclib(contact, folder.path / "no/such/folder.hdf5"),
-                         doctest::Contains("folder.hdf5: cannot be written"), InputError);
+    write_fclib(contact, folder.path / "new/folder.hdf5");  // a missing folder is made
+    CHECK(read_problem(folder.path / "new/folder.hdf5").mu == contact.mu);
+    CHECK_THROWS_AS(write_fclib(contact, folder.path / "new/folder.hdf5/below_a_file.hdf5"), InputError);
 }
 
 TEST_CASE("problem file: what is wrong in an HDF5 file is told with its place")

@@ -364,23 +364,27 @@ TEST_CASE(
 TEST_CASE("scene: more than a thousand bodies and steps above a second are taken with a warning")
 {
     std::string bodies;
-    for (int i = 0; i < 1001; ++i)
-        bodies += (i == 0 ? "" : ", ") + body("t" + std::to_string(i), "static",
-                                              R"({"tetrahedron": {"edge": 1}})",
-                                              "[" + std::to_string(3 * i) + ", 0, 0]");
+    for (int i = 0; i < 1001; ++i) {
+        const std::string number = std::to_string(i), place = std::to_string(3 * i);
+        bodies.append(i == 0 ? "" : ", ");
+        bodies.append(body(std::string("t").append(number), "static", R"({"tetrahedron": {"edge": 1}})",
+                           std::string("[").append(place).append(", 0, 0]")));
+    }
     const Scene many = read("\"bodies\": [" + bodies + "]");
     CHECK(many.world.bodies.size() == 1001);
     REQUIRE(many.warnings.size() == 1);
     CHECK(many.warnings[0].find(
               "trial.json: /bodies: 1001 of them, and the course measures scenes of up to 1000") == 0);
     const std::string one = R"(, "duration": 20, "bodies": [)" + cube("c", "[0, 0, 0]") + "]}";
-    const Scene slow = read_scene(R"({"name": "slow", "dt": 2)" + one, "", "slow.json", {});
+    const Scene slow = read_scene(std::string(R"({"name": "slow", "dt": 2)").append(one), "", "slow.json",
+                                  {});
     CHECK(slow.dt == 2);
     REQUIRE(slow.warnings.size() == 1);
     CHECK(slow.warnings[0].find(
               "slow.json: /dt: a step of 2 s is longer than any that the course measures") == 0);
     CHECK(slow.warnings[0].find("a body falls 39.2 m") != std::string::npos);
-    CHECK(read_scene(R"({"name": "slow", "dt": 1)" + one, "", "slow.json", {}).warnings.empty());
+    CHECK(read_scene(std::string(R"({"name": "slow", "dt": 1)").append(one), "", "slow.json", {})
+              .warnings.empty());
 }
 
 TEST_CASE("scene: a name that is not the file's is told")
