@@ -5,6 +5,7 @@
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/rigid_body.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 using namespace enduring;
@@ -16,6 +17,9 @@ std::unique_ptr<Body> rigid_box(const char* name, const Vec3& size, const Vec3& 
         vertex += place;
     return std::make_unique<RigidBody>(name, mesh, mass_properties(mesh, 500), velocity);
 }
+
+/// What rounds to zero has no sign.
+double without_sign_of_zero(double newtons) { return std::abs(newtons) < 5e-4 ? 0 : newtons; }
 
 int main()
 {
@@ -43,5 +47,6 @@ int main()
                     forces[b].y());
     for (const std::vector<std::vector<Vec3>> of_bodies = vertex_forces(world, contacts, dt);
          const Vec3& force : of_bodies[1])
-        std::printf("box vertex: %.3f %.3f %.3f N\n", force.x(), force.y(), force.z());
+        std::printf("box vertex: %.3f %.3f %.3f N\n", without_sign_of_zero(force.x()), force.y(),
+                    without_sign_of_zero(force.z()));
 }

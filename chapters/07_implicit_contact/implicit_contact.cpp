@@ -7,6 +7,7 @@
 #include "common/fem/elastic_body.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -93,11 +94,21 @@ void begin_with_last_impulses(World& world, StepProblem& step, double max_turn)
 }
 //! [begin]
 
+/// The size of all pairs' impulses, each by the mass that its pair feels: pushes that cancel count, too [sqrt(kg) m/s].
+double speed_of_pairs(const StepProblem& step, const Eigen::VectorXd& impulses)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < step.responses.size(); ++i)
+        sum += impulses.segment<3>(static_cast<Eigen::Index>(3 * i)).squaredNorm() /
+               mass_along(step.problem.rows[i].law.normal, step.responses[i]);
+    return std::sqrt(sum);
+}
+
 //! [own_impulses]
 /// Gives each pair what its own law says of the motion found, with the limit of friction that this motion makes. Newton's tangents move
 /// the bodies in the same way, but leave open what no motion tells apart, as among seven vertices or between the jaws of a vice. One more step of
 /// Newton's method, from the laws' impulses, makes these add up to what moves the bodies.
-/// @param enough  part of the impulses by which they may miss their laws as they are
+/// @param enough  part of the impulses by which they may miss their laws as they are; what rounding makes of them is enough, too
 /// @return        steps of Newton's method: one, or none where the impulses obey their laws already
 int take_own_impulses(World& world, StepProblem& step, NewtonMatrix& matrix, double enough)
 {
@@ -105,7 +116,8 @@ int take_own_impulses(World& world, StepProblem& step, NewtonMatrix& matrix, dou
     for (PairRow& row : problem.rows)
         row.law.lagged_normal_impulse = normal_impulse(row.law, row.velocity, problem.step);
     const Answers answers = answers_to(problem, Eigen::VectorXd::Zero(problem.size));
-    if ((answers.impulses - impulses_acting(problem)).norm() <= enough * answers.impulses.norm())
+    if (speed_of_pairs(step, answers.impulses - impulses_acting(problem)) <=
+        std::max(enough * speed_of_pairs(step, answers.impulses), rounding_speed(world, step)))
         return 0;
     std::vector<Mat3> hessians;
     hessians.reserve(problem.rows.size());
@@ -159,11 +171,10 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             matrix.begin_response(matrix.solves());
             continue;
         }
-        const double rounding = rounding_residual(world, step, least);
-        record.converged = record.residual <= std::max(settings.tolerance, rounding);
+        record.converged = record.residual <= settings.tolerance ||
+                           record.residual <= rounding_residual(world, step, least);
         if (record.converged && (first || record.rounds > 0))
-            record.newton_steps += take_own_impulses(world, step, matrix,
-                                                     std::max(settings.tolerance_of_laws, rounding));
+            record.newton_steps += take_own_impulses(world, step, matrix, settings.tolerance_of_laws);
         if (record.converged && stiffen_where_pressed(world, step, settings.stiffness))
             continue;
         if (record.converged || steps_left <= 0)

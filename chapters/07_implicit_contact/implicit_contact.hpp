@@ -96,6 +96,9 @@ double approach_ends(World& world, const Island& island, double dt);
 /// the rounding of their coordinates does [sqrt(kg) m/s].
 double least_speed(const World& world, const Island& island, double dt);
 
+/// What springs answer to the last digits of coordinates, of all pairs that push [sqrt(kg) m/s].
+double rounding_speed(const World& world, const StepProblem& step);
+
 /// Residual that rounding may leave, whatever the impulses are: a spring answers the last digit of a coordinate with k dt times
 /// it. A stiff spring in a short step, in which weight does little, so leaves more than a millionth.
 double rounding_residual(const World& world, const StepProblem& step, double least_speed);

