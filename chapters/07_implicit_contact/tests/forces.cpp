@@ -113,7 +113,7 @@ TEST_CASE("forces: two walls that press a block from both sides press alike, wit
                 GivenMotion::through({{0, Vec3::Zero(), Vec3::Zero()},
                                       {0.05, Vec3(-side * (pressed + gap), 0, 0), Vec3::Zero()}})));
         }
-        run.steps(20);  // pairs come and go at first
+        run.steps(20);             // pairs come and go at first
         CHECK(run.on(1).x() < 0);  // the left wall
         CHECK(std::abs(run.on(1).x() + run.on(2).x()) < 1e-6 * std::abs(run.on(1).x()));
         CHECK(run.off_law() < 1e-6);
