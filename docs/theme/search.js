@@ -90,5 +90,13 @@
     (shown.querySelector("a.chosen") ?? shown.querySelector("a"))?.click();
   });
   document.addEventListener("click", event => { if (!box.contains(event.target)) shown.hidden = true; });
-  document.addEventListener("DOMContentLoaded", () => document.getElementById("titlearea")?.append(box));
+  // Doxygen-awesome puts its switch of themes beside Doxygen's own field, which is not there: an empty place bears its name. It looks
+  // for it as soon as the page is parsed, so the place has to stand before that is told.
+  const place = document.createElement("span");
+  place.id = "MSearchBox";
+  place.style.setProperty("display", "none", "important");
+  box.append(place);
+  document.addEventListener("readystatechange", () => {
+    if (document.readyState === "interactive") document.getElementById("titlearea")?.append(box);
+  });
 })();
