@@ -57,7 +57,7 @@ Rows weights(const MakeSolver& make, bool full)
 {
     Row sum{"weight", "body on 1 to " + std::string(full ? "484" : "121") + " pairs", "sum of the forces",
             "m g", 1e-7},
-        law{"law", "the same", "force of each pair", "k times its depth", 1e-7};
+        law{"law", "the same", "force of each pair", "k times its depth", 1e-6};
     for (const Floor floor : all_floors)
         for (const double dt : full ? std::vector{1.0 / 60, 0.002} : std::vector{1.0 / 60})
             for (const Standing& standing : standing_bodies(full)) {
