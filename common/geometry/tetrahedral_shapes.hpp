@@ -12,7 +12,7 @@ namespace enduring {
 
 /// How the cells of a bar are cut into tetrahedra. Both ways the diagonals of neighbouring cells agree.
 enum class CellSplit {
-    /// six tetrahedra around the cell's diagonal: all cells alike, but the bar twists a little when it bends
+    /// six tetrahedra around the cell's diagonal: all cells alike, but a bar of linear elements moves sideways when it bends
     six,
     /// a middle one and four corners, mirrored from cell to cell: no preferred direction over two cells
     five
@@ -21,6 +21,6 @@ enum class CellSplit {
 /// A cuboid around the origin, filled with a regular grid of cells that are cut into tetrahedra.
 /// @param size   edge lengths along x, y, z [m]
 /// @param cells  cells along x, y, z
-TetrahedralMesh bar(const Vec3& size, std::array<int, 3> cells, CellSplit split = CellSplit::six);
+TetrahedralMesh bar(const Vec3& size, std::array<int, 3> cells, CellSplit split = CellSplit::five);
 
 }  // namespace enduring

@@ -77,7 +77,7 @@ Shape read_bar(const JsonValue& value, const SceneLimits& limits)
     value.require_keys({"size", "cells", "split"});
     const std::array<int, 3> cells = read_cells<3>(value, {1, 1, 1});
     const std::optional<JsonValue> split = value.find("split");
-    const bool five = split && split->choice({"six", "five"}) == 1;
+    const bool five = !split || split->choice({"six", "five"}) == 1;
     require_at_most(value, (five ? 5.0 : 6.0) * cells[0] * cells[1] * cells[2], limits.elements, "elements");
     return with_surface(bar(value.at("size").vector(length), cells, five ? CellSplit::five : CellSplit::six));
 }

@@ -21,7 +21,7 @@ inline const char* name_of(Basis basis) { return basis == Basis::linear ? "linea
 /// A square bar along x, clamped at its lower end.
 inline std::unique_ptr<ElasticBody> clamped_bar(double length, double thickness, std::array<int, 3> cells,
                                                 Basis basis, const ElasticMaterial& material,
-                                                CellSplit split = CellSplit::six)
+                                                CellSplit split = CellSplit::five)
 {
     auto body = std::make_unique<ElasticBody>(
         with_elements(bar({length, thickness, thickness}, cells, split), basis), material,

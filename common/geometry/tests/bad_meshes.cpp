@@ -267,7 +267,7 @@ TEST_CASE("solid checks: inverted elements, stray nodes and solids that touch in
 
     TetrahedralMesh twice = good;
     twice.elements.push_back(twice.elements[4]);
-    CHECK(refused(twice) == "bar: element 12 has the same nodes as element 4");
+    CHECK(refused(twice) == "bar: element 10 has the same nodes as element 4");
 
     // Three tetrahedra on one face.
     TetrahedralMesh crowded{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0.2, 0.2, 2}},

@@ -425,7 +425,7 @@ TEST_CASE("scene: elastic constants out of range are named with path, range and 
     CHECK(jelly_complaint(R"({"/bodies/0/shape": {"bar": null, "sphere": {"radius": 1}}})")
               .find("jelly.json: /bodies/0/shape: expected a shape made of tetrahedra") == 0);
     CHECK(jelly_complaint(R"({"/bodies/0/shape/bar/cells": [100, 100, 100]})") ==
-          "jelly.json: /bodies/0/shape/bar: asks for 6000000 elements; at most 300000 are allowed");
+          "jelly.json: /bodies/0/shape/bar: asks for 5000000 elements; at most 300000 are allowed");
 }
 
 TEST_CASE("scene: an open surface may be a static body, and a rigid one only as a sheet with a mass")
