@@ -1,25 +1,10 @@
 #include "chapters/04_friction/surface_turn.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
-
-#include <optional>
+#include "common/simulation/surface_axes.hpp"
 
 namespace enduring {
 namespace {
-
-//! [surface_axes]
-/// Orthonormal axes that turn with a pair's two sides, as columns; none where they span no plane.
-std::optional<Mat3> surface_axes(const Vec3& side_1, const Vec3& side_2)
-{
-    const Vec3 one = side_1.stableNormalized(), other = side_2.stableNormalized();
-    const Vec3 normal = one.cross(other).stableNormalized(), along = (one + other).stableNormalized();
-    if (normal.isZero(0) || along.isZero(0))
-        return std::nullopt;
-    Mat3 axes;
-    axes << along, normal, along.cross(normal);
-    return axes;
-}
-//! [surface_axes]
 
 /// p - q; on a plane, which stays, p alone.
 Vec3 apart(const World& world, const Contact& contact, double tau)

@@ -5,6 +5,7 @@
 #include "chapters/07_implicit_contact/restitution.hpp"
 #include "chapters/07_implicit_contact/taken_energy.hpp"
 #include "common/fem/elastic_body.hpp"
+#include "common/simulation/turns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,15 +82,9 @@ double changed_part(const ContactProblem& problem, const Eigen::VectorXd& before
 /// a motion that turns a body too far for a step is no beginning: then the free motion is.
 void begin_with_last_impulses(World& world, StepProblem& step, double max_turn)
 {
-    const double dt = step.problem.step.dt;
-    const auto turn_of = [&](int place) {
-        return dt * world.bodies[static_cast<std::size_t>(place)]->turning_speed();
-    };
-    std::vector<double> free_turns(step.bodies.size());
-    std::transform(step.bodies.begin(), step.bodies.end(), free_turns.begin(), turn_of);
+    const Turns free_turns(world, step.bodies, step.problem.step.dt);
     apply_impulses(world, step, last_impulses(world, step));
-    if (!std::equal(step.bodies.begin(), step.bodies.end(), free_turns.begin(),
-                    [&](int place, double before) { return turn_of(place) <= before + max_turn; }))
+    if (free_turns.exceeded(world, max_turn))
         apply_impulses(world, step, Eigen::VectorXd::Zero(impulses_acting(step.problem).size()));
 }
 //! [begin]

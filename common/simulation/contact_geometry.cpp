@@ -1,5 +1,7 @@
 #include "common/simulation/contact_geometry.hpp"
 
+#include "common/simulation/surface_axes.hpp"
+
 namespace enduring {
 namespace {
 
@@ -38,23 +40,12 @@ PairInstant instant(const Contact& contact, const PairVertices& x)
                                                     : edge_edge_instant(x, contact.orientation);
 }
 
-/// Along and across the mean of two sides, and their normal; none where they have no plane.
-std::optional<Mat3> axes_of(const PairInstant& pair)
-{
-    const Vec3 one = pair.side_1.stableNormalized(), other = pair.side_2.stableNormalized();
-    const Vec3 normal = one.cross(other).stableNormalized(), along = (one + other).stableNormalized();
-    if (normal.isZero(0) || along.isZero(0))
-        return std::nullopt;
-    Mat3 axes;
-    axes << along, normal, along.cross(normal);
-    return axes;
-}
-
 //! [turned_normal]
 /// The normal of the start, turned with the pair's features.
 Vec3 turned_normal(const Contact& contact, const PairVertices& t0, const PairVertices& x)
 {
-    const auto from = axes_of(instant(contact, t0)), to = axes_of(instant(contact, x));
+    const PairInstant start = instant(contact, t0), now = instant(contact, x);
+    const auto from = surface_axes(start.side_1, start.side_2), to = surface_axes(now.side_1, now.side_2);
     return from && to ? Vec3(*to * (from->transpose() * contact.normal_t0)) : contact.normal_t0;
 }
 //! [turned_normal]

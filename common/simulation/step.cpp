@@ -2,6 +2,7 @@
 
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/step_attempt.hpp"
+#include "common/simulation/turns.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -74,26 +75,6 @@ void commit(World& world, double dt)
         body->commit(dt);
     world.time += dt;
 }
-
-//! [turns_too_far]
-/// By how much each body turns in a step, as fast as it turns now [rad].
-std::vector<double> turns(const World& world, double dt)
-{
-    std::vector<double> of_body;
-    for (const auto& body : world.bodies)
-        of_body.push_back(dt * body->turning_speed());
-    return of_body;
-}
-
-/// Whether impulses turn a body so far that its vertices leave their straight lines. An answer that turns a body by radians may
-/// end beside what pressed it: that solves the equation, too, with any energy.
-bool turns_too_far(const World& world, const std::vector<double>& before, double max_turn, double dt)
-{
-    const std::vector<double> now = turns(world, dt);
-    return !std::equal(now.begin(), now.end(), before.begin(), before.end(),
-                       [&](double one, double other) { return one <= other + max_turn; });
-}
-//! [turns_too_far]
 
 }  // namespace
 
@@ -227,7 +208,7 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     predict(world, dt);
     begin_step(contacts);
     done("predict");
-    const std::vector<double> free_turns = turns(world, dt);
+    const Turns free_turns(world, dt);
     run_passes(solver.passes(StepStage::refresh), world, contacts, dt, done);
 
     run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
@@ -238,7 +219,7 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
         done("apply impulses");
         update_predictions(world, dt);
         done("update prediction");
-        if (turns_too_far(world, free_turns, solver.max_turn, dt))
+        if (free_turns.exceeded(world, solver.max_turn))
             world.attempt.trouble = StepTrouble::turns_too_far;
         if (is_given_up(world))
             return;
