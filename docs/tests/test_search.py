@@ -9,7 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
 import book_search  # noqa: E402
 
-PAGE = """<title>Enduring Contacts: Chapter 1: The drop</title><div class="contents"><div class="toc">x</div><p>It falls \\(h\\) far.</p>
+PAGE = """<title>Enduring Contacts: Chapter 1: The drop</title><div class="contents"><div class="toc interactive"><h3>Table of Contents</h3><ul><li>Why?</li></ul></div><p>It falls \\(h\\) far.</p>
 <h1><a class="anchor" id="why"></a>Why &amp; how?</h1><p>The capstan holds.</p><script>var gone;</script><ul><li>one</li><li>two</li></ul></div><!-- contents -->"""
 HEADER = """<title>Enduring Contacts: fall.hpp File Reference</title><tr class="memitem:a"><td class="memItemRight" valign="bottom">
 <a href="#a">height_of_drop</a> (double t)</td></tr><tr class="memdesc:a"><td class="mdescRight">How high it is. <a href="#more">More...</a></td></tr>"""
@@ -27,9 +27,9 @@ class Search(unittest.TestCase):
         (self.book / "chapter_01.html").write_text(PAGE, encoding="utf-8")
         (self.book / "fall_8hpp.html").write_text(HEADER, encoding="utf-8")
 
-    def test_a_page_of_text_is_indexed_by_its_sections_without_formulas_and_scripts(self):
+    def test_a_page_of_text_is_indexed_by_its_sections_without_formulas_scripts_and_its_table_of_contents(self):
         first, second = book_search.sections(self.book / "chapter_01.html")
-        self.assertEqual((first["place"], first["page"], first["text"]), ("chapter_01.html", "Chapter 1: The drop", "x It falls far."))
+        self.assertEqual((first["place"], first["page"], first["text"]), ("chapter_01.html", "Chapter 1: The drop", "It falls far."))
         self.assertEqual((second["place"], second["heading"], second["text"]), ("chapter_01.html#why", "Why & how?", "The capstan holds. one two"))
 
     def test_a_page_of_the_code_is_indexed_by_its_names_and_what_they_are(self):

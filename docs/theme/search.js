@@ -5,8 +5,8 @@
   const box = document.createElement("form");
   box.id = "book-search";
   box.setAttribute("role", "search");
-  box.innerHTML = '<input type="search" placeholder="Search the book" aria-label="Search the book" autocomplete="off" spellcheck="false"><div class="found" hidden></div>';
-  const field = box.firstChild, shown = box.lastChild;
+  box.innerHTML = '<div class="row"><input type="search" placeholder="Search the book" aria-label="Search the book" autocomplete="off" spellcheck="false"></div><div class="found" hidden></div>';
+  const [row, shown] = box.children, field = row.firstChild;
   let index = null, loading = null, chosen = -1;
 
   const script = name => new Promise((done, failed) => {
@@ -90,12 +90,23 @@
     (shown.querySelector("a.chosen") ?? shown.querySelector("a"))?.click();
   });
   document.addEventListener("click", event => { if (!box.contains(event.target)) shown.hidden = true; });
-  // Doxygen-awesome puts its switch of themes beside Doxygen's own field, which is not there: an empty place bears its name. It looks
-  // for it as soon as the page is parsed, so the place has to stand before that is told.
+  // Doxygen-awesome puts its switch of themes beside Doxygen's own search field. The book has another field, so an empty element
+  // stands in for Doxygen's. The theme looks for it as soon as the page is parsed: it has to be there before.
   const place = document.createElement("span");
   place.id = "MSearchBox";
   place.style.setProperty("display", "none", "important");
-  box.append(place);
+  row.append(place);
+  new MutationObserver((_, observer) => { // once the switch has come, make it a button for the keyboard, too
+    const toggle = row.querySelector("doxygen-awesome-dark-mode-toggle");
+    if (!toggle) return;
+    observer.disconnect();
+    toggle.tabIndex = 0;
+    toggle.setAttribute("role", "button");
+    toggle.setAttribute("aria-label", toggle.title);
+    toggle.addEventListener("keydown", event => {
+      if (event.key === "Enter" || event.key === " ") { event.preventDefault(); toggle.click(); }
+    });
+  }).observe(row, { childList: true });
   document.addEventListener("readystatechange", () => {
     if (document.readyState === "interactive") document.getElementById("titlearea")?.append(box);
   });

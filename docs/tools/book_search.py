@@ -19,6 +19,7 @@ HEADINGS = ("h1", "h2", "h3", "h4")
 BLOCKS = {"p", "li", "td", "th", "tr", "div", "br", *HEADINGS}
 OF_THE_CODE = re.compile(r"(class|struct|namespace|union)\w*\.html|\w+_8hpp\.html")
 NAMES = re.compile(r'<td class="(?:mem(?:Item|Templ|TemplItem)Right|mdescRight)"[^>]*>(.*?)</td>', re.S)  # Doxygen's: a name, and its first sentence
+CONTENTS = re.compile(r'<div class="toc\b.*?</div>', re.S)  # Doxygen's list of a page's headings, which stand below, too
 UNSEEN = {"script", "style", "nav", "svg"}
 
 
@@ -65,7 +66,7 @@ def sections(page):
     if OF_THE_CODE.fullmatch(page.name):
         told = " ".join(html.unescape(re.sub(r"<a [^>]*>More\.\.\.</a>|<[^>]+>", " ", cell)) for cell in NAMES.findall(text))
         return [{"place": page.name, "page": title, "heading": "", "text": words(told)}]
-    body = text[text.find('<div class="contents">'):text.rfind("<!-- contents -->")]
+    body = CONTENTS.sub("", text[text.find('<div class="contents">'):text.rfind("<!-- contents -->")])
     return [{"place": page.name + (f"#{anchor}" if anchor else ""), "page": title, "heading": words(heading), "text": words("".join(told))}
             for anchor, heading, told in Sections(body).found if anchor or words("".join(told))]
 

@@ -42,6 +42,10 @@ for (let y = 5; y < box.height; y += 10) for (let x = 5; x < box.width; x += 10)
   if (canvas.style.cursor === 'grab') return [x + 5, y + 10];
 }
 return null;"""
+# Whether the switch of themes can be seen and hit, in the row of the search field.
+BESIDE = """const row = box => (box.top + box.bottom) / 2, seen = arguments[0].getBoundingClientRect(), field = document.querySelector('#book-search input').getBoundingClientRect();
+const hit = document.elementFromPoint((seen.left + seen.right) / 2, row(seen));
+return arguments[0].contains(hit) && Math.abs(row(seen) - row(field)) < 8 && seen.left >= field.right;"""
 PRINTED = {"chapter_03.html": ("Which way is out, and how deep?", "Further reading"), "chapter_05.html": ("One normal is not enough", "Further reading")}
 
 
@@ -113,6 +117,26 @@ def search_faults(driver, book):
                 WebDriverWait(driver, 20).until(lambda d: words in d.execute_script(found).lower() and told in d.execute_script(found))
             except WebDriverException:
                 yield f"index.html, {size['width']} px: the search does not find {words} ({driver.execute_script(found)[:60]!r})"
+
+
+def switch_faults(driver, book):
+    """The switch of themes is drawn beside the search field, answers to a click and to a key, and the next page keeps the choice."""
+    dark = "return document.documentElement.classList.contains('dark-mode')"
+    for size in (DESKTOP, PHONE):
+        screen(driver, size)
+        open_page(driver, book / "index.html")
+        switch = WebDriverWait(driver, 20).until(lambda d: d.find_element(By.CSS_SELECTOR, "doxygen-awesome-dark-mode-toggle[role=button]"))
+        name, first = f"index.html, {size['width']} px: the switch of themes", driver.execute_script(dark)
+        if not driver.execute_script(BESIDE, switch):
+            yield f"{name} is not drawn beside the search field"
+            continue
+        switch.click()
+        open_page(driver, book / "chapter_01.html")
+        if driver.execute_script(dark) == first:
+            yield f"{name} changes nothing on the next page"
+        driver.find_element(By.CSS_SELECTOR, "doxygen-awesome-dark-mode-toggle").send_keys(Keys.ENTER)
+        if driver.execute_script(dark) != first:
+            yield f"{name} does not answer to a key"
 
 
 def sidebar_faults(driver, book):
@@ -221,7 +245,7 @@ def main():
     if (book / "index.html").is_file():
         driver = browser()
         with tempfile.TemporaryDirectory() as scratch:
-            faults += [*search_faults(driver, book), *sidebar_faults(driver, book), *listing_faults(driver, book), *turning_faults(driver, book, DESKTOP), *turning_faults(driver, book, PHONE),
+            faults += [*search_faults(driver, book), *switch_faults(driver, book), *sidebar_faults(driver, book), *listing_faults(driver, book), *turning_faults(driver, book, DESKTOP), *turning_faults(driver, book, PHONE),
                        *print_faults(driver, book, options.pdf or Path(scratch))]
         driver.quit()
     tell(reports, faults)
