@@ -37,7 +37,7 @@ def heap():
     rng = random.Random(3)
     bodies = [rigid(f"cube {i + 1}", [0.4, 0.4, 0.4], [0.72 * (i % 3 - 1), 0.45 + 0.72 * (i // 3), 0.15 * rng.uniform(-1, 1)], i,
                     **turned(rng.uniform(0, 90), [rng.uniform(-1, 1) for _ in range(3)])) for i in range(15)]
-    return scene("heap", "Fifteen cubes fall onto the ground.", bodies, ([3.2, 2.6, 4.6], [0, 0.6, 0]))
+    return scene("heap", "Fifteen cubes fall onto the ground.", bodies, ([4.4, 3.4, 6.3], [0, 1.5, 0]))
 
 
 def card_house():
