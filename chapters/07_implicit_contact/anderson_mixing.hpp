@@ -13,7 +13,7 @@ namespace enduring {
 /// g is linear this is GMRES (Walker and Ni 2011).
 class AndersonMixing {
 public:
-    /// @param rounds  at most so many changes from round to round are combined; with none, each round is taken as it comes
+    /// @param rounds  at most so many changes from round to round are combined; with 0, nothing is mixed
     explicit AndersonMixing(int rounds) : rounds_(static_cast<std::size_t>(rounds)) {}
 
     /// @param x      of this round

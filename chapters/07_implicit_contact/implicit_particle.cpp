@@ -8,11 +8,11 @@ namespace enduring {
 namespace {
 
 //! [find_way]
-/// The velocity w of the way that charges what makes it: inertia (w - free_way) = I(w).
+/// The velocity w that is consistent with the impulse it causes: inertia (w - free_way) = I(w).
 ///
-/// I falls with w and is convex, so the difference of both sides rises and is concave. Newton's method then
-/// climbs from the free way, where the ground has not pushed yet, towards the answer and never passes it: no
-/// guess, no damping, no failure.
+/// I falls with w and is convex, so the difference of both sides rises and is concave. From the free velocity,
+/// at which the ground has not pushed yet, Newton's method climbs towards the solution and never passes it. No
+/// guess and no damping are needed.
 double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem,
                 int& newton_steps)
 {
@@ -21,7 +21,7 @@ double find_way(double height, double free_way, double inertia, const ImplicitPa
         const auto [impulse, slope] = weighted_impulse(height, height + dt * way, problem.centre, k, dt);
         const double next = way - (inertia * (way - free_way) - impulse) / (inertia - dt * slope);
         if (!(next > way))
-            return way;  // at the answer, as nearly as numbers of this length tell
+            return way;  // converged, up to rounding
         way = next;
     }
 }
@@ -35,7 +35,7 @@ ParticleState step(const ParticleState& state, const ImplicitParticle& problem, 
     const auto& [mass, k, gravity, centre, update, dt] = problem;
     const double free_velocity = state.velocity - gravity * dt;
     const bool by_mean = update == PositionUpdate::mean_velocity;
-    // Half the change of velocity shows in the mean, so the way is twice as hard to turn.
+    // Only half of the velocity's change appears in the mean, so the equation contains 2m instead of m.
     const double free_way = by_mean ? 0.5 * (state.velocity + free_velocity) : free_velocity;
     int count = 0;
     const double way = find_way(state.height, free_way, by_mean ? 2 * mass : mass, problem, count);

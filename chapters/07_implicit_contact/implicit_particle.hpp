@@ -4,12 +4,12 @@
 
 namespace enduring {
 
-/// With which velocity a step moves the particle: that of its end, as
-/// symplectic Euler does, or the mean of both ends.
+/// The velocity with which a step moves the particle: that of its end, as in
+/// symplectic Euler, or the mean of both ends.
 enum class PositionUpdate { end_velocity, mean_velocity };
 
-/// Chapter 1's particle, pushed by the impulse of the way that it takes, not of
-/// the way that it would take without the ground.
+/// Chapter 1's particle, pushed by the impulse of its actual path, not of the
+/// path that it would take without the ground.
 struct ImplicitParticle {
     double mass = 1;         ///< [kg]
     double stiffness = 100;  ///< k [N/m]
@@ -19,7 +19,7 @@ struct ImplicitParticle {
     double dt = 0.01;  ///< length of a step [s]
 };
 
-/// One step: the one velocity whose way charges the impulse that makes it.
+/// One step: finds the velocity that is consistent with the impulse it causes.
 /// @param newton_steps  if given, receives how many Newton steps it took to find it
 ParticleState step(const ParticleState& state, const ImplicitParticle& problem, int* newton_steps = nullptr);
 

@@ -16,19 +16,19 @@ struct StepProblem;
 /// What decides a pair's stiffness, the same for all scenes.
 struct StiffnessChoice {
     double k_dt2_over_m = 100;  ///< h = k dt^2 / m of a pair with the mass that it feels itself
-    /// The same, at most, whatever its load asks for: a mass is added to k dt^2, and the sum is rounded. A tenth: a die
-    /// of a gram under 100 kg is pressed as many times deeper. Ten times: such solves come to no end.
+    /// Upper bound of h: a mass is added to k dt^2, and rounding the sum would lose the mass. A tenth: a die of a gram
+    /// under 100 kg is pressed ten times deeper. Ten times: such solves do not converge.
     double max_k_dt2_over_m = 1e7;
-    /// A pair that lacks this many times its stiffness for the mass that presses it gets it in the same step, and one that is so many
-    /// times as stiff as its mass and its load ask for becomes softer. Infinite: a light body under a heavy one sinks through the
-    /// ground until its load counts, and what has landed stays as stiff as its impact: heaps take up to four times the steps of Newton's method.
+    /// Ratio of the stiffness that mass and load require to the present one that triggers stiffening within the step; its inverse
+    /// triggers softening. Infinite: a light body under a heavy one sinks through the ground until its load is known, and what has
+    /// landed stays as stiff as in its impact: heaps take up to four times the steps of Newton's method.
     /// A half: every landing begins its rounds anew.
     double at_once = 2;
     /// how deep the load that a pair carries may press it [m]; without it, a part of the pair's size
     std::optional<double> wanted_depth{};
     ScaleParts parts = scale_parts;  ///< of a pair's own units: what of_pair() takes
     double keep = 0.9;               ///< part of a spring's rest offset that a step keeps
-    /// How many wanted depths a pair that began inside may still have to go when friction sets in. Infinite: friction lifts a leaning
+    /// Friction begins when a pair that began inside is this many wanted depths from coming out. Infinite: friction lifts a leaning
     /// block with more work than its weight needs. A tenth: it comes to rest up to 0.3 s later. Ten times: hardly anything changes.
     double rubbing_offset = 100;
     /// the fastest at which a rest offset fades [m/s]; without it, a part of the pair's natural speed
@@ -69,8 +69,8 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
 /// pairs' impulses, and at least over what gravity gives in a step. It is more than the mass that the pair feels itself where other bodies press through its own.
 std::vector<double> pressing_masses(const World& world, const StepProblem& step);
 
-/// Makes pairs as stiff at once as the mass that presses them asks for, where this is more than twice what they
-/// are, but no stiffer than their load asks for; no force changes.
+/// Stiffens pairs at once to what the mass that presses them requires, where this is more than twice their present
+/// stiffness, but no stiffer than their load requires; no force changes.
 /// @param step  as it is solved
 /// @return      whether there was any: then the step's problem is another one
 bool stiffen_where_pressed(const World& world, StepProblem& step, const StiffnessChoice& choice);

@@ -32,7 +32,7 @@ struct RestitutionLimits {
     /// Of the pair's length: the depth that counts as none. A spring of 100 m / dt^2 is pressed by this when it answers the least that counts
     /// as an answer (ScaleParts::least_answer). A tenth: rounding bounces. Ten times: what begins in touch and comes in slowly does not bounce.
     double least_length = 1e-9;
-    /// over the pairs that rub in an impact. A tenth: a cube that lands flat keeps some slip. Ten times: time only.
+    /// over the pairs with friction in an impact. A tenth: a cube that lands flat keeps some slip. Ten times: only costs time.
     int friction_sweeps = 20;
 };
 inline constexpr RestitutionLimits restitution_limits;

@@ -78,7 +78,7 @@ def expected(exercise):
     if exercise.asks_first:
         yield from [opened("What a right answer prints: first write down your prediction"), *printed, CLOSED, ""]
     else:
-        yield from ["A right answer prints", *printed]
+        yield from ["A right answer prints:", *printed]
 
 
 def hints(texts, step):

@@ -8,11 +8,11 @@
 namespace enduring {
 namespace {
 
-/// The velocity w of the way that charges what makes it: inertia (w - free_way) = I(w).
+/// The velocity w that is consistent with the impulse it causes: inertia (w - free_way) = I(w).
 ///
-/// I falls with w and is convex, so the difference of both sides rises and is concave. Newton's method then
-/// climbs from the free way, where the ground has not pushed yet, towards the answer and never passes it: no
-/// guess, no damping, no failure.
+/// I falls with w and is convex, so the difference of both sides rises and is concave. From the free velocity,
+/// at which the ground has not pushed yet, Newton's method climbs towards the solution and never passes it. No
+/// guess and no damping are needed.
 double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem,
                 int& newton_steps)
 {
