@@ -28,7 +28,7 @@ SlidingBlock after_step(const SlidingBlock& block, double mu, double dt, Frictio
 /// once, though nothing has hit anything. The least such mu is 4/3, at tan a = 2.
 /// P. Painleve: Sur les lois du frottement de glissement, Comptes rendus de l'Academie des Sciences 121, 1895.
 /// @param angle  a, of the rod against the ground [rad]
-/// @param speed  of the end along the ground, in the direction in which the rod leans [m/s]
+/// @param speed  of the end along the ground, which slides ahead of the rod [m/s]
 /// @param fall   of the end in the step without the ground [m/s]; negative where it leaves the ground
 FrictionProblem sliding_rod(double angle, double mu, double speed, double fall);
 
