@@ -53,6 +53,10 @@ public:
 /// Steps a world, and notes where its bodies are.
 Trajectory follow(const EngineScene& scene, EngineWorld& world, int substeps, int steps);
 
+/// The same of a solver of ours, which steps our World.
+/// @param make  the solver, once the scene stands where it stays
+Trajectory run_solver(Scene scene, int substeps, int steps, const std::function<Solver(Scene&)>& make);
+
 /// Of a scene: substeps, or as many as come nearest to an engine's default time step.
 int substeps_of(const Way& way, const EngineScene& scene, double default_dt);
 

@@ -9,9 +9,7 @@ namespace {
 /// What steps our World: our solvers, and Bullet behind the bodies that stand for its own.
 class SolverWorld final : public EngineWorld {
 public:
-    using Make = std::function<Solver(Scene&)>;
-
-    SolverWorld(Scene scene, const EngineScene& described, const Make& make)
+    SolverWorld(Scene scene, const EngineScene& described, const std::function<Solver(Scene&)>& make)
         : scene_(std::move(scene)), described_(described), solver_(make(scene_))
     {}
     void step(double dt) override { advance(scene_.world, contacts_, solver_, dt); }
@@ -26,13 +24,6 @@ private:
     Contacts contacts_;
     Solver solver_;
 };
-
-Trajectory run_solver(Scene scene, int substeps, int steps, const SolverWorld::Make& make)
-{
-    const EngineScene described = describe(scene);
-    SolverWorld world(std::move(scene), described, make);
-    return follow(described, world, substeps, steps);
-}
 
 using MakeOurs = Solver (*)(const ContactParameters&, ImplicitSettings);
 
@@ -50,6 +41,13 @@ Engine our_engine(const std::string& name, MakeOurs make)
 }
 
 }  // namespace
+
+Trajectory run_solver(Scene scene, int substeps, int steps, const std::function<Solver(Scene&)>& make)
+{
+    const EngineScene described = describe(scene);
+    SolverWorld world(std::move(scene), described, make);
+    return follow(described, world, substeps, steps);
+}
 
 Engine chapter10_engine() { return our_engine("chapter 10", chapter10_solver); }
 Engine chapter11_engine() { return our_engine("chapter 11", chapter11_solver); }

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "common/experiments/report/chapter_program.hpp"
+
+namespace enduring::chapter13 {
+
+void same_scenes(const RunOptions& options, Report& report);
+void over_iterations(const RunOptions& options, Report& report);
+
+}  // namespace enduring::chapter13

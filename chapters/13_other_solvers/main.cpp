@@ -1,0 +1,32 @@
+#include "chapters/13_other_solvers/experiments/experiments.hpp"
+#include "chapters/13_other_solvers/solver.hpp"
+#include "common/experiments/own_scene/own_scene.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+int main(int argc, char** argv)
+{
+    using namespace enduring;
+    const auto method = std::make_shared<std::string>("sequential");
+    ChapterProgram program{
+        "13_other_solvers",
+        "Chapter 13: the other solvers",
+        {
+            {"same_scenes", "the rows of the page on engines under each method, and under ours beside them",
+             chapter13::same_scenes},
+            {"over_iterations", "what is left of a step in a stack and on a slope, over iterations",
+             chapter13::over_iterations},
+        },
+    };
+    program.add_options = [method](CLI::App& app) {
+        app.add_option("--method", *method,
+                       "that runs a scene of your own: sequential, soft_step, relaxation, xpbd or avbd")
+            ->needs(app.get_option("--scene"))
+            ->excludes(app.get_option("experiments"));
+    };
+    return run_chapter(argc, argv, program, [method](const ContactParameters& parameters) {
+        return chapter13_solver(*method, parameters);
+    });
+}

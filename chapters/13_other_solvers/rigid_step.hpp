@@ -1,0 +1,93 @@
+#pragma once
+
+#include "chapters/02_collision_detection/candidate_search.hpp"
+#include "chapters/13_other_solvers/settings.hpp"
+#include "common/rigid/rigid_motion.hpp"
+#include "common/simulation/contact_parameters.hpp"
+#include "common/simulation/step.hpp"
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace enduring {
+
+//! [moving_body]
+/// A rigid body within a step, as a method moves it. What stands still or moves as given has no inverse mass, and its pose is the world's.
+struct MovingBody {
+    bool moves = false;
+    double inverse_mass = 0;               ///< [1/kg]
+    Mat3 inertia_in_body = Mat3::Zero();   ///< along the body's axes [kg m^2]
+    Mat3 inverse_in_body = Mat3::Zero();   ///< its inverse
+    Vec3 gravity = Vec3::Zero();           ///< [m/s^2]
+    double size = 1;                       ///< [m]
+    Pose start, pose;                      ///< when the step begins, and now
+    Vec3 velocity = Vec3::Zero();          ///< before gravity acts in this step [m/s]
+    Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+
+    Mat3 inverse_inertia() const { return turned(inverse_in_body); }
+    Mat3 inertia() const { return turned(inertia_in_body); }
+    /// Gravity over h [s].
+    void fall(double h) { velocity += h * gravity; }
+    /// Along and about its velocities over h [s], by the exponential map.
+    void move(double h);
+    /// An impulse [N s] at r from the centre [m].
+    void push(const Vec3& impulse, const Vec3& r);
+
+private:
+    Mat3 turned(const Mat3& in_body) const;
+};
+//! [moving_body]
+
+//! [contact_point]
+/// A pair as the methods see it: a point of A, a point of B, and a normal that stays for the step.
+struct ContactPoint {
+    int a = -1, b = -1;  ///< places in RigidStep::bodies
+    Vec3 on_a, on_b;     ///< in body coordinates [m]
+    Vec3 given =
+        Vec3::Zero();  ///< velocity of A against B that is given: what is driven, surfaces that run [m/s]
+    Vec3 normal, tangent_1, tangent_2;  ///< unit length; the normal out of B
+    double separation = 0;              ///< n . (p - q) when the step begins [m], negative inside
+    double mu_s = 0, mu_d = 0;
+    double restitution = 0;
+    Vec3 impulse = Vec3::Zero();  ///< on A [N s]: first that of the last step, in the end that of this one
+    PairKey key;
+};
+//! [contact_point]
+
+/// All that a method of this chapter gets, and all that it changes.
+struct RigidStep {
+    double dt = 0;                   ///< [s]
+    std::vector<MovingBody> bodies;  ///< those of the world, and the ground behind them
+    std::vector<ContactPoint> points;
+
+    MovingBody& a(const ContactPoint& p) { return bodies[static_cast<std::size_t>(p.a)]; }
+    MovingBody& b(const ContactPoint& p) { return bodies[static_cast<std::size_t>(p.b)]; }
+    const MovingBody& a(const ContactPoint& p) const { return bodies[static_cast<std::size_t>(p.a)]; }
+    const MovingBody& b(const ContactPoint& p) const { return bodies[static_cast<std::size_t>(p.b)]; }
+    /// From the centres to the points now [m].
+    Vec3 lever_a(const ContactPoint& p) const { return a(p).pose.orientation * p.on_a; }
+    Vec3 lever_b(const ContactPoint& p) const { return b(p).pose.orientation * p.on_b; }
+    /// p - q now; `elapsed` [s] tells where given motion has come to [m].
+    Vec3 difference(const ContactPoint& p, double elapsed) const;
+    /// Velocity of p against q now [m/s].
+    Vec3 relative_velocity(const ContactPoint& p) const;
+    /// An impulse on A at p, and its opposite on B at q [N s].
+    void push(const ContactPoint& p, const Vec3& impulse);
+    /// Velocity along a direction per impulse along it [1/kg]; 0 where nothing moves.
+    double response(const ContactPoint& p, const Vec3& direction) const;
+};
+
+/// A method: from the start of the step to poses and velocities at its end, and the impulse of each point.
+using RigidMethod = std::function<void(RigidStep&)>;
+
+//! [rigid_solver]
+/// A solver that is this method on the common search, from an empty list of passes: pairs, the method, and behind the commit the velocities where
+/// they are not the way of the step over dt. It keeps the trees and impulses of one world, so make one for each run.
+/// @throws InputError  when it runs: a body is deformable, held or pinned; names it
+Solver rigid_solver(const std::string& name, const ContactParameters& parameters, RigidMethod method,
+                    const SearchSettings& search = {});
+//! [rigid_solver]
+
+}  // namespace enduring
