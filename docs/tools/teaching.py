@@ -35,7 +35,7 @@ def block(root, kind, chapters):
         goals, minutes = plan_of(root, page)
         told += ["", f"### {page.title}", ""]
         if kind == "goals":
-            told += [f"A student who has worked through \\ref {page.label} \"it\" can", "", *(f"- {goal}" for goal in goals)]
+            told += [f"A student who has worked through \\ref {page.label} \"the chapter\" can", "", *(f"- {goal}" for goal in goals)]
         else:
             practice = sum(exercise.minutes for exercise in exercises.get(page.folder, []))
             told += ["<div class=\"data\">", "", "| Section | Minutes |", "|:--|--:|", *(f"| {section} | {m} |" for section, m in minutes),

@@ -220,7 +220,8 @@ def lab_block(live):
 
 def table_block(page, name, caption, results, quick):
     rows = results.file(page, "table", name + ".md").read_text(encoding="utf-8").strip()
-    box = '<div class="data wide">' if rows.splitlines()[0].count("|") > 9 else '<div class="data">'
+    columns = rows.splitlines()[0].count("|") - 1
+    box = '<div class="data wide widest">' if columns > 12 else '<div class="data wide">' if columns > 8 else '<div class="data">'
     if (length := len(rows.splitlines()) - 2) > LONG_TABLE:
         rows = f"{exercise_pages.opened(f'All {length} rows')}\n\n{rows}\n\n{exercise_pages.CLOSED}"
     mark = f" {QUICK_MARK}" if quick else ""
