@@ -22,7 +22,7 @@ struct ScaleParts {
     /// Ten times: slow bodies are answered less sharply. Where bodies have weight, what it does in a step
     /// is more, but for tiny steps.
     double least_answer = 1e-7;
-    /// Of the length, in a step: a trembling that the watch on energy does not count, not without weight
+    /// Of the length, in a step: trembling that the energy check ignores; zero without weight
     /// either. Rounding makes less, and nobody sees ten times of it.
     double trembling = 1e-8;
     /// Steps that are the natural time where there is no gravity: only the step tells then how fast a scene
