@@ -105,8 +105,7 @@ VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
         for (const Eigen::Index place : open)
             pairs.push_back(bounce.pairs[static_cast<std::size_t>(place)]);
         Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor;
-        factor.setThreshold(
-            1e-6);  // of the largest response; where masses differ more, the lighter body decides
+        factor.setThreshold(restitution_limits.least_response);
         factor.compute(island.response(pairs, pairs));
         const VectorXd by_others = island.response(pairs, Eigen::all) * all,
                        impulses = factor.solve(VectorXd(missing(open)) - by_others);

@@ -32,6 +32,8 @@ struct RestitutionLimits {
     /// Of the pair's length: the depth that counts as none. A spring of 100 m / dt^2 is pressed by this when it answers the least that counts
     /// as an answer (ScaleParts::least_answer). A tenth: rounding bounces. Ten times: what begins in touch and comes in slowly does not bounce.
     double least_length = 1e-9;
+    /// Of the largest response: what counts as none where more pairs meet than bodies can tell apart. A tenth: 1 kg that strikes 1 mg before 1,000 t bounces, too. Ten times: 1 kg, 0.1 g and 10 t still do.
+    double least_response = 1e-6;
     /// over the pairs with friction in an impact. A tenth: a cube that lands flat keeps some slip. Ten times: only costs time.
     int friction_sweeps = 20;
 };
