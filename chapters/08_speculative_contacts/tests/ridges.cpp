@@ -20,7 +20,8 @@ TEST_CASE(
             Scene scene = ridge_scene(plan, dt);
             const chapter07::DepthOutcome outcome = chapter07::measure_depths(scene, 1, chapter08_solver);
             CHECK(outcome.deepest_m < 1e-4);
-            // a ridge that lands on another one by a knife's edge may take all steps of Newton's method that there are
+            // Two ridges 0.01 degrees askew may take all steps of Newton's method that there are: as they slide by 0.16 mm in a step, the
+            // place where they cross moves by a metre, more than they are long, and their normal turns 5,700 times as far as the body.
             CHECK(outcome.unsolved <= 1);
         }
 }
