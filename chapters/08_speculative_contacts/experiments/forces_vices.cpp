@@ -134,6 +134,9 @@ Rows vices(const MakeSolver& make, bool full)
 {
     Row law{"vice", "two walls that close further than a body leaves room",
             "force of each pair, in each step", "k times its depth", 1e-4},
+        // what a soft body answers is solved to a millionth, and its laws hold no better
+        soft{"vice_soft", "the same, on a soft cube", "force of each pair, in each step", "k times its depth",
+             1e-3},
         balance{"vice_balance", "the same", "forces of both walls", "equal", 0.01},
         parts{"vice_parts", "the same", "parts of a step", "3 at most", 3, "parts"};
     for (const Gripped gripped : {Gripped::box, Gripped::ball, Gripped::soft})
@@ -145,11 +148,11 @@ Rows vices(const MakeSolver& make, bool full)
                         continue;
                     const Vice vice{gripped, overclosed, mass, aside, full ? 1.0 / 60 : 0.01};
                     const Squeezed found = squeeze(vice, make);
-                    law.add(name_of(vice), 100 * found.off_law);
+                    (gripped == Gripped::soft ? soft : law).add(name_of(vice), 100 * found.off_law);
                     balance.add(name_of(vice), 100 * found.difference);
                     parts.add(name_of(vice), static_cast<double>(found.parts + 100 * found.ended_badly));
                 }
-    return {law, balance, parts};
+    return {law, soft, balance, parts};
 }
 
 Rows grippers(const MakeSolver& make, bool full)
