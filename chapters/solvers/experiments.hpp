@@ -6,6 +6,7 @@ namespace enduring::solvers {
 
 void passes(const RunOptions& options, Report& report);
 void ledger(const RunOptions& options, Report& report);
+void forces(const RunOptions& options, Report& report);
 void speed(const RunOptions& options, Report& report);
 /// A part of speed(): the matrix of Newton's method, its operations as estimated and the time of its factor.
 void speed_of_matrices(bool quick, Report& report);

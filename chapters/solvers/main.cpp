@@ -17,6 +17,7 @@ int main(int argc, char** argv)
         {
             {"passes", "what every chapter's solver runs, stage by stage", solvers::passes},
             {"ledger", "every chapter's solver in every scene that called for a new one", solvers::ledger},
+            {"forces", "forces of pairs against statics and formulas: chapters 8 to 11", solvers::forces},
             {"speed",
              "how long chapter 7's steps take: against Bullet, over the number of bodies, against the clock",
              solvers::speed},
