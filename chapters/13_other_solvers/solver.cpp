@@ -11,17 +11,15 @@ const std::vector<OtherMethod>& other_methods()
     using P = ContactParameters;
     static const std::vector<OtherMethod> methods{
         {"sequential", "sequential impulses", [](const P& p) { return chapter13_sequential_solver(p); },
-         [](const P& p, int n) { return chapter13_sequential_solver(p, {.iterations = n}); }, true,
-         "iterations"},
+         [](const P& p, int n) { return chapter13_sequential_solver(p, {.iterations = n}); }, true},
         {"soft_step", "soft step", [](const P& p) { return chapter13_soft_step_solver(p); },
-         [](const P& p, int n) { return chapter13_soft_step_solver(p, {.substeps = n}); }, true, "substeps"},
+         [](const P& p, int n) { return chapter13_soft_step_solver(p, {.substeps = n}); }, true},
         {"relaxation", "convex relaxation", [](const P& p) { return chapter13_relaxation_solver(p); },
-         [](const P& p, int n) { return chapter13_relaxation_solver(p, {.max_steps = n}); }, false,
-         "Newton steps"},
+         [](const P& p, int n) { return chapter13_relaxation_solver(p, {.max_steps = n}); }, false},
         {"xpbd", "XPBD", [](const P& p) { return chapter13_xpbd_solver(p); },
-         [](const P& p, int n) { return chapter13_xpbd_solver(p, {.substeps = n}); }, true, "substeps"},
+         [](const P& p, int n) { return chapter13_xpbd_solver(p, {.substeps = n}); }, true},
         {"avbd", "AVBD", [](const P& p) { return chapter13_avbd_solver(p); },
-         [](const P& p, int n) { return chapter13_avbd_solver(p, {.iterations = n}); }, false, "iterations"},
+         [](const P& p, int n) { return chapter13_avbd_solver(p, {.iterations = n}); }, false},
     };
     return methods;
 }

@@ -19,7 +19,6 @@ struct OtherMethod {
     std::function<Solver(const ContactParameters&, int)>
         make_with;                   ///< with so many iterations, substeps or steps
     bool knows_restitution = false;  ///< of a scene
-    std::string what_varies;         ///< "iterations"
 };
 
 /// All of them, in the chapter's order.

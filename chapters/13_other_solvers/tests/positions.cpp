@@ -10,10 +10,10 @@ TEST_CASE("XPBD: a cube on contacts of a compliance sinks by its load times the 
 {
     for (const double compliance : {1e-5, 1e-4}) {
         Scene scene = one_cube();
-        run(scene, chapter13_xpbd_solver(scene.contact, {.iterations = 200, .compliance = compliance}), 1);
-        // four springs; in a substep the cube falls g h^2 deeper before it is lifted
+        run(scene, chapter13_xpbd_solver(scene.contact, {.iterations = 50, .compliance = compliance}), 4);
+        // four springs, at which the cube arrives without a swing: velocities along the normal are taken away
         CHECK(0.5 - scene.world.bodies[0]->centre().y() ==
-              doctest::Approx(10 * 9.81 / 4 * compliance).epsilon(0.02));
+              doctest::Approx(10 * 9.81 / 4 * compliance).scale(0).epsilon(0.005));
     }
 }
 
@@ -24,7 +24,7 @@ TEST_CASE("XPBD: twice the substeps leave a quarter of the depth")
         run(scene, chapter13_xpbd_solver(scene.contact, {.substeps = substeps}), 1);
         return 2.5 - scene.world.bodies[2]->centre().y();
     };
-    CHECK(depth(10) / depth(20) == doctest::Approx(4).epsilon(0.05));
+    CHECK(depth(10) / depth(20) == doctest::Approx(4).scale(0).epsilon(0.05));
 }
 
 TEST_CASE(
@@ -50,7 +50,7 @@ TEST_CASE(
     run(falls, chapter13_avbd_solver(falls.contact), 0.5);
     const double dt = falls.dt;
     CHECK(falls.world.bodies[0]->centre().y() ==
-          doctest::Approx(5.5 - 9.81 * dt * dt * 50 * 51 / 2).epsilon(1e-9));
+          doctest::Approx(5.5 - 9.81 * dt * dt * 50 * 51 / 2).scale(0).epsilon(1e-9));
 
     Scene deep = one_cube(-0.1);
     deep.world.gravity.setZero();
@@ -58,7 +58,7 @@ TEST_CASE(
     const Solver solver = chapter13_avbd_solver(deep.contact, settings);
     Contacts contacts;
     advance(deep.world, contacts, solver, dt);
-    CHECK(0.5 - deep.world.bodies[0]->centre().y() == doctest::Approx(0.09).epsilon(1e-3));
+    CHECK(0.5 - deep.world.bodies[0]->centre().y() == doctest::Approx(0.09).scale(0).epsilon(1e-3));
 }
 
 TEST_CASE("AVBD: a stack sinks less with more sweeps")
