@@ -50,11 +50,24 @@ VectorXd times_response(const ContactProblem& problem, const VectorXd& momentum)
     return times(problem, &BodyBlock::response, momentum);
 }
 
+//! [rows]
+PairPush ContactProblem::pushed_by(const PairRow& row, const Vec3& row_velocity) const
+{
+    return row.element < 0 ? pushed(row.law, row_velocity, step)
+                           : PairPush{element_of(row).impulse(row_velocity)};
+}
+
+Mat3 ContactProblem::hessian_by(const PairRow& row, const PairPush& push, const Vec3& row_velocity) const
+{
+    return row.element < 0 ? hessian_of(row.law, push, step) : element_of(row).hessian(row_velocity);
+}
+//! [rows]
+
 namespace {
 
-/// @param law_of  PairLaw(row, velocity after the change)
-template <class LawOf>
-Answers answers_by(const ContactProblem& problem, const std::vector<Vec3>& velocities, const LawOf& law_of)
+/// @param push_of  PairPush(row, velocity after the change)
+template <class PushOf>
+Answers answers_by(const ContactProblem& problem, const std::vector<Vec3>& velocities, const PushOf& push_of)
 {
     const auto pairs = static_cast<Eigen::Index>(problem.rows.size());
     Answers answers{{}, VectorXd(3 * pairs), VectorXd::Zero(problem.size), VectorXd::Zero(problem.size)};
@@ -62,8 +75,7 @@ Answers answers_by(const ContactProblem& problem, const std::vector<Vec3>& veloc
     for (Eigen::Index i = 0; i < pairs; ++i) {
         const PairRow& row = problem.rows[static_cast<std::size_t>(i)];
         const Vec3& velocity = velocities[static_cast<std::size_t>(i)];
-        const Vec3 impulse =
-            answers.pushes.emplace_back(pushed(law_of(row, velocity), velocity, problem.step)).total();
+        const Vec3 impulse = answers.pushes.emplace_back(push_of(row, velocity)).total();
         answers.impulses.segment<3>(3 * i) = impulse;
         row.add_impulse(impulse, answers.total);
         row.add_impulse(impulse - row.acting, answers.unbalanced);
@@ -92,7 +104,9 @@ std::vector<Vec3> velocities_after(const ContactProblem& problem, const VectorXd
 
 Answers answers_at(const ContactProblem& problem, const std::vector<Vec3>& velocities)
 {
-    return answers_by(problem, velocities, [](const PairRow& row, const Vec3&) { return row.law; });
+    return answers_by(problem, velocities, [&](const PairRow& row, const Vec3& velocity) {
+        return problem.pushed_by(row, velocity);
+    });
 }
 
 Answers answers_to(const ContactProblem& problem, const VectorXd& change)
@@ -194,9 +208,11 @@ double residual_of(const ContactProblem& problem, const VectorXd& change, double
 double true_residual(const ContactProblem& problem, const VectorXd& change, double least_speed)
 {
     const auto own_limit = [&](const PairRow& row, const Vec3& velocity) {
+        if (row.element >= 0)
+            return problem.pushed_by(row, velocity);
         PairLaw law = row.law;
         law.lagged_normal_impulse = normal_impulse(law, velocity, problem.step);
-        return law;
+        return pushed(law, velocity, problem.step);
     };
     const Answers answers = answers_by(problem, velocities_after(problem, change), own_limit);
     return residual_of(problem, change, answers, least_speed);

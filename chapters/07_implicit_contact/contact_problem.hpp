@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/07_implicit_contact/force_element.hpp"
 #include "chapters/07_implicit_contact/pair_law.hpp"
 #include "common/simulation/body.hpp"
 
@@ -20,9 +21,11 @@ struct BodyBlock {
     int size() const { return static_cast<int>(mass.rows()); }
 };
 
-/// A pair as the problem sees it.
+/// A pair as the problem sees it, or what else answers the motion of its bodies in three numbers.
 struct PairRow {
     PairLaw law;
+    int element =
+        -1;  ///< index into ContactProblem::elements, whose law is in the place of a pair's; -1 for a pair
     /// weight times the motion of each vertex of a body that moves, `first` counted among all
     std::array<VertexMotion, 4> parts;
     int part_count = 0;
@@ -63,8 +66,17 @@ class NewtonMatrix;
 struct ContactProblem {
     StepLaw step;
     std::vector<BodyBlock> blocks;
-    std::vector<PairRow> rows;
-    int size = 0;  ///< of x
+    std::vector<PairRow> rows;         ///< those of pairs first
+    std::vector<ElementLaw> elements;  ///< of all other rows, in their order
+    int size = 0;                      ///< of x
+
+    /// What a row pushes at a velocity, and minus its derivative [kg].
+    PairPush pushed_by(const PairRow& row, const Vec3& row_velocity) const;
+    Mat3 hessian_by(const PairRow& row, const PairPush& push, const Vec3& row_velocity) const;
+    const ElementLaw& element_of(const PairRow& row) const
+    {
+        return elements[static_cast<std::size_t>(row.element)];
+    }
 };
 
 /// How well and with how much work a problem is solved.

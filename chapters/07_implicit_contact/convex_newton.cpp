@@ -30,7 +30,7 @@ double step_length(const ContactProblem& problem, const VectorXd& change, const 
     };
     const auto slope_at = [&](double t) {
         return slope_with(t, [&](std::size_t i) {
-            return pushed(problem.rows[i].law, velocities[i] + t * rates[i], problem.step).total();
+            return problem.pushed_by(problem.rows[i], velocities[i] + t * rates[i]).total();
         });
     };
     double low = 0, high = 1;
@@ -77,7 +77,8 @@ ProblemSolution solve_convex(const ContactProblem& problem, NewtonMatrix& matrix
         solution.converged = solution.residual <= tolerance;
         if (solution.converged || solution.newton_steps == max_steps)
             return solution;
-        const VectorXd direction = matrix.solve(problem, friction.hessians(answers.pushes), -gradient);
+        const VectorXd direction = matrix.solve(problem, friction.hessians(answers.pushes, velocities),
+                                                -gradient);
         const std::vector<Vec3> rates = rates_of(problem, direction);
         friction.follow(velocities, rates);
         const double part = step_length(problem, solution.change, direction, velocities, rates,

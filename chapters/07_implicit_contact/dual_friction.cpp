@@ -31,13 +31,14 @@ DualFriction::DualFriction(const ContactProblem& problem) : problem_(problem)
                                   row.acting - row.law.normal.dot(row.acting) * row.law.normal));
 }
 
-std::vector<Mat3> DualFriction::hessians(const std::vector<PairPush>& pushes) const
+std::vector<Mat3> DualFriction::hessians(const std::vector<PairPush>& pushes,
+                                         const std::vector<Vec3>& velocities) const
 {
     std::vector<Mat3> all;
     all.reserve(pushes.size());
     for (std::size_t i = 0; i < pushes.size(); ++i) {
         const PairRow& row = problem_.rows[i];
-        all.push_back(hessian_of(row.law, pushes[i], problem_.step));
+        all.push_back(problem_.hessian_by(row, pushes[i], velocities[i]));
         if (pushes[i].slips)
             all.back() += missing_stiffness(row, pushes[i], guesses_[i], problem_.step);
     }

@@ -51,7 +51,7 @@ double driven_approach(const World& world, const Contact& contact, const Vec3& n
 double largest_compression(const World& world, const StepProblem& step)
 {
     double most = 0;
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
         const Contact& contact = *step.of_row[i];
         const double depth_t0 = std::min(0.0, row.law.depth_t0),
@@ -117,7 +117,7 @@ int take_own_impulses(World& world, StepProblem& step, NewtonMatrix& matrix, dou
     std::vector<Mat3> hessians;
     hessians.reserve(problem.rows.size());
     for (std::size_t i = 0; i < problem.rows.size(); ++i)
-        hessians.push_back(hessian_of(problem.rows[i].law, answers.pushes[i], problem.step));
+        hessians.push_back(problem.hessian_by(problem.rows[i], answers.pushes[i], problem.rows[i].velocity));
     const Eigen::VectorXd missing = matrix.solve(problem, hessians, answers.unbalanced);
     apply_impulses(world, step, matrix.tangent(answers.impulses, rates_of(problem, missing)));
     return 1;
@@ -139,24 +139,30 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
 {
     StepProblem step = set_up(world, island, settings.stiffness, settings.friction, {settings.centre, dt},
                               first);
+    if (!island.elements.empty())
+        settings.elements.add_rows(world, step);
     IslandOutcome outcome;
     if (first) {
         outcome.springs = springs_at_start(world, step);
         begin_with_last_impulses(world, step, settings.max_turn);
     }
     SolveRecord& record = outcome.record;
-    record.pairs = static_cast<int>(step.problem.rows.size());
+    record.pairs = static_cast<int>(step.of_row.size());
     outcome.solves = -matrix.solves();  // until now; at the end they are added
     const double least = least_speed(world, island, dt);
-    AndersonMixing mixing(settings.mixing_rounds);
+    // Forces of joints that cancel each other are not determined, and mixing would enlarge what rounding makes of them.
+    const int mixed = island.elements.empty() ? settings.mixing_rounds : 0;
+    AndersonMixing mixing(mixed);
     const bool is_soft = follows_end(world, island);
     double missing = 0;  // of elastic forces, as a part of what the step changes
     for (;; ++record.rounds) {
         if (missing > small_imbalance) {
             missing = approach_ends(world, island, dt);
-            mixing = AndersonMixing(settings.mixing_rounds);
+            mixing = AndersonMixing(mixed);
         }
         update_kinematics(world, step);
+        if (!island.elements.empty())
+            settings.elements.follow(world, step);
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
         // the next round counts as one
@@ -188,7 +194,8 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             missing += changed_part(step.problem, begin.impulses, next, least);
         apply_impulses(world, step, next);
     }
-    if (!world.attempt.may_be_halved)
+    if (!world.attempt.may_be_halved &&
+        island.elements.empty())  // a part of a joint's impulses holds nothing
         if (const double part = part_that_takes(world, step); part < 1)
             apply_impulses(world, step, part * impulses_acting(step.problem));
     if (!(record.residual <= settings.kept_residual))
@@ -196,6 +203,8 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     else if (largest_compression(world, step) > settings.kept_depth)
         outcome.trouble = StepTrouble::too_deep;
     find_slip(step);
+    if (!island.elements.empty())
+        settings.elements.remember(world, step);
     outcome.solves += matrix.solves();
     return outcome;
 }
@@ -246,7 +255,9 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
                     IslandMatrices& matrices, double dt)
 {
     const bool first = first_of_the_step(contacts);
-    const std::vector<Island> islands = find_islands(world, contacts);
+    const std::vector<ElementBodies> elements = settings.elements.any() ? settings.elements.bodies(world)
+                                                                        : std::vector<ElementBodies>{};
+    const std::vector<Island> islands = find_islands(world, contacts, elements);
     matrices.begin_response(islands, world.bodies.size(), first);
     std::vector<IslandOutcome> outcomes(islands.size());
     const bool is_small = contacts.size() < static_cast<std::size_t>(settings.pairs_for_threads);

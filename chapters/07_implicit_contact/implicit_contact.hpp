@@ -65,6 +65,7 @@ struct ImplicitSettings {
     /// its limits (LimitSearch). A tenth: the search is tried where the rounds would have ended by themselves. Ten times:
     /// jams take most of the steps of Newton's method that there are.
     int rounds_before_search = 40;
+    ForceElements elements{};         ///< what is solved together with the pairs
     int threads = allowed_threads();  ///< that solve islands side by side
     /// Of all islands together: the pairs from which on a second thread is woken. Waking it takes as long as ten pairs. A tenth: two
     /// cubes are solved no sooner, by twice the processor time. Ten times: twenty stacks leave a core without work.

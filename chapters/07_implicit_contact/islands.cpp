@@ -50,18 +50,24 @@ struct MovingBodies {
 }  // namespace
 
 //! [find_islands]
-std::vector<Island> find_islands(const World& world, Contacts& contacts)
+std::vector<Island> find_islands(const World& world, Contacts& contacts,
+                                 std::span<const ElementBodies> elements)
 {
     JoinedSets joined(world.bodies.size());
     std::vector<char> touches(world.bodies.size(), 0);
-    for (const Contact& contact : contacts) {
-        const MovingBodies pair(world, contact);
-        for (const int body : {pair.a, pair.b})
+    const auto join = [&](int a, int b) {
+        for (const int body : {a, b})
             if (body >= 0)
                 touches[static_cast<std::size_t>(body)] = 1;
-        if (pair.a >= 0 && pair.b >= 0)
-            joined.join(pair.a, pair.b);
+        if (a >= 0 && b >= 0)
+            joined.join(a, b);
+    };
+    for (const Contact& contact : contacts) {
+        const MovingBodies pair(world, contact);
+        join(pair.a, pair.b);
     }
+    for (const ElementBodies& element : elements)
+        join(element.a, element.b);
     std::vector<Island> islands;
     std::vector<std::size_t> place(world.bodies.size());  // of a body's island
     for (std::size_t body = 0; body < world.bodies.size(); ++body) {
@@ -76,6 +82,12 @@ std::vector<Island> find_islands(const World& world, Contacts& contacts)
     for (Contact& contact : contacts)
         if (const int body = MovingBodies(world, contact).any(); body >= 0)
             islands[place[static_cast<std::size_t>(body)]].contacts.push_back(&contact);
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (const int body = std::max(elements[i].a, elements[i].b); body >= 0) {
+            Island& island = islands[place[static_cast<std::size_t>(body)]];
+            island.elements.push_back(static_cast<int>(i));
+            island.element_force += elements[i].force;
+        }
     return islands;
 }
 //! [find_islands]

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "chapters/07_implicit_contact/force_element.hpp"
 #include "chapters/07_implicit_contact/newton_matrix.hpp"
 #include "common/simulation/step.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace enduring {
@@ -27,11 +29,14 @@ private:
 struct Island {
     std::vector<int> bodies;         ///< that move, by their places in World::bodies, ascending
     std::vector<Contact*> contacts;  ///< in the order of the list
+    std::vector<int> elements{};     ///< what else joins them, by number, ascending
+    double element_force = 0;        ///< sum of what these bring upon them by themselves [N]
 };
 
 /// The islands of all pairs that take part in the step, in the order of their first bodies. A pair that is held or resolved
-/// joins nothing; a pair of two bodies that do not move belongs to no island.
-std::vector<Island> find_islands(const World& world, Contacts& contacts);
+/// joins nothing; a pair of two bodies that do not move belongs to no island. The same goes for elements.
+std::vector<Island> find_islands(const World& world, Contacts& contacts,
+                                 std::span<const ElementBodies> elements = {});
 
 /// A matrix for each island. It belongs to the island's first body, so that its memory and its order are kept as long as the
 /// same bodies touch.

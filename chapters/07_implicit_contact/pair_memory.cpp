@@ -80,11 +80,12 @@ std::vector<double> pressing_masses(const World& world, const StepProblem& step)
         row.add_impulse(row.acting, momentum);
     const Eigen::VectorXd change = times_response(step.problem, momentum);
     double approach = world.gravity.norm() * step.problem.step.dt;  // what rests approaches with this
-    for (const PairRow& row : rows)
+    const std::span pairs = step.pair_rows();
+    for (const PairRow& row : pairs)
         approach = std::max(approach, row.law.normal.dot(row.rate_of(change) - row.velocity));
     std::vector<double> masses;
-    masses.reserve(rows.size());
-    for (const PairRow& row : rows)
+    masses.reserve(pairs.size());
+    for (const PairRow& row : pairs)
         masses.push_back(approach > 0 ? row.law.normal.dot(row.acting) / approach : 0);
     return masses;
 }

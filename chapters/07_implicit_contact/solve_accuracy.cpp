@@ -38,7 +38,9 @@ double rounding_speed(const World& world, const StepProblem& step)
     constexpr double digits = 4, epsilon = std::numeric_limits<double>::epsilon();
     const double dt = step.problem.step.dt;
     double sum = 0;  // of squares, for no pair's rounding depends on another one's
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+    for (const ElementLaw& law : step.problem.elements)
+        sum += law.rounding * law.rounding;
+    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
         if (row.acting.isZero(0))
             continue;

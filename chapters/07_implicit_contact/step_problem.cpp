@@ -120,10 +120,11 @@ double mass_of(const PairRow& row, const ContactProblem& problem)
 //! [max_load]
 namespace {
 
+constexpr double lever_of_load = 10;
+
 double load_of(const Body& body, const Vec3& gravity, double dt)
 {
-    constexpr double lever = 10;
-    return lever * (body.mass() * gravity.norm() + body.pressing_force(dt)) +
+    return lever_of_load * (body.mass() * gravity.norm() + body.pressing_force(dt)) +
            body.mass() * body.mean_velocity().norm() / dt;
 }
 
@@ -150,6 +151,7 @@ double max_load(const World& world, const Island& island, double dt)
         mass += body.mass();
     }
     // A drive goes on whatever it meets: in a part of a step it stops nothing sooner, or halves would make what it squeezes stiffer.
+    load += lever_of_load * island.element_force;
     return load + mass * fastest_drive(world, island) / std::max(dt, world.whole_dt);
 }
 //! [max_load]
@@ -160,6 +162,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
     StepProblem step;
     step.problem.step = step_law;
     step.bodies = island.bodies;
+    step.elements = island.elements;
     step.vertices = touched_vertices(island);
     add_blocks(world, step);
     step.problem.rows.reserve(island.contacts.size());
@@ -187,6 +190,24 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         step.of_row.push_back(&contact);
     }
     return step;
+}
+
+int first_coordinate(const StepProblem& step, int body)
+{
+    const auto place = place_among(step.bodies, body);
+    return place && step.problem.blocks[*place].size() > 0 ? step.problem.blocks[*place].first : -1;
+}
+
+void add_element_row(StepProblem& step, ElementLaw law, std::span<const VertexMotion> parts,
+                     const Vec3& acting)
+{
+    PairRow row;
+    row.element = static_cast<int>(step.problem.elements.size());
+    row.acting = acting;
+    for (const VertexMotion& part : parts)
+        row.parts[static_cast<std::size_t>(row.part_count++)] = part;
+    step.problem.elements.push_back(std::move(law));
+    step.problem.rows.push_back(std::move(row));
 }
 
 namespace {
@@ -223,7 +244,7 @@ bool follow_levers(World& world, StepProblem& step, double least_turn)
     if (!any)
         return false;
     Eigen::VectorXd missing = Eigen::VectorXd::Zero(step.problem.size);
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         PairRow& row = step.problem.rows[i];
         const Vec3 acting = step.of_row[i]->impulse + step.of_row[i]->friction;
         row.add_impulse(-acting, missing);
@@ -239,7 +260,7 @@ bool follow_levers(World& world, StepProblem& step, double least_turn)
 
 void update_kinematics(const World& world, StepProblem& step)
 {
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         update_row(world, *step.of_row[i], step.problem.step, step.problem.rows[i]);
         step.problem.rows[i].law.lagged_normal_impulse = std::max(
             0.0, step.problem.rows[i].law.normal.dot(step.of_row[i]->impulse));
@@ -249,7 +270,10 @@ void update_kinematics(const World& world, StepProblem& step)
 Eigen::VectorXd last_impulses(const World& world, const StepProblem& step)
 {
     Eigen::VectorXd impulses(3 * step.problem.rows.size());
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+    const std::size_t pairs = step.of_row.size();
+    for (std::size_t i = 0; i < step.problem.elements.size(); ++i)
+        impulses.segment<3>(static_cast<Eigen::Index>(3 * (pairs + i))) = step.problem.elements[i].begin;
+    for (std::size_t i = 0; i < pairs; ++i) {
         const Contact& contact = *step.of_row[i];
         // along the normal of the start, which is that of the last step's end
         const Vec3 normal = normal_of(pair_step(world, contact), 0);
@@ -286,10 +310,12 @@ void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impu
         const PairRow& row = step.problem.rows[i];
         const Vec3 impulse = impulses.segment<3>(static_cast<Eigen::Index>(3 * i));
         row.add_impulse(impulse - row.acting, momentum);
+        step.problem.rows[i].acting = impulse;
+        if (i >= step.of_row.size())  // of an element
+            continue;
         Contact& contact = *step.of_row[i];
         contact.impulse = row.law.normal.dot(impulse) * row.law.normal;
         contact.friction = impulse - contact.impulse;
-        step.problem.rows[i].acting = impulse;
     }
     apply_momentum(world, step, momentum);
 }
@@ -305,7 +331,7 @@ void kick(World& world, const StepProblem& step, const Eigen::VectorXd& momentum
 
 void find_slip(StepProblem& step)
 {
-    for (std::size_t i = 0; i < step.problem.rows.size(); ++i) {
+    for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
         const Vec3 along = row.velocity - row.law.normal.dot(row.velocity) * row.law.normal;
         step.of_row[i]->slip = pushed(row.law, row.velocity, step.problem.step).slips ? along.norm() : 0;

@@ -8,6 +8,7 @@
 #include "common/simulation/step.hpp"
 
 #include <limits>
+#include <span>
 
 namespace enduring {
 
@@ -17,15 +18,26 @@ struct StepProblem {
     ContactProblem problem;        ///< with a block for each body, an empty one if it has no coordinates
     std::vector<Contact*> of_row;  ///< the contact of each row
     std::vector<Mat3> responses;   ///< PairRow::response() of each row
-    std::vector<int> bodies;       ///< the island's
-    std::vector<std::vector<int>> vertices;                     ///< of each of these, those in touch
+    std::vector<int> elements{};   ///< the island's, by number; their rows stand behind those of pairs
+    std::vector<int> bodies{};     ///< the island's
+    std::vector<std::vector<int>> vertices{};                   ///< of each of these, those in touch
     double max_load = std::numeric_limits<double>::infinity();  ///< of the island, see max_load() [N]
+
+    std::span<const PairRow> pair_rows() const { return std::span(problem.rows).first(of_row.size()); }
 };
 
 /// Sets up an island; its enduring and new pairs get their stiffness for the step.
 /// @param first  the step's first problem: enduring pairs get their stiffness once a step
 StepProblem set_up(const World& world, const Island& island, const StiffnessChoice& choice,
                    const FrictionCoefficients& friction, const StepLaw& step, bool first);
+
+/// Appends a row of an element, which acts already with this impulse.
+/// @param parts  the motion of each body that moves, by first_coordinate()
+void add_element_row(StepProblem& step, ElementLaw law, std::span<const VertexMotion> parts,
+                     const Vec3& acting);
+
+/// Where a body's coordinates begin among those of all; -1 for a body that is not in the island or has none.
+int first_coordinate(const StepProblem& step, int body);
 
 /// Depth of a pair at the moment from which it pushes in this step (Contact::start) [m]: what lies behind a plane before, and
 /// beyond its feature, is not inside.

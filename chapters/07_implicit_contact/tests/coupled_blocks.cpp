@@ -147,6 +147,6 @@ TEST_CASE("dual friction: a guess that is led from a pair that holds to one that
     const Mat3 hessian = hessian_of(problem.rows[0].law, own, problem.step);
     REQUIRE(own.slips);
     REQUIRE_FALSE(pushed(problem.rows[0].law, problem.rows[0].velocity + nearly, problem.step).slips);
-    CHECK((friction.hessians(answers_at(problem, {before}).pushes)[0] - hessian).norm() <=
+    CHECK((friction.hessians(answers_at(problem, {before}).pushes, {before})[0] - hessian).norm() <=
           1e-9 * hessian.norm());
 }

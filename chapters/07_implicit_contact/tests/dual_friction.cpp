@@ -55,9 +55,10 @@ TEST_CASE("dual friction: a guess that fits has the stiffening of the law, and o
     const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(problem.size);
     const std::vector<Vec3> velocities = velocities_after(problem, nothing);
     DualFriction friction(problem);
-    const std::vector<Mat3> of_zero = friction.hessians(answers_at(problem, velocities).pushes);
+    const std::vector<Mat3> of_zero = friction.hessians(answers_at(problem, velocities).pushes, velocities);
     friction.follow(velocities, rates_of(problem, nothing));
-    const std::vector<Mat3> of_fitting = friction.hessians(answers_at(problem, velocities).pushes);
+    const std::vector<Mat3> of_fitting = friction.hessians(answers_at(problem, velocities).pushes,
+                                                           velocities);
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
         const Mat3 own = own_stiffening(problem, i);
         CHECK((of_fitting[i] - own).norm() <= 1e-12 * own.norm());
@@ -71,8 +72,9 @@ TEST_CASE("dual friction: where the impulses that act are the answers, the first
     ContactProblem problem = slipping_particles();
     for (PairRow& row : problem.rows)
         row.acting = pushed(row.law, row.velocity, problem.step).total();
-    const std::vector<Mat3> all =
-        DualFriction(problem).hessians(answers_to(problem, Eigen::VectorXd::Zero(problem.size)).pushes);
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(problem.size);
+    const std::vector<Mat3> all = DualFriction(problem).hessians(answers_to(problem, nothing).pushes,
+                                                                 velocities_after(problem, nothing));
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
         const Mat3 own = own_stiffening(problem, i);
         CHECK((all[i] - own).norm() <= 1e-12 * own.norm());
@@ -90,7 +92,7 @@ TEST_CASE("dual friction: wherever the guesses have been led, the stiffening is 
     DualFriction friction(problem);
     for (int step = 0; step < 10; ++step) {
         const std::vector<Vec3> velocities = velocities_after(problem, vector());
-        for (const Mat3& hessian : friction.hessians(answers_at(problem, velocities).pushes)) {
+        for (const Mat3& hessian : friction.hessians(answers_at(problem, velocities).pushes, velocities)) {
             CHECK((hessian - hessian.transpose()).norm() <= 1e-12 * hessian.norm());
             CHECK(least_eigenvalue(hessian) >= -1e-9);
         }
@@ -106,7 +108,8 @@ TEST_CASE(
     for (PairRow& row : problem.rows)
         row.acting = 0.4 * (Vec3(1, 2, -2) - row.velocity);
     const std::vector<Vec3> velocities = velocities_after(problem, Eigen::VectorXd::Zero(problem.size));
-    const std::vector<Mat3> all = DualFriction(problem).hessians(answers_at(problem, velocities).pushes);
+    const std::vector<Mat3> all = DualFriction(problem).hessians(answers_at(problem, velocities).pushes,
+                                                                 velocities);
     for (std::size_t i = 0; i < problem.rows.size(); ++i) {
         const PairRow& row = problem.rows[i];
         const double limit = row.law.mu * row.law.lagged_normal_impulse;
