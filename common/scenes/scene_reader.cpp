@@ -7,6 +7,7 @@
 #include "common/input/source_directory.hpp"
 #include "common/scenes/body_reader.hpp"
 #include "common/scenes/friction_reader.hpp"
+#include "common/scenes/joint_reader.hpp"
 #include "common/scenes/material_reader.hpp"
 #include "common/scenes/motion_reader.hpp"
 #include "common/scenes/scene_warnings.hpp"
@@ -137,6 +138,22 @@ void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings,
     }
 }
 
+void read_joints(const JsonValue& root, Scene& scene, Mistakes& mistakes)
+{
+    const std::optional<JsonValue> joints = root.find("joints");
+    if (!joints)
+        return;
+    std::set<std::string> names;
+    for (const JsonValue& entry : joints->items(0, max_joints))
+        mistakes.gather([&] {
+            const Joint& joint = scene.world.joints.emplace_back(read_joint(entry, scene.world));
+            if (!names.insert(joint.name).second)
+                entry.at("name").complain("another joint is already called \"" + joint.name + "\"");
+        });
+    if (!scene.world.joints.empty())
+        scene.asks_joints = joints->file() + ": " + joints->path();
+}
+
 Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
 {
     Scene scene;
@@ -144,7 +161,7 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
     Mistakes mistakes;
     mistakes.gather([&] {
         root.require_keys({"name", "description", "gravity", "dt", "duration", "contact", "materials",
-                           "material_pairs", "planes", "bodies", "camera"});
+                           "material_pairs", "planes", "bodies", "joints", "camera"});
     });
     mistakes.gather([&] { scene.name = root.at("name").text(); });
     mistakes.gather([&] { scene.description = root.text_or("description", ""); });
@@ -175,6 +192,8 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
     });
     mistakes.gather([&] { read_planes(root, materials, names, scene, mistakes); });
     mistakes.gather([&] { read_bodies(root, surroundings, materials, names, scene, mistakes); });
+    mistakes.complain();  // a joint of a body that is not there is no mistake of its own
+    mistakes.gather([&] { read_joints(root, scene, mistakes); });
     mistakes.complain();
     return scene;
 }
@@ -215,6 +234,9 @@ void require_asked(const Scene& scene, const Solver& solver)
     if (!scene.asks_exact.empty() && !solver.exact)
         throw InputError(scene.asks_exact + ": the springs of " + solver.name +
                          " give under a load; choose a solver of exact contact, or leave the key out");
+    if (!scene.asks_joints.empty() && !solver.has_joints)
+        throw InputError(scene.asks_joints + ": " + solver.name +
+                         " has no joints; choose the solver of chapter 12, or leave the key out");
 }
 
 std::filesystem::path scene_file(const std::string& name)

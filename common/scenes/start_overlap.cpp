@@ -149,7 +149,8 @@ std::vector<StartOverlap> start_overlaps(const World& world, const ContactParame
     };
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         for (std::size_t j = i + 1; j < bodies.size(); ++j)
-            keep(overlap_of(bodies[i], bodies[j]));
+            if (!are_joined(world.joints, static_cast<int>(i), static_cast<int>(j)))
+                keep(overlap_of(bodies[i], bodies[j]));
         if (!bodies[i].body().is_static())
             for (const Plane& plane : world.planes)
                 keep(overlap_of(bodies[i], plane, contact.stiffness, weight));

@@ -11,6 +11,7 @@ Energy total_energy(const World& world)
         sum.gravitational += energy.gravitational;
         sum.elastic += energy.elastic;
     }
+    sum.elastic += joint_energy(world);
     return sum;
 }
 

@@ -159,15 +159,29 @@ VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t
     const Vec3& point = body_points_[static_cast<std::size_t>(touched[index])];
     const Vec3 r = lerp(motion_.pose().orientation * point, lever_orientation_t1_ * point, tau);
     VertexMotion motion;
-    motion.rate.resize(3, 6);
-    motion.rate.leftCols<3>().setIdentity();
-    motion.rate.rightCols<3>() << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;  // omega x r
+    motion.rate = motion_of_point(r);
+    return motion;
+}
+
+Eigen::Matrix<double, 3, 6> RigidBody::motion_of_point(const Vec3& r) const
+{
+    Eigen::Matrix<double, 3, 6> rate;
+    rate.leftCols<3>().setIdentity();
+    rate.rightCols<3>() << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;  // omega x r
     const FreeDirections& free = motion_.free_directions();
     if (!free.hold_none()) {
-        motion.rate.leftCols<3>() *= free.along_axes(free.translation);
-        motion.rate.rightCols<3>() *= free.along_axes(free.rotation);
+        rate.leftCols<3>() *= free.along_axes(free.translation);
+        rate.rightCols<3>() *= free.along_axes(free.rotation);
     }
-    return motion;
+    return rate;
+}
+
+Eigen::Matrix<double, 3, 6> RigidBody::motion_of_turn() const
+{
+    Eigen::Matrix<double, 3, 6> rate = Eigen::Matrix<double, 3, 6>::Zero();
+    const FreeDirections& free = motion_.free_directions();
+    rate.rightCols<3>() = free.along_axes(free.rotation);
+    return rate;
 }
 
 bool RigidBody::follow_levers(double least_turn, double dt)

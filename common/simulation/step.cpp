@@ -1,10 +1,12 @@
 #include "common/simulation/step.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/joint_swing.hpp"
 #include "common/simulation/step_attempt.hpp"
 #include "common/simulation/turns.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 
@@ -34,10 +36,23 @@ void begin_step(Contacts& contacts)
     }
 }
 
+void begin_step(std::vector<Joint>& joints)
+{
+    for (Joint& joint : joints)
+        joint.acts = false;
+}
+
 bool any_waiting(const Contacts& contacts)
 {
     return std::any_of(contacts.begin(), contacts.end(),
                        [](const Contact& contact) { return contact.waiting(); });
+}
+
+/// Whether a joint has not acted in this step.
+bool any_waiting(const std::vector<Joint>& joints)
+{
+    return std::any_of(joints.begin(), joints.end(),
+                       [](const Joint& joint) { return !joint.broken && !joint.acts; });
 }
 
 /// Stops a NaN where it first shows: every later number would only repeat it.
@@ -207,12 +222,14 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
 {
     predict(world, dt);
     begin_step(contacts);
+    begin_step(world.joints);
     done("predict");
     const Turns free_turns(world, dt);
     run_passes(solver.passes(StepStage::refresh), world, contacts, dt, done);
 
     run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
-    for (int n = 0; n < max_responses && any_waiting(contacts); ++n) {
+    for (int n = 0; n < max_responses && (any_waiting(contacts) || (n == 0 && any_waiting(world.joints)));
+         ++n) {
         run_passes(solver.passes(StepStage::respond), world, contacts, dt, done);
         apply_impulses(world, contacts);
         ++world.attempt.work.responses;
@@ -259,7 +276,8 @@ void try_step(World& world, Contacts& contacts, const Solver& solver, double dt,
         world.attempt.trouble = StepTrouble::gains_energy;
 }
 
-/// Whether a body that nothing touches turns so far in a step that it has to be taken in halves from the first.
+/// Whether a body that nothing touches turns so far in a step that it has to be taken in halves from the first, or swings so fast in
+/// its joints.
 bool begins_too_long(const World& world, double max_turn, double dt)
 {
     constexpr double max_parts = 1024;
@@ -274,7 +292,15 @@ bool begins_too_long(const World& world, double max_turn, double dt)
         if (turn > max_turn)
             return true;
     }
-    return false;
+    const double swing = world.joints.empty() ? 0 : joint_swing(world, dt);
+    if (swing > max_parts * max_parts) {
+        std::ostringstream why;
+        why << "step " << world.step + 1
+            << ": the forces of joints swing a body with omega dt = " << std::sqrt(swing)
+            << "; its mass is too small, or make dt shorter";
+        throw std::runtime_error(why.str());
+    }
+    return swing > most_joint_swing;
 }
 
 void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, double dt, int halvings,

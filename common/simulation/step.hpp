@@ -2,6 +2,7 @@
 
 #include "common/simulation/body.hpp"
 #include "common/simulation/contact.hpp"
+#include "common/simulation/joint.hpp"
 #include "common/simulation/material_restitution.hpp"
 #include "common/simulation/step_work.hpp"
 
@@ -59,6 +60,7 @@ struct StepAttempt {
 struct World {
     std::vector<std::unique_ptr<Body>> bodies;
     std::vector<Plane> planes;
+    std::vector<Joint> joints;  ///< between bodies, or a body and the world; for a solver that has them
     Vec3 gravity{0, -9.81, 0};  ///< [m/s^2]
     double time = 0;            ///< of the committed state [s]
     int step = 0;               ///< steps committed so far
@@ -107,6 +109,7 @@ public:
     double max_turn = 0.5;
     bool finds_stiffness = false;  ///< of each pair: a scene's has no effect
     bool can_resume = false;       ///< all that lasts from step to step stands in the world and its pairs
+    bool has_joints = false;       ///< it holds the world's joints
     bool exact = false;            ///< its springs give nothing: a load is held at no depth
 
     Solver() = default;

@@ -11,7 +11,7 @@
 namespace enduring {
 
 SavedState::SavedState(World& world, const Contacts& contacts)
-    : contacts_(contacts), time_(world.time), driven_(world.driven)
+    : contacts_(contacts), joints_(world.joints), time_(world.time), driven_(world.driven)
 {
     bodies_.reserve(world.bodies.size());
     for (const auto& body : world.bodies)
@@ -23,6 +23,7 @@ void SavedState::restore(World& world, Contacts& contacts) const
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         restore_state(*world.bodies[i], bodies_[i]);
     contacts = contacts_;
+    world.joints = joints_;
     world.time = time_;
     world.driven = driven_;
 }

@@ -29,6 +29,7 @@ public:
 private:
     std::vector<std::vector<double>> bodies_;
     Contacts contacts_;
+    std::vector<Joint> joints_;
     double time_, driven_;
 };
 

@@ -6,6 +6,7 @@
 #include "common/experiments/render/run_pictures.hpp"
 #include "common/experiments/report/warn_once.hpp"
 #include "common/experiments/run/contact_census.hpp"
+#include "common/experiments/run/joint_probe.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/experiments/run/saved_run.hpp"
 #include "common/input/input_error.hpp"
@@ -110,6 +111,8 @@ public:
                   report.rows_so_far(name, *table);
           })
     {
+        if (!scene.world.joints.empty())
+            watching_.push_back(&joints_.emplace());
         if (choice.times)
             watching_.push_back(&times_.emplace(solver));
         if (options.pictures)
@@ -132,6 +135,8 @@ public:
             report.table(name, *table);
         if (!times_)
             std::filesystem::remove(report.folder() / "times.csv");  // of an earlier run
+        if (!joints_)
+            std::filesystem::remove(report.folder() / "joints.csv");
         report.plot("common/experiments/own_scene/plots/own_scene.gp", "energy");
         write_png(pictures_.strip_of_all(3), report.file("scene.png"));
         if (filmed_)
@@ -166,6 +171,8 @@ private:
                                                                  {"penetration", &penetration_.table()},
                                                                  {"contacts", &census_.table()},
                                                                  {"steps", &costs_.table()}};
+        if (joints_)
+            tables.emplace_back("joints", &joints_->table());
         if (times_)
             tables.emplace_back("times", &times_->table());
         return tables;
@@ -218,6 +225,7 @@ private:
     PenetrationProbe penetration_;
     ContactCensus census_;
     StepCosts costs_;
+    std::optional<JointProbe> joints_;
     std::optional<StepTimes> times_;
     int first_;  ///< number of the first step
     bool filmed_;

@@ -32,6 +32,13 @@ Numbers state_of(Contact contact)
     return archive.numbers();
 }
 
+Numbers state_of(Joint joint)
+{
+    StateArchive archive;
+    visit_state(archive, joint);
+    return archive.numbers();
+}
+
 /// @throws InputError  a part is not there, or is of another kind
 template <class Value>
 Value part(const json& document, const std::string& key, const std::string& file)
@@ -119,6 +126,30 @@ Contacts contacts_of(const json& document, const World& world, const std::string
     return contacts;
 }
 
+/// The joints of the world as the document has them; a scene without joints has no such key.
+std::vector<Joint> joints_of(const json& document, const World& world, const std::string& file)
+{
+    std::vector<Joint> joints = world.joints;
+    auto states = document.contains("joints") ? part<std::vector<Numbers>>(document, "joints", file)
+                                              : std::vector<Numbers>{};
+    if (states.size() != joints.size())
+        throw InputError(file + ": has " + std::to_string(states.size()) + " joints, and the scene has " +
+                         std::to_string(joints.size()));
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        const std::string place = file + ": /joints/" + std::to_string(i) + " ";
+        if (const std::size_t right = state_of(joints[i]).size(); states[i].size() != right)
+            throw InputError(place + "has " + std::to_string(states[i].size()) +
+                             " numbers, and a joint has " + std::to_string(right));
+        StateArchive archive(std::move(states[i]));
+        try {
+            visit_state(archive, joints[i]);
+        } catch (const std::out_of_range& mistake) {
+            throw InputError(place + "has a number that " + mistake.what());
+        }
+    }
+    return joints;
+}
+
 }  // namespace
 
 void save_run(const std::filesystem::path& file, World& world, const Contacts& contacts)
@@ -129,6 +160,8 @@ void save_run(const std::filesystem::path& file, World& world, const Contacts& c
         document["bodies"].push_back({body->name(), state_of(*body)});
     for (const Contact& contact : contacts)
         document["pairs"].push_back(state_of(contact));
+    for (const Joint& joint : world.joints)
+        document["joints"].push_back(state_of(joint));
     write_file(file, document.dump() + "\n");
     for (const auto& body : world.bodies)
         if (auto* soft = dynamic_cast<DeformableBody*>(body.get()))
@@ -142,12 +175,13 @@ Contacts resume_run(const std::filesystem::path& file, World& world)
     if (part<std::string>(document, "format", name) != format)
         throw InputError(name + ": /format: expected \"" + format + "\"");
     const JsonValue root(document, name);
-    root.require_keys({"format", "time", "step", "driven", "bodies", "pairs"});
+    root.require_keys({"format", "time", "step", "driven", "bodies", "pairs", "joints"});
     const double time = root.at("time").number({0, longest_run, true, true, "s"});
     const int step = root.at("step").integer(0, std::numeric_limits<int>::max());
     const double driven = part<double>(document, "driven", name);
     const auto bodies = bodies_of(document, world, name);
     Contacts contacts = contacts_of(document, world, name);
+    std::vector<Joint> joints = joints_of(document, world, name);
     const SavedState before(world, {});
     for (std::size_t i = 0; i < bodies.size(); ++i)
         try {
@@ -161,6 +195,7 @@ Contacts resume_run(const std::filesystem::path& file, World& world)
     world.time = time;
     world.step = step;
     world.driven = driven;
+    world.joints = std::move(joints);
     return contacts;
 }
 
