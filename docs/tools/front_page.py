@@ -24,6 +24,7 @@ PICTURES = {  # each chapter's reference picture, and what is cut out of it firs
     "09_deep_contacts": ("bunny_curve", ""),
     "10_self_contact": ("folded_strip", ""),
     "11_exact_contact": ("spring_error", ""),  # its plot, as a browser shows it
+    "12_joints": ("double_pendulum", ""),      # the same
     "13_other_solvers": ("over_iterations", ""),  # as well
 }
 

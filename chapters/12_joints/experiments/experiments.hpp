@@ -1,0 +1,15 @@
+#pragma once
+
+#include "common/experiments/report/chapter_program.hpp"
+
+namespace enduring::chapter12 {
+
+void pendulum(const RunOptions& options, Report& report);
+void double_pendulum(const RunOptions& options, Report& report);
+void top(const RunOptions& options, Report& report);
+void linkages(const RunOptions& options, Report& report);
+void motor(const RunOptions& options, Report& report);
+void chain(const RunOptions& options, Report& report);
+void door(const RunOptions& options, Report& report);
+
+}  // namespace enduring::chapter12
