@@ -1,7 +1,6 @@
 #include "common/simulation/joint.hpp"
 
-#include "common/simulation/rigid_body.hpp"
-#include "common/simulation/step.hpp"
+#include "common/simulation/joint_body.hpp"
 
 #include <Eigen/Geometry>
 
@@ -11,14 +10,6 @@
 
 namespace enduring {
 namespace {
-
-/// Of a body that a joint holds; null for the world, and for one that stands.
-const RigidBody* rigid_at(const World& world, const JointEnd& end)
-{
-    return end.body < 0
-               ? nullptr
-               : dynamic_cast<const RigidBody*>(world.bodies[static_cast<std::size_t>(end.body)].get());
-}
 
 /// @param pose_of  Pose(body)
 template <class PoseOf>

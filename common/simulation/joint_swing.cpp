@@ -1,6 +1,6 @@
 #include "common/simulation/joint_swing.hpp"
 
-#include "common/simulation/rigid_body.hpp"
+#include "common/simulation/joint_body.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -15,13 +15,6 @@ Mat3 turning_stiffness(const Vec3& force, const Vec3& lever)
 {
     const Mat3 both = force * lever.transpose();
     return force.dot(lever) * Mat3::Identity() - (both + both.transpose()) / 2;
-}
-
-const RigidBody* rigid_at(const World& world, const JointEnd& at)
-{
-    return at.body < 0
-               ? nullptr
-               : dynamic_cast<const RigidBody*>(world.bodies[static_cast<std::size_t>(at.body)].get());
 }
 
 }  // namespace
