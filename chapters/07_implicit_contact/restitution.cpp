@@ -102,6 +102,7 @@ VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
     std::iota(open.begin(), open.end(), 0);
     for (bool pulls = true; pulls && !open.empty();) {
         std::vector<Eigen::Index> pairs;
+        pairs.reserve(open.size());
         for (const Eigen::Index place : open)
             pairs.push_back(bounce.pairs[static_cast<std::size_t>(place)]);
         Eigen::CompleteOrthogonalDecomposition<MatrixXd> factor;
