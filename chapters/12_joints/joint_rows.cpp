@@ -1,6 +1,6 @@
 #include "chapters/12_joints/joint_rows.hpp"
 
-#include "common/simulation/rigid_body.hpp"
+#include "common/simulation/joint_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,13 +40,6 @@ bool is_limited(const Joint& joint, int part, int place)
     return place == free_place(joint, part) && (std::isfinite(drive.low) || std::isfinite(drive.high));
 }
 
-const RigidBody* moving(const World& world, const JointEnd& end)
-{
-    return end.body < 0
-               ? nullptr
-               : dynamic_cast<const RigidBody*>(world.bodies[static_cast<std::size_t>(end.body)].get());
-}
-
 //! [levers]
 /// How the velocity that a row sees follows from both bodies' coordinates: that of A's point against the point of B in the same place, but for a
 /// distance, which has two points; or that of the turn.
@@ -55,7 +48,7 @@ std::vector<VertexMotion> parts_of(const World& world, const StepProblem& step, 
 {
     std::vector<VertexMotion> parts;
     const auto add = [&](const JointEnd& end, const Vec3& point, double sign) {
-        const RigidBody* const body = moving(world, end);
+        const RigidBody* const body = rigid_at(world, end);
         const int first = body ? first_coordinate(step, end.body) : -1;
         if (first < 0)
             return;
@@ -216,12 +209,12 @@ std::vector<ElementBodies> joined_bodies(const World& world)
         ElementBodies& of = all.emplace_back();
         if (joint.broken)
             continue;
-        of.a = moving(world, joint.a) ? joint.a.body : -1;
-        of.b = moving(world, joint.b) ? joint.b.body : -1;
+        of.a = rigid_at(world, joint.a) ? joint.a.body : -1;
+        of.b = rigid_at(world, joint.b) ? joint.b.body : -1;
         if (joint.way.pushes())
             of.force += joint.way.most(way_of(world, joint));
         if (joint.turn.pushes() && of.a >= 0)  // with a lever of the body's size
-            of.force += joint.turn.most(turn_of(world, joint)) / moving(world, joint.a)->size();
+            of.force += joint.turn.most(turn_of(world, joint)) / rigid_at(world, joint.a)->size();
     }
     return all;
 }

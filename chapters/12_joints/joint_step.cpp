@@ -1,18 +1,11 @@
 #include "chapters/12_joints/joint_step.hpp"
 
-#include "common/simulation/rigid_body.hpp"
+#include "common/simulation/joint_body.hpp"
 
 #include <algorithm>
 
 namespace enduring {
 namespace {
-
-const RigidBody* moving(const World& world, const JointEnd& end)
-{
-    return end.body < 0
-               ? nullptr
-               : dynamic_cast<const RigidBody*>(world.bodies[static_cast<std::size_t>(end.body)].get());
-}
 
 /// Of a body's point in the world, and its angular velocity that belongs to its momentum: within a step a free body turns by another
 /// one.
@@ -30,8 +23,8 @@ JointRates rates_of(const World& world, const Joint& joint)
 {
     const JointPose pose = committed_pose(world, joint);
     const Vec3& other = joint.kind == JointKind::distance ? pose.point_b : pose.point_a;
-    const JointRates a = rates_of(moving(world, joint.a), pose.point_a),
-                     b = rates_of(moving(world, joint.b), other);
+    const JointRates a = rates_of(rigid_at(world, joint.a), pose.point_a),
+                     b = rates_of(rigid_at(world, joint.b), other);
     return {a.along - b.along, a.about - b.about};
 }
 
@@ -39,7 +32,7 @@ JointRates rates_of(const World& world, const Joint& joint)
 Vec3 relative_fall(const World& world, const Joint& joint, double dt)
 {
     const auto fall = [&](const JointEnd& end) {
-        const RigidBody* const body = moving(world, end);
+        const RigidBody* const body = rigid_at(world, end);
         return body ? Vec3(dt * body->gravity_on(world.gravity)) : Vec3(Vec3::Zero());
     };
     return fall(joint.a) - fall(joint.b);

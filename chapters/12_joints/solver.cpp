@@ -10,18 +10,12 @@
 namespace enduring {
 namespace {
 
-/// Each pass that finds pairs leaves out those of bodies that a joint holds together.
+/// What the search has found of bodies that a joint holds together is left out, at the start of a step and after each answer.
 void leave_out_joined_pairs(Solver& solver)
 {
-    for (const StepStage stage : {StepStage::refresh, StepStage::detect}) {
-        const std::vector<Pass> passes = solver.passes(stage);
-        for (const Pass& pass : passes)
-            solver.wrap(pass.name, pass.name,
-                        [](const Pass::Function& find, World& world, Contacts& contacts, double dt) {
-                            find(world, contacts, dt);
-                            drop_joined_pairs(world, contacts);
-                        });
-    }
+    const auto drop = [](World& world, Contacts& contacts, double) { drop_joined_pairs(world, contacts); };
+    solver.append(StepStage::refresh, "leave out joined pairs", drop);
+    solver.append(StepStage::detect, "leave out joined pairs brought inside", drop);
 }
 
 }  // namespace
