@@ -178,19 +178,6 @@ private:
     std::vector<Vec3> points_;  ///< of its pairs so far
 };
 
-/// How far the vertices of a body move in the step, less the mean of them [m], and that mean.
-std::pair<double, Vec3> way_of(const Body& body)
-{
-    Vec3 mean = Vec3::Zero();
-    const auto count = body.positions_t0().size();
-    for (std::size_t v = 0; v < count; ++v)
-        mean += (body.positions_t1()[v] - body.positions_t0()[v]) / static_cast<double>(count);
-    double most = 0;
-    for (std::size_t v = 0; v < count; ++v)
-        most = std::max(most, (body.positions_t1()[v] - body.positions_t0()[v] - mean).norm());
-    return {most, mean};
-}
-
 double smaller_size(const World& world, int body_a, int body_b)
 {
     const Body &a = *world.bodies[static_cast<std::size_t>(body_a)],
@@ -200,21 +187,32 @@ double smaller_size(const World& world, int body_a, int body_b)
 
 }  // namespace
 
+NearFeatures::Way NearFeatures::way_of(const Body& body)
+{
+    Way way{Vec3::Zero(), 0};
+    const auto count = body.positions_t0().size();
+    for (std::size_t v = 0; v < count; ++v)
+        way.mean += (body.positions_t1()[v] - body.positions_t0()[v]) / static_cast<double>(count);
+    for (std::size_t v = 0; v < count; ++v)
+        way.most = std::max(way.most, (body.positions_t1()[v] - body.positions_t0()[v] - way.mean).norm());
+    return way;
+}
+
 double NearFeatures::reach(const World& world, int body_a, int body_b) const
 {
-    const auto [turn_a, way_a] = way_of(*world.bodies[static_cast<std::size_t>(body_a)]);
-    const auto [turn_b, way_b] = way_of(*world.bodies[static_cast<std::size_t>(body_b)]);
-    return settings_.reach * smaller_size(world, body_a, body_b) + (way_a - way_b).norm() + turn_a + turn_b;
+    const Way &a = ways_[static_cast<std::size_t>(body_a)], &b = ways_[static_cast<std::size_t>(body_b)];
+    return settings_.reach * smaller_size(world, body_a, body_b) + (a.mean - b.mean).norm() + a.most + b.most;
 }
 
 Contacts NearFeatures::find(const World& world)
 {
+    ways_.clear();
     std::vector<double> margins;
     for (const auto& body : world.bodies) {
-        const auto [turn, way] = way_of(*body);
+        const Way& way = ways_.emplace_back(way_of(*body));
         margins.push_back(std::max(settings_.reach, body->is_static() ? 0 : settings_.depth / 2) *
                               body->size() +
-                          way.norm() + turn);
+                          way.mean.norm() + way.most);
     }
     search_.find_candidates(world, margins);
     Contacts contacts;

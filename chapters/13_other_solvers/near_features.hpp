@@ -21,6 +21,12 @@ public:
     //! [near_features]
 
 private:
+    /// How a body moves in the step: the way of its vertices' mean, and how far one of them moves beside that [m].
+    struct Way {
+        Vec3 mean;
+        double most;
+    };
+    static Way way_of(const Body& body);
     double reach(const World& world, int body_a, int body_b) const;
     void append_vertices(const World& world, Contacts& contacts) const;
     void append_edges(const World& world, Contacts& contacts) const;
@@ -28,6 +34,7 @@ private:
 
     SearchSettings settings_;
     CandidateSearch search_;
+    std::vector<Way> ways_;  ///< of each body in this step
 };
 
 /// n . (p - q) of a pair at the start of the step [m], negative inside.

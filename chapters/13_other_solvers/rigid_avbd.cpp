@@ -26,12 +26,6 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-Vec3 rotation_vector(const Quaternion& turn)
-{
-    const Eigen::AngleAxisd by(turn.w() < 0 ? Quaternion(-turn.coeffs()) : turn);
-    return by.angle() * by.axis();
-}
-
 /// From one pose to another: the way of the centre, and the rotation vector.
 Vector6 way_between(const Pose& from, const Pose& to)
 {

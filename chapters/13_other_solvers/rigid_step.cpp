@@ -10,13 +10,14 @@
 #include <utility>
 
 namespace enduring {
-namespace {
 
 Vec3 rotation_vector(const Quaternion& turn)
 {
     const Eigen::AngleAxisd by(turn.w() < 0 ? Quaternion(-turn.coeffs()) : turn);
     return by.angle() * by.axis();
 }
+
+namespace {
 
 MovingBody moving_body(const World& world, const Body& body, double dt)
 {

@@ -13,6 +13,9 @@
 
 namespace enduring {
 
+/// The axis of a turn times its angle in [0, pi] [rad].
+Vec3 rotation_vector(const Quaternion& turn);
+
 //! [moving_body]
 /// A rigid body within a step, as a method moves it. What stands still or moves as given has no inverse mass, and its pose is the world's.
 struct MovingBody {
