@@ -25,18 +25,24 @@ using Numbers = std::vector<double>;
 constexpr double longest_run = 3600;  ///< that a scene may last [s]
 constexpr const char* format = "enduring contacts, state of a run, 1";
 
-Numbers state_of(Contact contact)
+/// Of a pair or a joint.
+template <class Item>
+Numbers numbers_of(Item item)
 {
     StateArchive archive;
-    visit_state(archive, contact);
+    visit_state(archive, item);
     return archive.numbers();
 }
 
-Numbers state_of(Joint joint)
+/// To read an item from its numbers.
+/// @throws InputError  there are more or fewer than an item of this kind has
+template <class Item>
+StateArchive archive_of(const Item& item, Numbers numbers, const std::string& place, const std::string& kind)
 {
-    StateArchive archive;
-    visit_state(archive, joint);
-    return archive.numbers();
+    if (const std::size_t right = numbers_of(item).size(); numbers.size() != right)
+        throw InputError(place + " has " + std::to_string(numbers.size()) + " numbers, and a " + kind +
+                         " has " + std::to_string(right));
+    return StateArchive(std::move(numbers));
 }
 
 /// @throws InputError  a part is not there, or is of another kind
@@ -107,12 +113,8 @@ Contacts contacts_of(const json& document, const World& world, const std::string
 {
     Contacts contacts;
     for (Numbers& numbers : part<std::vector<Numbers>>(document, "pairs", file)) {
-        const std::size_t right = state_of(Contact()).size();
-        if (numbers.size() != right)
-            throw InputError(file + ": /pairs/" + std::to_string(contacts.size()) + " has " +
-                             std::to_string(numbers.size()) + " numbers, and a pair has " +
-                             std::to_string(right));
-        StateArchive archive(std::move(numbers));
+        const std::string place = file + ": /pairs/" + std::to_string(contacts.size());
+        StateArchive archive = archive_of(Contact(), std::move(numbers), place, "pair");
         std::string mistake;
         try {
             visit_state(archive, contacts.emplace_back());
@@ -121,7 +123,7 @@ Contacts contacts_of(const json& document, const World& world, const std::string
             mistake = error.what();
         }
         if (!mistake.empty())
-            throw InputError(file + ": /pairs/" + std::to_string(contacts.size() - 1) + " " + mistake);
+            throw InputError(place + " " + mistake);
     }
     return contacts;
 }
@@ -136,15 +138,12 @@ std::vector<Joint> joints_of(const json& document, const World& world, const std
         throw InputError(file + ": has " + std::to_string(states.size()) + " joints, and the scene has " +
                          std::to_string(joints.size()));
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        const std::string place = file + ": /joints/" + std::to_string(i) + " ";
-        if (const std::size_t right = state_of(joints[i]).size(); states[i].size() != right)
-            throw InputError(place + "has " + std::to_string(states[i].size()) +
-                             " numbers, and a joint has " + std::to_string(right));
-        StateArchive archive(std::move(states[i]));
+        const std::string place = file + ": /joints/" + std::to_string(i);
+        StateArchive archive = archive_of(joints[i], std::move(states[i]), place, "joint");
         try {
             visit_state(archive, joints[i]);
         } catch (const std::out_of_range& mistake) {
-            throw InputError(place + "has a number that " + mistake.what());
+            throw InputError(place + " has a number that " + mistake.what());
         }
     }
     return joints;
@@ -159,9 +158,9 @@ void save_run(const std::filesystem::path& file, World& world, const Contacts& c
     for (const auto& body : world.bodies)
         document["bodies"].push_back({body->name(), state_of(*body)});
     for (const Contact& contact : contacts)
-        document["pairs"].push_back(state_of(contact));
+        document["pairs"].push_back(numbers_of(contact));
     for (const Joint& joint : world.joints)
-        document["joints"].push_back(state_of(joint));
+        document["joints"].push_back(numbers_of(joint));
     write_file(file, document.dump() + "\n");
     for (const auto& body : world.bodies)
         if (auto* soft = dynamic_cast<DeformableBody*>(body.get()))
