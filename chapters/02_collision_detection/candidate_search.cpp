@@ -18,7 +18,7 @@ void CandidateSearch::build(const World& world)
     for (const auto& body : world.bodies) {
         bodies_.push_back(body.get());
         trees_.emplace_back(
-            body->surface(), body->positions_t0(), [&](int vertex) { return vertex_may_meet(*body, vertex); },
+            body->surface(), body->contact_t0(), [&](int vertex) { return vertex_may_meet(*body, vertex); },
             [&](int edge) { return edge_may_meet(*body, edge); });
     }
 }
@@ -37,7 +37,7 @@ void CandidateSearch::find_candidates(const World& world, std::span<const double
     }
     std::size_t count = 0;
     for (const auto& [a, b] : overlapping_bodies(boxes)) {
-        if (bodies_[at(a)]->is_static() && bodies_[at(b)]->is_static())
+        if ((bodies_[at(a)]->is_static() && bodies_[at(b)]->is_static()) || are_joined(world.joints, a, b))
             continue;
         if (count == body_pairs_.size())
             body_pairs_.emplace_back();

@@ -13,7 +13,7 @@ namespace enduring {
 /// The broad phase over a world: which pairs of features come close in this step.
 ///
 /// The trees are shaped once, from where the bodies first lie, so a search belongs to one world. Bodies are
-/// tested against each other, never against themselves.
+/// tested against each other, never against themselves, nor against what a joint holds them to.
 class CandidateSearch {
 public:
     virtual ~CandidateSearch() = default;

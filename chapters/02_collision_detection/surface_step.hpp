@@ -19,7 +19,7 @@ struct SurfaceStep {
 
 inline SurfaceStep surface_step(const Body& body)
 {
-    return {body.surface(), body.positions_t0(), body.positions_t1()};
+    return {body.surface(), body.contact_t0(), body.contact_t1()};
 }
 
 /// A vertex of one surface against a face of another.

@@ -123,12 +123,13 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
 //! [remember_pairs]
 namespace {
 
-/// Whether its surfaces were apart at the start of the step or just touched, and its spring carried nothing. What pressed then rests, or is an
-/// impact of an earlier step.
+/// Whether its surfaces were apart at the start of the step or just touched, or its spring began where they were, and carried nothing.
+/// What pressed then rests, or is an impact of an earlier step.
 bool was_open(const World& world, const Contact& contact)
 {
     const double least = restitution_limits.least_length * natural_length(world, contact);
-    return contact.load <= contact.stiffness * least && contact_geometry(world, contact, 0).depth > -least;
+    return contact.load <= contact.stiffness * least &&
+           depth_at_start(world, contact) - std::min(0.0, contact.rest_offset) > -least;
 }
 
 }  // namespace

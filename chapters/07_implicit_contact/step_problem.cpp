@@ -103,7 +103,7 @@ bool rubs(const Contact& contact, double mass, const StiffnessChoice& choice, do
 
 double depth_at_start(const World& world, const Contact& contact)
 {
-    return contact_geometry(world, contact, contact.start).depth;
+    return contact.endures() ? contact_geometry(world, contact, 0).depth : 0;
 }
 
 double mass_along(const Vec3& normal, const Mat3& response)

@@ -30,15 +30,14 @@ std::set<FeaturePair> near_on_the_curve(const std::vector<Piercing>& curve)
 //! [near_on_the_curve]
 
 //! [pushes_out]
-/// Lets a pair act at its feet, if these lie on the edges, deeper than the search looks, and it pushes along the separation
-/// direction. A load presses edges of a stack into each other, too: chapter 8 knows whether these are in contact.
-bool pushes_out(const World& world, const Vec3& separation_direction, double margin, Contact& pair)
+/// Lets a pair act at its feet, if these lie on the edges, inside the other body, and it pushes along the separation direction.
+bool pushes_out(const World& world, const Vec3& separation_direction, Contact& pair)
 {
     const PairSurfaces surfaces(world, pair, 0);
     const PairVertices x = edge_vertices(surfaces, pair.feature_a, pair.feature_b);
     pair.orientation = (x[1] - x[0]).cross(x[3] - x[2]).dot(separation_direction) < 0 ? -1 : 1;
     const std::optional<EdgeFeet> feet = feet_of_edges(x, pair.orientation, smallest_edge_sine);
-    if (!feet || feet->depth >= -margin || !feet->overlap(0) ||
+    if (!feet || feet->depth >= 0 || !feet->overlap(0) ||
         !is_within_45_degrees(feet->normal, separation_direction) ||
         is_hooked_edge_pair(surfaces.a, pair.feature_a, surfaces.b, pair.feature_b, feet->normal))
         return false;
@@ -49,7 +48,7 @@ bool pushes_out(const World& world, const Vec3& separation_direction, double mar
 
 }  // namespace
 
-void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap, double margin,
+void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap,
                            Contacts& contacts)
 {
     const KnownPairs known(contacts);
@@ -59,7 +58,7 @@ void append_crossing_edges(const World& world, int body_a, int body_b, const Ove
             const auto [b0, b1] = world.bodies[body_b]->surface().edges()[edge_b];
             Contact pair{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b, {a0, a1, b0, b1}};
             pair.category = ContactCategory::regular;
-            if (!known.contain(pair) && pushes_out(world, overlap.separation_direction, margin, pair))
+            if (!known.contain(pair) && pushes_out(world, overlap.separation_direction, pair))
                 contacts.push_back(pair);
         }
 }

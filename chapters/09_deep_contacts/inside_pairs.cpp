@@ -42,16 +42,16 @@ void InsidePairs::fit_trees(const World& world)
         trees_.clear();
         for (const auto& body : world.bodies) {
             bodies_.push_back(body.get());
-            trees_.emplace_back(body->surface(), body->positions_t0());
+            trees_.emplace_back(body->surface(), body->contact_t0());
         }
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i)
-        trees_[i].refit({bodies_[i]->surface(), bodies_[i]->positions_t0(), bodies_[i]->positions_t0()});
+        trees_[i].refit({bodies_[i]->surface(), bodies_[i]->contact_t0(), bodies_[i]->contact_t0()});
 }
 
 StillSurface InsidePairs::still(int body) const
 {
-    return {bodies_[body]->surface(), bodies_[body]->positions_t0(), trees_[body]};
+    return {bodies_[body]->surface(), bodies_[body]->contact_t0(), trees_[body]};
 }
 
 void InsidePairs::trace(const World& world)
@@ -63,7 +63,7 @@ void InsidePairs::trace(const World& world)
         for (int j = i + 1; j < count; ++j) {
             const Body &a = *bodies_[i], &b = *bodies_[j];
             if ((a.is_static() && b.is_static()) || !a.surface().is_closed() || !b.surface().is_closed() ||
-                !trees_[i].box().overlaps(trees_[j].box()))
+                !trees_[i].box().overlaps(trees_[j].box()) || are_joined(world.joints, i, j))
                 continue;
             if (auto found = find_overlaps(still(i), still(j)); !found.empty())
                 overlaps_.push_back({i, j, std::move(found)});
@@ -78,7 +78,7 @@ std::vector<std::pair<int, int>> InsidePairs::overlapping_bodies() const
     return bodies;
 }
 
-void InsidePairs::append_pairs(const World& world, double margin, Contacts& contacts)
+void InsidePairs::append_pairs(const World& world, Contacts& contacts)
 {
     direction_of_vertex_.clear();
     const VertexContacts in_contact(contacts);
@@ -93,7 +93,7 @@ void InsidePairs::append_pairs(const World& world, double margin, Contacts& cont
         for (const Overlap& overlap : overlaps) {
             append_of(i, overlap.vertices_of_a, j, overlap.separation_direction);
             append_of(j, overlap.vertices_of_b, i, -overlap.separation_direction);
-            append_crossing_edges(world, i, j, overlap, margin, contacts);
+            append_crossing_edges(world, i, j, overlap, contacts);
         }
 }
 

@@ -16,8 +16,7 @@ namespace enduring {
 /// Where the corners of two boxes lie beside each other there is no vertex in either box, and nothing but two edges
 /// that hold them apart.
 /// @param overlap  of body_a with body_b, places in World::bodies
-/// @param margin   chapter 8's search finds what is no deeper [m]
-void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap, double margin,
+void append_crossing_edges(const World& world, int body_a, int body_b, const Overlap& overlap,
                            Contacts& contacts);
 
 /// Finds the vertices that lie in another body without a pair, and gives them one: with the face through
@@ -32,8 +31,7 @@ public:
     /// Those that trace() found, each two ascending.
     std::vector<std::pair<int, int>> overlapping_bodies() const;
     /// A pair for each vertex in a traced overlap that has none in the list, and for edges that cross on its border.
-    /// @param margin  that of the search, see append_crossing_edges() [m]
-    void append_pairs(const World& world, double margin, Contacts& contacts);
+    void append_pairs(const World& world, Contacts& contacts);
 
     /// How much of the separation direction of its overlap lies along a pair's normal, in [0, 1]; 1 where no vertex
     /// of it is in an overlap. Asked after append_pairs().

@@ -24,6 +24,7 @@ int main(int argc, char** argv)
                  chapter09::crossed_beams},
                 {"born_loaded", "scenes in which pairs begin at a depth: the energy that they bring",
                  chapter09::born_loaded},
+                {"squeezed", "forces on what vices and grippers squeeze", chapter09::squeezed},
                 {"mass_ratios", "light bodies under heavy ones, up to 25,000 times: do they come to rest?",
                  chapter09::mass_ratios},
                 {"separation_methods",

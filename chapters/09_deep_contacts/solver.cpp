@@ -1,25 +1,17 @@
 #include "chapters/09_deep_contacts/solver.hpp"
 
-#include "chapters/08_speculative_contacts/solver.hpp"
-#include "chapters/09_deep_contacts/inside_pairs.hpp"
+#include "chapters/08_contact_by_distance/solver.hpp"
+
+#include <utility>
 
 namespace enduring {
 
 //! [solver]
 Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,
-                        const std::shared_ptr<ContactSearch>& search)
+                        const std::shared_ptr<DeepSearch>& search)
 {
-    const auto inside = std::make_shared<InsidePairs>();
-    Solver solver = chapter08_solver(parameters, settings, search);
+    Solver solver = chapter08_solver(parameters, std::move(settings), search);
     solver.name = "chapter 9";
-    solver.insert_before("find pairs", "trace overlaps",
-                         [inside](World& world, Contacts&, double) { inside->trace(world); });
-    solver.replace("find pairs", "find pairs", [search, inside](World& world, Contacts& contacts, double dt) {
-        renew_pairs(*search, world, dt, contacts,
-                    [&](Contacts& found) { inside->append_pairs(world, search_margin(world, dt), found); });
-        for (Contact& contact : contacts)
-            contact.outward = inside->part_along_direction(world, contact);
-    });
     return solver;
 }
 //! [solver]

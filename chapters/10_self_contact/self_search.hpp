@@ -1,12 +1,12 @@
 #pragma once
 
-#include "chapters/08_speculative_contacts/contact_search.hpp"
+#include "chapters/09_deep_contacts/deep_search.hpp"
 #include "common/simulation/rest_neighbours.hpp"
 
 namespace enduring {
 
-/// Chapter 8's search, and the surfaces of bodies that meet themselves against themselves.
-class SelfSearch final : public ContactSearch {
+/// Chapter 9's search, and the surfaces of bodies that meet themselves against themselves.
+class SelfSearch final : public DeepSearch {
 protected:
     void find_more(const World& world) override;
 };

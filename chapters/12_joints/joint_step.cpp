@@ -2,8 +2,6 @@
 
 #include "common/simulation/joint_body.hpp"
 
-#include <algorithm>
-
 namespace enduring {
 namespace {
 
@@ -48,16 +46,6 @@ std::vector<JointRates> joint_rates(const World& world)
         all.push_back(rates_of(world, joint));
     return all;
 }
-
-//! [drop]
-void drop_joined_pairs(const World& world, Contacts& contacts)
-{
-    std::erase_if(contacts, [&](const Contact& contact) {
-        return contact.kind != ContactKind::vertex_plane &&
-               are_joined(world.joints, contact.body_a, contact.body_b);
-    });
-}
-//! [drop]
 
 namespace {
 

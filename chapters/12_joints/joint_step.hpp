@@ -13,9 +13,6 @@ struct JointRates {
 };
 std::vector<JointRates> joint_rates(const World& world);
 
-/// Drops pairs of bodies that a joint holds together and whose key does not say that they touch.
-void drop_joined_pairs(const World& world, Contacts& contacts);
-
 /// Before the step becomes the state: books what joints have done to energy. The work of motors counts as driven. Locks do none; what
 /// the leapfrog of the step makes of their impulses it takes back within a swing, so the watch on energy does not count it.
 /// @param before  the rates without contact and joints in this step

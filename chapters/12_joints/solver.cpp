@@ -8,17 +8,6 @@
 #include <utility>
 
 namespace enduring {
-namespace {
-
-/// What the search has found of bodies that a joint holds together is left out, at the start of a step and after each answer.
-void leave_out_joined_pairs(Solver& solver)
-{
-    const auto drop = [](World& world, Contacts& contacts, double) { drop_joined_pairs(world, contacts); };
-    solver.append(StepStage::refresh, "leave out joined pairs", drop);
-    solver.append(StepStage::detect, "leave out joined pairs brought inside", drop);
-}
-
-}  // namespace
 
 //! [solver]
 Solver chapter12_solver(const ContactParameters& parameters, ImplicitSettings settings)
@@ -27,7 +16,6 @@ Solver chapter12_solver(const ContactParameters& parameters, ImplicitSettings se
     Solver solver = chapter10_solver(parameters, std::move(settings));
     solver.name = "chapter 12";
     solver.has_joints = true;
-    leave_out_joined_pairs(solver);
     const auto before = std::make_shared<std::vector<JointRates>>();
     solver.insert_before(solver.passes(StepStage::refresh).front().name, "note joints",
                          [before](World& world, Contacts&, double) { *before = joint_rates(world); });

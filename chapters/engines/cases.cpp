@@ -2,7 +2,7 @@
 
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
-#include "chapters/08_speculative_contacts/experiments/swings.hpp"
+#include "chapters/08_contact_by_distance/experiments/swings.hpp"
 #include "chapters/09_deep_contacts/experiments/thin_shots.hpp"
 #include "chapters/engines/judge.hpp"
 #include "common/geometry/box_shapes.hpp"

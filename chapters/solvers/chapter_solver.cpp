@@ -7,7 +7,7 @@
 #include "chapters/05_categorisation/solver.hpp"
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
-#include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "chapters/10_self_contact/solver.hpp"
 #include "chapters/11_exact_contact/solver.hpp"

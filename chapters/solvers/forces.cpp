@@ -1,10 +1,10 @@
-#include "chapters/08_speculative_contacts/experiments/forces.hpp"
+#include "chapters/08_contact_by_distance/experiments/forces.hpp"
 
-#include "chapters/08_speculative_contacts/experiments/forces_frames.hpp"
-#include "chapters/08_speculative_contacts/experiments/forces_impacts.hpp"
-#include "chapters/08_speculative_contacts/experiments/forces_landing.hpp"
-#include "chapters/08_speculative_contacts/experiments/forces_statics.hpp"
-#include "chapters/08_speculative_contacts/experiments/forces_vices.hpp"
+#include "chapters/08_contact_by_distance/experiments/forces_frames.hpp"
+#include "chapters/08_contact_by_distance/experiments/forces_impacts.hpp"
+#include "chapters/08_contact_by_distance/experiments/forces_landing.hpp"
+#include "chapters/08_contact_by_distance/experiments/forces_statics.hpp"
+#include "chapters/08_contact_by_distance/experiments/forces_vices.hpp"
 #include "chapters/solvers/chapter_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/experiments/report/growing_table.hpp"
@@ -38,7 +38,11 @@ void forces(const RunOptions& options, Report& report)
 {
     namespace rows = chapter08::force_rows;
     const std::vector<Kind> few{rows::tables, rows::wedges, rows::either_order, rows::straight_drops};
-    const std::vector<Kind>& kinds = options.quick ? few : rows::all_kinds();
+    std::vector<Kind> kinds = few;
+    if (!options.quick) {
+        kinds = rows::all_kinds();
+        kinds.insert(kinds.end(), rows::squeezed_kinds().begin(), rows::squeezed_kinds().end());
+    }
     constexpr std::array solvers{8, 9, 10, 11};
     GrowingTable table(report, "forces_of_chapters",
                        {"chapter", "scene", "quantity", "off", "allowed", "unit", "holds", "worst run"});

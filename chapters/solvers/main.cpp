@@ -1,4 +1,3 @@
-#include "chapters/contact_by_distance/distance_solver.hpp"
 #include "chapters/solvers/chapter_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/experiments/own_scene/own_scene.hpp"
@@ -26,16 +25,13 @@ int main(int argc, char** argv)
         },
     };
     program.add_options = [chapter](CLI::App& app) {
-        app.add_option(
-               "--solver", *chapter,
-               "the chapter whose solver runs a scene of your own; 80: contact by distance, 81: with own surfaces")
-            ->check(CLI::Range(1, solvers::chapters) | CLI::Range(80, 81))
+        app.add_option("--solver", *chapter, "the chapter whose solver runs a scene of your own")
+            ->check(CLI::Range(1, solvers::chapters))
             ->capture_default_str()
             ->needs(app.get_option("--scene"))
             ->excludes(app.get_option("experiments"));
     };
     return run_chapter(argc, argv, program, [chapter](const ContactParameters& parameters) {
-        return *chapter >= 80 ? distance_solver(parameters, {}, *chapter == 81)
-                              : solvers::chapter_solver(*chapter, parameters);
+        return solvers::chapter_solver(*chapter, parameters);
     });
 }

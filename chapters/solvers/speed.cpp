@@ -1,7 +1,7 @@
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
-#include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/engines/bullet/bullet_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/experiments/run/processor_clock.hpp"

@@ -1,6 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/islands.hpp"
-#include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/fem/exact_solver.hpp"

@@ -64,6 +64,15 @@ public:
         const auto i = static_cast<std::size_t>(vertex);
         return lerp(positions_t0_[i], positions_t1_[i], tau);
     }
+    /// The same of the surface that a search for contact sees: its own, or the one that it took for this. Springs act on its own.
+    std::span<const Vec3> contact_t0() const { return contact_t0_.empty() ? positions_t0_ : contact_t0_; }
+    std::span<const Vec3> contact_t1() const { return contact_t1_.empty() ? positions_t1_ : contact_t1_; }
+    /// Where a vertex of that surface is at tau in [0, 1] of the step [m].
+    Vec3 contact_point(int vertex, double tau) const
+    {
+        const auto i = static_cast<std::size_t>(vertex);
+        return lerp(contact_t0()[i], contact_t1()[i], tau);
+    }
     /// The mean of the surface vertices at the start of the step [m]; not the centre of mass.
     Vec3 centre() const;
     /// As it was made, however it bends since (see surface_size()) [m].
@@ -124,11 +133,15 @@ public:
     {
         apply_contact_impulse(touched, impulse);
         update_prediction(dt);
-        positions_t1_ = positions_t0_;
+        stand_still();
     }
 
     /// The step ends for its vertices where it began; velocities stay.
-    void stand_still() { positions_t1_ = positions_t0_; }
+    void stand_still()
+    {
+        positions_t1_ = positions_t0_;
+        contact_t1_ = contact_t0_;
+    }
     /// Between steps: a rigid body is at rest from now on. A soft one keeps its velocities, by which its elements go on.
     virtual void stop() {}
 
@@ -154,14 +167,12 @@ public:
     {
         return is_static() ? Vec3(Vec3::Zero()) : gravity_on(gravity);
     }
-    /// Where its surface vertices are without given motion: that of a driven body as it was placed [m].
-    virtual std::span<const Vec3> placed() const { return positions_t0_; }
-    /// From now on its surface for contact is another one, with the same faces; mass and motion stay.
-    /// @param vertices  where those of placed() are to be [m]
-    virtual void take_contact_surface(const std::vector<Vec3>& vertices)
-    {
-        positions_t0_ = positions_t1_ = vertices;
-    }
+    /// Its surface vertices in coordinates that move with it, where it has such: of a rigid body its own, of a driven one those of
+    /// its place without the motion; else those of the world [m].
+    virtual std::span<const Vec3> shape() const { return positions_t0_; }
+    /// From now on a search for contact sees another surface with the same faces. For bodies that keep their shape.
+    /// @param shape  in the coordinates of shape() [m]
+    virtual void take_contact_surface(const std::vector<Vec3>& shape) { contact_t0_ = contact_t1_ = shape; }
     /// Writes or reads all that the next step depends on. It is asked between steps: what was predicted is not kept.
     virtual void visit_state(StateArchive& archive) { archive(positions_t0_); }
 
@@ -194,7 +205,8 @@ protected:
     void measure() { size_ = surface_size(surface_, positions_t0_); }
 
     std::vector<Vec3> positions_t0_, positions_t1_;
-    double time_ = 0;  ///< committed [s]
+    std::vector<Vec3> contact_t0_, contact_t1_;  ///< empty where contact sees the body's own surface
+    double time_ = 0;                            ///< committed [s]
 
 private:
     std::string name_;

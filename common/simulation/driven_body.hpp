@@ -17,7 +17,7 @@ public:
                double time = 0);
 
     void predict(const Vec3& gravity, double dt) override;
-    void update_prediction(double) override {}
+    void update_prediction(double dt) override;
     void commit(double dt) override;
 
     void apply_impulse(int, const Vec3&) override {}
@@ -26,12 +26,11 @@ public:
     double turning_speed() const override { return motion_.at(time_).angular_velocity.norm(); }
     Mat3 inverse_mass(int) const override { return Mat3::Zero(); }
 
-    std::span<const Vec3> placed() const override { return placed_; }
-    void take_contact_surface(const std::vector<Vec3>& vertices) override
+    std::span<const Vec3> shape() const override { return placed_; }
+    void take_contact_surface(const std::vector<Vec3>& shape) override
     {
-        placed_ = vertices;
-        place(time_, positions_t0_);
-        positions_t1_ = positions_t0_;
+        contact_placed_ = contact_t0_ = contact_t1_ = shape;
+        place(time_, contact_placed_, contact_t0_);
     }
     bool is_driven() const override { return true; }
     bool is_static() const override { return true; }
@@ -44,11 +43,11 @@ public:
     Vec3 brought_back(const Vec3& point) const;
 
 private:
-    void place(double time, std::vector<Vec3>& positions) const;
+    void place(double time, const std::vector<Vec3>& placed, std::vector<Vec3>& positions) const;
 
     Vec3 centre_;
     GivenMotion motion_;
-    std::vector<Vec3> placed_;  ///< without the motion [m]
+    std::vector<Vec3> placed_, contact_placed_;  ///< without the motion [m]
 };
 
 }  // namespace enduring

@@ -33,6 +33,12 @@ private:
     Vec3 velocity_, angular_velocity_;
 };
 
+void place(const Pose& pose, const std::vector<Vec3>& points, std::vector<Vec3>& positions)
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+        positions[i] = pose.to_world(points[i]);
+}
+
 }  // namespace
 
 RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties,
@@ -113,17 +119,24 @@ void RigidBody::predict(const Vec3& gravity, double dt)
 void RigidBody::update_prediction(double dt)
 {
     const Pose pose = motion_.predicted_pose(dt);
-    for (std::size_t i = 0; i < body_points_.size(); ++i)
-        positions_t1_[i] = pose.to_world(body_points_[i]);
+    place(pose, body_points_, positions_t1_);
+    place(pose, contact_points_, contact_t1_);
 }
 
 void RigidBody::commit(double dt)
 {
     motion_.commit(dt);
-    const Pose pose = motion_.pose();
-    for (std::size_t i = 0; i < body_points_.size(); ++i)
-        positions_t1_[i] = pose.to_world(body_points_[i]);
+    place(motion_.pose(), body_points_, positions_t1_);
+    place(motion_.pose(), contact_points_, contact_t1_);
     positions_t0_ = positions_t1_;
+    contact_t0_ = contact_t1_;
+}
+
+void RigidBody::take_contact_surface(const std::vector<Vec3>& shape)
+{
+    contact_points_ = contact_t0_ = shape;
+    place(motion_.pose(), contact_points_, contact_t0_);
+    contact_t1_ = contact_t0_;
 }
 
 // The lever is that of the start of the step: one prediction, one place for all its impulses.
@@ -234,8 +247,10 @@ void RigidBody::visit_state(StateArchive& archive)
     archive(state.velocity);
     archive(state.angular_velocity);
     archive(state.spin_momentum);
-    if (archive.reads())
+    if (archive.reads()) {
         motion_.take(state);
+        place(motion_.pose(), contact_points_, contact_t0_);
+    }
 }
 
 void RigidBody::stop()

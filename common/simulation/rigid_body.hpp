@@ -61,11 +61,8 @@ public:
     {
         return motion_.acceleration_at(start_of(vertex), gravity_on(gravity));
     }
-    void take_contact_surface(const std::vector<Vec3>& vertices) override
-    {
-        Body::take_contact_surface(vertices);
-        take_body_points();
-    }
+    std::span<const Vec3> shape() const override { return body_points_; }
+    void take_contact_surface(const std::vector<Vec3>& shape) override;
     void visit_state(StateArchive& archive) override;
 
     double mass() const override { return motion_.mass(); }
@@ -91,7 +88,8 @@ private:
     Vec3 load_momentum_ = Vec3::Zero(), load_turning_ = Vec3::Zero();
     /// at the end of the step: as it turns at the start, then as follow_levers() found it
     Quaternion lever_orientation_t1_ = Quaternion::Identity();
-    std::vector<Vec3> body_points_;  ///< surface vertices in body coordinates [m]
+    std::vector<Vec3> body_points_;     ///< surface vertices in body coordinates [m]
+    std::vector<Vec3> contact_points_;  ///< the same of a surface that was taken for contact [m]
 };
 
 }  // namespace enduring

@@ -61,6 +61,7 @@ struct World {
     std::vector<std::unique_ptr<Body>> bodies;
     std::vector<Plane> planes;
     std::vector<Joint> joints;  ///< between bodies, or a body and the world; for a solver that has them
+    std::vector<double> skins;  ///< of the bodies, as the run began [m]; a solver that has them writes them
     Vec3 gravity{0, -9.81, 0};  ///< [m/s^2]
     double time = 0;            ///< of the committed state [s]
     int step = 0;               ///< steps committed so far

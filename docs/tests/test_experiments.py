@@ -52,16 +52,16 @@ class Experiments(unittest.TestCase):
 
 
 class Graph(unittest.TestCase):
-    def plan(self, full, folders=("08_speculative_contacts", "solvers"), jobs=2):
+    def plan(self, full, folders=("08_contact_by_distance", "solvers"), jobs=2):
         return run_beside.plan_of(options(full, jobs), run_beside.chosen(folders))
 
     def test_a_large_experiment_comes_in_parts_that_are_joined_and_a_small_one_whole(self):
-        parts = experiments.costs()[0]["08_speculative_contacts", "creep"].parts
+        parts = experiments.costs()[0]["08_contact_by_distance", "creep"].parts
         self.assertGreater(parts, 1)
         edges = {name: edge for name, edge in self.plan(True)["edges"].items() if "/creep" in name}
         self.assertEqual(len(edges), parts + 1)
-        self.assertEqual(sorted(edges["done/08_speculative_contacts/creep"]["needs"]), sorted(name for name in edges if ".1" in name or "of" in name))
-        self.assertEqual([name for name in self.plan(False)["edges"] if "/creep" in name], ["done/08_speculative_contacts/creep"])
+        self.assertEqual(sorted(edges["done/08_contact_by_distance/creep"]["needs"]), sorted(name for name in edges if ".1" in name or "of" in name))
+        self.assertEqual([name for name in self.plan(False)["edges"] if "/creep" in name], ["done/08_contact_by_distance/creep"])
 
     def test_the_commands_are_the_same_for_any_number_of_cores(self):
         of_runs = [[edge["command"] for edge in self.plan(True, jobs=jobs)["edges"].values() if edge["kind"] == "run"] for jobs in (1, 8)]

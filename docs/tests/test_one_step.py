@@ -34,9 +34,9 @@ class TheStepOnOnePage(unittest.TestCase):
         self.assertEqual(re.findall(r"\\text\{\((\d)\)\}", formulas), list("123456"))
 
     def test_its_numbers_are_those_of_the_code(self):
-        search = (ROOT / "chapters/08_speculative_contacts/search_parts.hpp").read_text(encoding="utf-8")
+        search = (ROOT / "chapters/08_contact_by_distance/distance_parts.hpp").read_text(encoding="utf-8")
         choice = (ROOT / "chapters/07_implicit_contact/pair_memory.hpp").read_text(encoding="utf-8")
-        for said, code, where in (("ten times the 100", "double stiffer = 10;", search), ("1.5 falls", "double fall = 1.5;", search),
+        for said, code, where in (("ten times the 100", "double stiffer = 10;", search), ("half a thousandth", "double skin = 5e-4;", search),
                                   ("100\\,m", "k_dt2_over_m = 100;", choice), ("10^7\\,m", "max_k_dt2_over_m = 1e7;", choice)):
             self.assertIn(said, PAGE)
             self.assertIn(code, where)

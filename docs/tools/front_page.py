@@ -20,7 +20,7 @@ PICTURES = {  # each chapter's reference picture, and what is cut out of it firs
     "05_categorisation": ("hooked", ""),
     "06_redefinition": ("shifted", ""),
     "07_implicit_contact": ("stack", ""),
-    "08_speculative_contacts": ("heap", ""),
+    "08_contact_by_distance": ("heap", ""),
     "09_deep_contacts": ("bunny_curve", ""),
     "10_self_contact": ("folded_strip", ""),
     "11_exact_contact": ("spring_error", ""),  # its plot, as a browser shows it

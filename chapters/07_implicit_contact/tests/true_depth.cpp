@@ -1,6 +1,6 @@
 #include "chapters/07_implicit_contact/experiments/true_depth.hpp"
 #include "chapters/07_implicit_contact/experiments/depth_runs.hpp"
-#include "chapters/08_speculative_contacts/experiments/shapes.hpp"
+#include "chapters/08_contact_by_distance/experiments/shapes.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"

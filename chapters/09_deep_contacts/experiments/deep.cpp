@@ -1,6 +1,6 @@
 #include "chapters/06_redefinition/solver.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
-#include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/09_deep_contacts/experiments/experiments.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "common/experiments/render/film_probes.hpp"

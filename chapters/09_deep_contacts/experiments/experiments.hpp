@@ -14,6 +14,7 @@ void born_loaded(const RunOptions& options, Report& report);
 void separation_methods(const RunOptions& options, Report& report);
 void thin(const RunOptions& options, Report& report);
 void missed_vertices(const RunOptions& options, Report& report);
+void squeezed(const RunOptions& options, Report& report);
 void mass_ratios(const RunOptions& options, Report& report);
 void cost(const RunOptions& options, Report& report);
 

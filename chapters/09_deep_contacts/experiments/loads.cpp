@@ -1,6 +1,6 @@
 #include "chapters/09_deep_contacts/experiments/loads.hpp"
 
-#include "chapters/08_speculative_contacts/solver.hpp"
+#include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "common/experiments/run/energy_budget.hpp"
 #include "common/geometry/box_shapes.hpp"

@@ -67,7 +67,7 @@ TEST_CASE(
         CHECK(upright.lifted > upright.gained);
         CHECK(upright.most < 1e-7 * upright.gained);  // a tenth of what the solver may leave
         const Missing leaning = missing_in("leaning block", surroundings);
-        CHECK(leaning.most < 0.01 * leaning.lifted);
+        CHECK(leaning.most < 0.05 * leaning.lifted);
     }
 }
 

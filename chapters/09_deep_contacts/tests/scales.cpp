@@ -1,4 +1,4 @@
-#include "chapters/08_speculative_contacts/search_parts.hpp"
+#include "chapters/08_contact_by_distance/distance_parts.hpp"
 #include "chapters/09_deep_contacts/tests/quiet_solver.hpp"
 #include "chapters/motivating_scenes/scaled_scene.hpp"
 
@@ -15,7 +15,7 @@ TEST_CASE("scales: what begins inside a plane or a body separates alike in any s
         // alone (max_load()), and runs of two scales part where one of them lets a rest offset fade. With a lever on motion, too, this
         // trial differs by 5e-14, but a cube between two walls is pressed by twice the energy.
         CHECK(motivating::difference_over_scales(trial, quiet_solver) <
-              (trial.name == "in a floor, weightless" ? 1e-2 : search_parts.stiffer * 1e-8));
+              (trial.name == "in a floor, weightless" ? 5e-2 : distance_parts.stiffer * 1e-8));
     }
 }
 
@@ -24,6 +24,6 @@ TEST_CASE("scales: what falls, slides, rolls and bends moves alike in any size, 
     for (const motivating::ScaleTrial& trial : motivating::scale_trials()) {
         CAPTURE(trial.name);
         // the pairs are ten times as stiff as chapter 7's, so rounding moves them ten times as much
-        CHECK(motivating::difference_over_scales(trial, quiet_solver) < 2e-8 * search_parts.stiffer);
+        CHECK(motivating::difference_over_scales(trial, quiet_solver) < 2e-8 * distance_parts.stiffer);
     }
 }

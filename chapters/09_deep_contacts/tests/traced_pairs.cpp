@@ -90,7 +90,7 @@ TEST_CASE("inside pairs: a pair acts where the separation direction passes its f
         InsidePairs inside;
         Contacts contacts;
         inside.trace(world);
-        inside.append_pairs(world, 0, contacts);
+        inside.append_pairs(world, contacts);
         int pairs = 0;
         for (const Contact& contact : contacts) {
             if (contact.kind != ContactKind::vertex_face)
@@ -112,7 +112,7 @@ TEST_CASE("inside pairs: none between bodies that cannot move, nor where a surfa
         InsidePairs inside;
         Contacts contacts;
         inside.trace(world);
-        inside.append_pairs(world, 0, contacts);
+        inside.append_pairs(world, contacts);
         return contacts.size();
     };
     World fixed;
@@ -139,14 +139,14 @@ TEST_CASE("inside pairs: bodies that moved since the last trace are traced where
     InsidePairs inside;
     Contacts first, second;
     inside.trace(world);
-    inside.append_pairs(world, 0, first);
+    inside.append_pairs(world, first);
     world.bodies[1]->predict(Vec3(0, 0, 0), 1);
     for (int v = 0; v < world.bodies[1]->surface().vertex_count(); ++v)
         world.bodies[1]->apply_impulse(v, Vec3(0, 1, 0));
     world.bodies[1]->update_prediction(1);
     world.bodies[1]->commit(1);
     inside.trace(world);
-    inside.append_pairs(world, 0, second);
+    inside.append_pairs(world, second);
     CHECK(first.size() > 0);
     CHECK(second.empty());
 }
@@ -165,7 +165,7 @@ TEST_CASE(
         InsidePairs inside;
         Contacts contacts;
         inside.trace(world);
-        inside.append_pairs(world, 0, contacts);
+        inside.append_pairs(world, contacts);
         const Body &b = *world.bodies[static_cast<std::size_t>(block)],
                    &f = *world.bodies[static_cast<std::size_t>(floor)];
         const int deep = vertex_where(b, [](const Vec3&x) { return x.y() < -0.1; }),
@@ -278,7 +278,7 @@ TEST_CASE(
         InsidePairs inside;
         Contacts contacts;
         inside.trace(world);
-        inside.append_pairs(world, 0, contacts);
+        inside.append_pairs(world, contacts);
         int pairs = 0;
         for (const Contact& contact : contacts) {
             if (contact.kind != ContactKind::edge_edge)
@@ -309,7 +309,7 @@ TEST_CASE("inside pairs: what pokes through any face of a box gets its pairs wit
         InsidePairs inside;
         Contacts contacts;
         inside.trace(world);
-        inside.append_pairs(world, 0, contacts);
+        inside.append_pairs(world, contacts);
         const auto with_face = std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
             return contact.kind == ContactKind::vertex_face && contact.body_a == 1 &&
                    contact.feature_b == face;

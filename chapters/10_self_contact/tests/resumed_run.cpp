@@ -1,4 +1,4 @@
-#include "chapters/08_speculative_contacts/tests/resumed.hpp"
+#include "chapters/08_contact_by_distance/tests/resumed.hpp"
 #include "chapters/10_self_contact/experiments/folding_scenes.hpp"
 #include "chapters/10_self_contact/solver.hpp"
 

@@ -17,7 +17,7 @@ using namespace enduring;
 
 namespace {
 
-constexpr double dt = 0.01, gap = 4e-4;
+constexpr double dt = 0.01, gap = 1e-4;
 
 /// No two features lie alike, so each pair is one that no number has chosen.
 void shake(std::vector<Vec3>& points, unsigned seed)
@@ -110,6 +110,8 @@ World crowd(unsigned seed)
         std::shuffle(bodies.begin(), bodies.end(), random);
     World world;
     world.bodies = std::move(bodies);
+    world.skins.assign(world.bodies.size(),
+                       3 * gap);  // of a run that goes on: else no two features would touch
     for (const auto& body : world.bodies)
         body->predict(world.gravity, dt);
     return world;
@@ -120,16 +122,17 @@ using Side = std::set<std::array<double, 3>>;
 using PlacedPair = std::pair<ContactKind, std::set<Side>>;
 
 struct Found {
-    std::set<PlacedPair> pairs, known;
+    std::set<PlacedPair> pairs;
     std::set<std::string> bodies;
 };
 
-/// The pairs of a first search, and those of a second one that knows them.
-Found found_in(const World& world)
+/// The pairs at the start of the first step.
+Found found_in(World world)
 {
     Found all;
     SelfSearch search;
-    const Contacts first = search.find(world, {}, dt), second = search.find(world, first, dt);
+    search.begin(world, dt);
+    const Contacts first = search.find(world, dt);
     const auto placed = [&](const Contact& contact) {
         Side a, b;
         for (int i = 0; i < contact.vertex_count(); ++i) {
@@ -149,8 +152,6 @@ Found found_in(const World& world)
         std::sort(names.begin(), names.end());
         all.bodies.insert(names[0] + " and " + names[1]);
     }
-    for (const Contact& contact : second)
-        all.known.insert(placed(contact));
     return all;
 }
 
@@ -167,6 +168,5 @@ TEST_CASE(
         const Found found = found_in(crowd(seed));
         CHECK(found.bodies == expected.bodies);
         CHECK(found.pairs == expected.pairs);
-        CHECK(found.known == expected.known);
     }
 }

@@ -1,7 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
-#include "chapters/08_speculative_contacts/experiments/bolt.hpp"
+#include "chapters/08_contact_by_distance/experiments/bolt.hpp"
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
 #include "chapters/11_exact_contact/force_memory.hpp"
 #include "chapters/11_exact_contact/problem_file.hpp"

@@ -1,5 +1,5 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
-#include "chapters/08_speculative_contacts/search_parts.hpp"
+#include "chapters/08_contact_by_distance/distance_parts.hpp"
 #include "chapters/10_self_contact/solver.hpp"
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
 #include "chapters/11_exact_contact/solver.hpp"
@@ -30,7 +30,7 @@ Rest at_rest(const std::vector<chapter07::Box>& boxes, double duration, double h
     scene.contact.wanted_depth = 1;  // [m]: no load asks for a stiffer spring
     long unconverged = 0;
     ImplicitSettings settings;
-    settings.stiffness.k_dt2_over_m = h / search_parts.stiffer;
+    settings.stiffness.k_dt2_over_m = h / distance_parts.stiffer;
     settings.record = [&](const SolveRecord& record) { unconverged += !record.converged; };
     const Solver solver = make(scene.contact, settings);
     Contacts contacts;

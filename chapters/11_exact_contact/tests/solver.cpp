@@ -1,7 +1,7 @@
 #include "chapters/11_exact_contact/solver.hpp"
 
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
-#include "chapters/08_speculative_contacts/search_parts.hpp"
+#include "chapters/08_contact_by_distance/distance_parts.hpp"
 #include "chapters/10_self_contact/solver.hpp"
 #include "common/input/input_error.hpp"
 
@@ -19,7 +19,7 @@ Solver soft_solver(Scene& scene, double h, ExactStepSettings exact = {})
 {
     scene.contact.wanted_depth = 1;
     ImplicitSettings settings;
-    settings.stiffness.k_dt2_over_m = h / search_parts.stiffer;
+    settings.stiffness.k_dt2_over_m = h / distance_parts.stiffer;
     return chapter11_solver(scene.contact, settings, std::move(exact));
 }
 

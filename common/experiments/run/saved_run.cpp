@@ -104,7 +104,10 @@ std::string misfit(const Contact& contact, const World& world)
     if (on_plane)
         return contact.feature_b == -1 ? "" : "names a feature of a plane";
     const SurfaceTopology& b = world.bodies[static_cast<std::size_t>(contact.body_b)]->surface();
-    return is_place(contact.feature_b, of_edges ? b.edges().size() : b.faces().size())
+    // of faces a vertex may lie on their edges and corners, too, which are counted behind them
+    const auto corners = static_cast<std::size_t>(b.vertex_count());
+    return is_place(contact.feature_b,
+                    of_edges ? b.edges().size() : b.faces().size() + b.edges().size() + corners)
                ? ""
                : "names a face or an edge that its second body does not have";
 }
@@ -149,6 +152,22 @@ std::vector<Joint> joints_of(const json& document, const World& world, const std
     return joints;
 }
 
+/// The skins of the bodies; a solver without them has no such key.
+Numbers skins_of(const json& document, const World& world, const std::string& file)
+{
+    if (!document.contains("skins"))
+        return {};
+    Numbers skins = part<Numbers>(document, "skins", file);
+    if (skins.size() != world.bodies.size())
+        throw InputError(file + ": /skins has " + std::to_string(skins.size()) +
+                         " numbers, and the scene has " + std::to_string(world.bodies.size()) + " bodies");
+    for (std::size_t i = 0; i < skins.size(); ++i)
+        if (!(skins[i] >= 0 && skins[i] <= world.bodies[i]->size()))
+            throw InputError(file + ": /skins/" + std::to_string(i) +
+                             " is not between 0 and the size of its body");
+    return skins;
+}
+
 }  // namespace
 
 void save_run(const std::filesystem::path& file, World& world, const Contacts& contacts)
@@ -161,6 +180,8 @@ void save_run(const std::filesystem::path& file, World& world, const Contacts& c
         document["pairs"].push_back(numbers_of(contact));
     for (const Joint& joint : world.joints)
         document["joints"].push_back(numbers_of(joint));
+    if (!world.skins.empty())
+        document["skins"] = world.skins;
     write_file(file, document.dump() + "\n");
     for (const auto& body : world.bodies)
         if (auto* soft = dynamic_cast<DeformableBody*>(body.get()))
@@ -174,13 +195,14 @@ Contacts resume_run(const std::filesystem::path& file, World& world)
     if (part<std::string>(document, "format", name) != format)
         throw InputError(name + ": /format: expected \"" + format + "\"");
     const JsonValue root(document, name);
-    root.require_keys({"format", "time", "step", "driven", "bodies", "pairs", "joints"});
+    root.require_keys({"format", "time", "step", "driven", "bodies", "pairs", "joints", "skins"});
     const double time = root.at("time").number({0, longest_run, true, true, "s"});
     const int step = root.at("step").integer(0, std::numeric_limits<int>::max());
     const double driven = part<double>(document, "driven", name);
     const auto bodies = bodies_of(document, world, name);
     Contacts contacts = contacts_of(document, world, name);
     std::vector<Joint> joints = joints_of(document, world, name);
+    Numbers skins = skins_of(document, world, name);
     const SavedState before(world, {});
     for (std::size_t i = 0; i < bodies.size(); ++i)
         try {
@@ -195,6 +217,7 @@ Contacts resume_run(const std::filesystem::path& file, World& world)
     world.step = step;
     world.driven = driven;
     world.joints = std::move(joints);
+    world.skins = std::move(skins);
     return contacts;
 }
 

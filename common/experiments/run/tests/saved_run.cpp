@@ -152,12 +152,33 @@ TEST_CASE("saved run: a pair of bodies, features or vertices that the scene does
           "names a vertex that its body does not have");
     CHECK(refused([](Contact& c) { c.feature_a = 18; }, full_contact()) ==
           "names a vertex or an edge that its first body does not have");
-    CHECK(refused([](Contact& c) { c.feature_b = 12; }, face_contact()) ==
+    CHECK(refused([](Contact& c) { c.feature_b = 12 + 18 + 8; }, face_contact()) ==
           "names a face or an edge that its second body does not have");
     CHECK(refused([](Contact& c) { c.kind = ContactKind::vertex_plane; }, face_contact()) == body);
     CHECK(refused([](Contact& c) { c.kind = static_cast<ContactKind>(7); }, face_contact()) ==
           "is of a kind or in a state that there is not");
     CHECK(refused([](Contact&) {}, face_contact()).empty());
+}
+
+TEST_CASE("saved run: skins are kept, and skins that do not fit the bodies are refused")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path / "state.json";
+    const auto saved = [&](std::vector<double> skins) {
+        World world = boxes({"one", "two"});
+        world.skins = std::move(skins);
+        save_run(file, world, {});
+    };
+    saved({1e-4, 2e-4});
+    World world = boxes({"one", "two"});
+    resume_run(file, world);
+    CHECK(world.skins == std::vector{1e-4, 2e-4});
+    saved({1e-4});
+    CHECK(refusal(file, {"one", "two"}) ==
+          file.string() + ": /skins has 1 numbers, and the scene has 2 bodies");
+    saved({1e-4, -1});
+    CHECK(refusal(file, {"one", "two"}) ==
+          file.string() + ": /skins/1 is not between 0 and the size of its body");
 }
 
 TEST_CASE("saved run: an index that is no whole number is refused, and the world is as it was")

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "chapters/08_contact_by_distance/near_pairs.hpp"
+
+namespace enduring {
+
+/// What chapter 2's query finds on the way to the present end of the step.
+struct Crossings {
+    Contacts brought;      ///< pairs that are new
+    Contacts let_through;  ///< pairs that are known, and whose features cross all the same
+
+    bool none() const { return brought.empty() && let_through.empty(); }
+};
+
+//! [find_crossings]
+/// Asks the query about all candidates.
+///
+/// Of two bodies that keep their shape only the first crossing counts, with what follows within a fiftieth of the step: an answer to it changes the
+/// motion of all their points, so later crossings are consequences. Of others the first of each vertex and each edge counts.
+/// A known pair may cross on its straight path if it is on its own side at both ends of the step: what turns goes in arcs.
+Crossings find_crossings(const World& world, const CandidateSearch& search, const Nearness& nearness,
+                         const Contacts& known);
+//! [find_crossings]
+
+}  // namespace enduring

@@ -1,0 +1,166 @@
+#include "chapters/08_contact_by_distance/experiments/forces_landing.hpp"
+
+#include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
+#include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace enduring::chapter08::force_rows {
+namespace {
+
+constexpr double ball_radius = 0.1, slides_with = 2, gravity = 9.81;  // [m], [m/s], [m/s^2]
+
+SurfaceMesh round_mesh(int subdivisions, const Quaternion& turn)
+{
+    if (subdivisions > 0)
+        return turned(sphere(ball_radius, subdivisions), turn);
+    constexpr int sides = 192;
+    std::vector<std::array<double, 2>> outline;
+    outline.reserve(sides);
+    const double first = Eigen::AngleAxisd(turn).angle();
+    for (int i = 0; i < sides; ++i) {
+        const double angle = first + 2 * std::numbers::pi * i / sides;
+        outline.push_back({ball_radius * std::cos(angle), ball_radius * std::sin(angle)});
+    }
+    return chapter07::prism(outline, 0.2);
+}
+
+/// Random, and the same on each machine.
+Quaternion random_turn(std::mt19937& random)
+{
+    const auto number = [&] { return 2 * (static_cast<double>(random()) / std::mt19937::max()) - 1; };
+    const double w = number(), x = number(), y = number(), z = number();
+    return Quaternion(w, x, y, z).normalized();
+}
+
+/// Cells of half a metre; the body lands at x = 0.
+void add_landing_ground(Scene& scene, Ground ground)
+{
+    if (ground == Ground::plane || ground == Ground::slab)
+        add_ground(scene);
+    if (ground == Ground::slab)
+        add_rigid(scene, "slab", moved(box({8, 0.2, 2}), Vec3(2, 0.1, 0)), 1000);
+    else if (ground == Ground::box)
+        add_static(scene, "floor", moved(box({8, 0.2, 2}), Vec3(2, -0.1, 0)));
+    else if (ground != Ground::plane) {
+        const Vec3 shift = ground == Ground::over_an_edge ? Vec3(0.25, 0, 0)
+                           : ground == Ground::beside     ? Vec3(0.07, 0, 0.13)
+                                                          : Vec3(0, 0, 0);
+        add_static(scene, "floor", moved(box({8, 0.2, 2}, {16, 1, 4}), Vec3(2, -0.1, 0) + shift));
+    }
+}
+
+/// One ball that comes down within its first step; the speed with which it rolls, or what it has after two seconds.
+double rolls_with(const Landing& landing, const Quaternion& turn, double phase, const MakeSolver& make)
+{
+    Scene scene = empty_scene(landing.dt, landing.mu);
+    scene.world.restitution.between = {landing.restitution};
+    add_landing_ground(scene, landing.ground);
+    SurfaceMesh mesh = round_mesh(landing.subdivisions, turn);
+    double lowest = 0;
+    for (const Vec3& vertex : mesh.vertices)
+        lowest = std::min(lowest, vertex.y());
+    const double down = std::sqrt(2 * gravity * landing.drop),
+                 floor = landing.ground == Ground::slab ? 0.2 : 0;
+    mesh = moved(mesh,
+                 Vec3(-phase * landing.dt * slides_with, floor - lowest + phase * landing.dt * down, 0));
+    add_rigid(scene, "ball", mesh, 1, Vec3(slides_with, -down, 0));
+    const std::size_t ball = scene.world.bodies.size() - 1;
+    Stepped run(std::move(scene), make);
+    for (int rolled = 0; rolled < 3 && run.world().time < 2;) {
+        run.step();
+        const RigidMotion& motion = dynamic_cast<const RigidBody&>(run.body(ball)).motion();
+        const double slip = motion.velocity().x() +
+                            ball_radius * std::sin(motion.angular_velocity().z() * landing.dt) / landing.dt;
+        if (rolled > 0 || slip < 0.01 * slides_with)
+            ++rolled;
+    }
+    return run.body(ball).mean_velocity().x();
+}
+
+}  // namespace
+
+std::string name_of(Ground ground)
+{
+    switch (ground) {
+        case Ground::plane: return "plane";
+        case Ground::box: return "box";
+        case Ground::over_a_vertex: return "vertex of a floor";
+        case Ground::over_an_edge: return "edge of a floor";
+        case Ground::beside: return "cell of a floor";
+        default: return "free slab";
+    }
+}
+
+std::string name_of(const Landing& landing)
+{
+    return (landing.subdivisions > 0 ? named("ball s", landing.subdivisions) : std::string("cylinder")) +
+           " on a " + name_of(landing.ground) + named(", drop", landing.drop) + named(" m, mu", landing.mu) +
+           named(", e", landing.restitution) + named(", 1/Δt", std::round(1 / landing.dt));
+}
+
+//! [rolling_speed]
+double rolling_speed(double v0, double inertia_ratio, double radius, double dt)
+{
+    double v = v0 / (1 + inertia_ratio);
+    for (int i = 0; i < 50;
+         ++i) {  // the sine is near its angle, so each round leaves a small part of the error
+        const double spin = std::asin(std::min(1.0, v * dt / radius)) / dt;
+        v += (v0 - v - inertia_ratio * radius * spin) / (1 + inertia_ratio);
+    }
+    return v;
+}
+//! [rolling_speed]
+
+Landed land(const Landing& landing, const MakeSolver& make)
+{
+    std::mt19937 random(7);
+    Landed landed;
+    for (int turn = 0; turn < landing.turns; ++turn) {
+        const Quaternion by = random_turn(random);
+        landed.mean += rolls_with(landing, by, (turn + 0.5) / landing.turns, make) / landing.turns;
+    }
+    const MassProperties properties = mass_properties(
+        round_mesh(landing.subdivisions, Quaternion::Identity()), 1);
+    const double ratio = properties.inertia(2, 2) / (properties.mass * ball_radius * ball_radius);
+    landed.formula = rolling_speed(slides_with, ratio, ball_radius, landing.dt);
+    return landed;
+}
+
+Rows landings(const MakeSolver& make, bool full)
+{
+    const std::string formula = "v / (1 + I / (m R²)), and the step's sine";
+    Row plane{"landing", "ball or cylinder that lands while it slides, on a plane",
+              "speed with which it rolls", formula, 1},
+        bodies{"landing_on_bodies", "the same on a box, a mesh of cells, a heavy free slab",
+               "speed with which it rolls", formula, 1},
+        bounce{"landing_bounce", "the same with a rebound, e = 0.5", "speed with which it rolls", formula, 1};
+    const auto add = [&](Row& row, const Landing& landing) {
+        row.add(name_of(landing), 100 * std::abs(land(landing, make).error()));
+    };
+    const std::vector<double> steps = full ? std::vector{1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 960}
+                                           : std::vector{1.0 / 60, 1.0 / 240};
+    for (const double dt : steps)
+        for (const double drop : full ? std::vector{0.01, 0.1, 0.3, 1.25} : std::vector{0.3})
+            add(plane, {.drop = drop, .dt = dt});
+    for (const double mu : full ? std::vector{0.1, 0.2, 1.0} : std::vector{0.1})
+        for (const double dt : full ? std::vector{1.0 / 60, 1.0 / 240} : std::vector{1.0 / 60})
+            add(plane, {.mu = mu, .dt = dt});
+    for (const int subdivisions : full ? std::vector{3, 4, 6, 0} : std::vector{0})
+        add(plane, {.subdivisions = subdivisions});
+    for (const Ground ground :
+         {Ground::box, Ground::over_a_vertex, Ground::over_an_edge, Ground::beside, Ground::slab})
+        for (const double dt : full ? std::vector{1.0 / 60, 1.0 / 240} : std::vector{1.0 / 60})
+            for (const double drop : full ? std::vector{0.1, 1.25} : std::vector{1.25})
+                add(bodies, {.ground = ground, .subdivisions = full ? 5 : 4, .drop = drop, .dt = dt});
+    for (const double dt : full ? steps : std::vector{1.0 / 60})
+        for (const double drop : full ? std::vector{0.1, 0.3, 1.25} : std::vector{0.3})
+            add(bounce, {.drop = drop, .restitution = 0.5, .dt = dt});
+    return {plane, bodies, bounce};
+}
+
+}  // namespace enduring::chapter08::force_rows
