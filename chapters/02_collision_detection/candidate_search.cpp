@@ -11,6 +11,18 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 
+void sort_by_keys(Contacts& contacts)
+{
+    std::sort(contacts.begin(), contacts.end(),
+              [](const Contact& one, const Contact& other) { return key_of(one) < key_of(other); });
+}
+
+bool bodies_may_meet(const World& world, int body_a, int body_b)
+{
+    return !(world.bodies[at(body_a)]->is_static() && world.bodies[at(body_b)]->is_static()) &&
+           !are_joined(world.joints, body_a, body_b);
+}
+
 void CandidateSearch::build(const World& world)
 {
     bodies_.clear();
@@ -37,7 +49,7 @@ void CandidateSearch::find_candidates(const World& world, std::span<const double
     }
     std::size_t count = 0;
     for (const auto& [a, b] : overlapping_bodies(boxes)) {
-        if ((bodies_[at(a)]->is_static() && bodies_[at(b)]->is_static()) || are_joined(world.joints, a, b))
+        if (!bodies_may_meet(world, a, b))
             continue;
         if (count == body_pairs_.size())
             body_pairs_.emplace_back();

@@ -83,6 +83,12 @@ inline PairKey key_of(const Contact& contact)
     return {contact.kind, contact.body_a, contact.body_b, contact.feature_a, contact.feature_b};
 }
 
+/// Ascending by their keys.
+void sort_by_keys(Contacts& contacts);
+
+/// Whether two bodies are to be looked at: at least one can move, and no joint holds them together.
+bool bodies_may_meet(const World& world, int body_a, int body_b);
+
 /// The pairs that are in the list already, for look-up in logarithmic time.
 class KnownPairs {
 public:

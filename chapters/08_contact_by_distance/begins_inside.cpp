@@ -72,9 +72,8 @@ std::vector<TwoBodies> bodies_inside_each_other(const World& world)
     for (std::size_t i = 0; i < surfaces.size(); ++i)
         for (std::size_t j = i + 1; j < surfaces.size(); ++j) {
             const Still &a = surfaces[i], &b = surfaces[j];
-            if ((world.bodies[i]->is_static() && world.bodies[j]->is_static()) ||
-                !a.tree.box().overlaps(b.tree.box()) ||
-                are_joined(world.joints, static_cast<int>(i), static_cast<int>(j)))
+            if (!a.tree.box().overlaps(b.tree.box()) ||
+                !bodies_may_meet(world, static_cast<int>(i), static_cast<int>(j)))
                 continue;
             if (cross(a, b) || lies_in(a, b) || lies_in(b, a))
                 found.emplace_back(static_cast<int>(i), static_cast<int>(j));

@@ -72,20 +72,24 @@ public:
         add(*time, pair);
     }
 
-    /// A vertex that passes a plane, or whose spring is pressed farther than the skin.
-    void vertex_plane(int body, int plane, int vertex)
+    /// The vertices of a body that pass a plane, or whose springs are pressed farther than the skin.
+    void planes(int body)
     {
-        const double behind = known_.count(key_of(plane_pair(body, plane, vertex))) > 0
-                                  ? nearness_.behind_plane(body)
-                                  : 0;
-        const auto height = [&](double tau) {
+        const Body& moving = *world_.bodies[static_cast<std::size_t>(body)];
+        for (int plane = 0; !moving.is_static() && plane < static_cast<int>(world_.planes.size()); ++plane) {
             const Plane& of = world_.planes[static_cast<std::size_t>(plane)];
-            return behind +
-                   of.normal.dot(world_.bodies[static_cast<std::size_t>(body)]->position(vertex, tau) -
-                                 of.point);
-        };
-        if (height(0) >= 0 && height(1) < 0)
-            add(height(0) / (height(0) - height(1)), plane_pair(body, plane, vertex));
+            for (int vertex = 0; vertex < moving.surface().vertex_count(); ++vertex) {
+                const double end = of.normal.dot(moving.position(vertex, 1) - of.point);
+                if (end >= 0)
+                    continue;
+                const Contact pair = plane_pair(body, plane, vertex);
+                const double skin = known_.count(key_of(pair)) > 0 ? nearness_.behind_plane(body) : 0;
+                const double from = skin + of.normal.dot(moving.position(vertex, 0) - of.point),
+                             to = skin + end;
+                if (from >= 0 && to < 0)
+                    add(from / (from - to), pair);
+            }
+        }
     }
 
     /// By their places in World::bodies; planes come before all bodies, the first one is -1.
@@ -173,20 +177,16 @@ Crossings find_crossings(const World& world, const CandidateSearch& search, cons
                          const Contacts& known)
 {
     Query query(world, nearness, known);
-    search.visit_candidates(
+    visit_apart(
+        search, nearness,
         [&](int body_a, int vertex, int body_b, int face) {
-            if (!nearness.is_left_out(body_a, body_b))
-                query.vertex_face(body_a, vertex, body_b, face);
+            query.vertex_face(body_a, vertex, body_b, face);
         },
         [&](int body_a, int edge_a, int body_b, int edge_b) {
-            if (!nearness.is_left_out(body_a, body_b))
-                query.edge_edge(body_a, edge_a, body_b, edge_b);
+            query.edge_edge(body_a, edge_a, body_b, edge_b);
         });
     for (int body = 0; body < static_cast<int>(world.bodies.size()); ++body)
-        for (int plane = 0; plane < static_cast<int>(world.planes.size()); ++plane)
-            for (int v = 0; v < world.bodies[static_cast<std::size_t>(body)]->surface().vertex_count(); ++v)
-                if (!world.bodies[static_cast<std::size_t>(body)]->is_static())
-                    query.vertex_plane(body, plane, v);
+        query.planes(body);
     Crossings crossings;
     for (auto& [bodies, found] : query.of_bodies) {
         std::erase_if(found, [&](const TimedPair& crossing) { return ends_well(world, crossing); });

@@ -9,7 +9,6 @@
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace enduring {
 namespace {
@@ -20,12 +19,6 @@ std::vector<std::vector<Vec3>> ends_of(const World& world)
     for (const auto& body : world.bodies)
         ends.emplace_back(body->contact_t1().begin(), body->contact_t1().end());
     return ends;
-}
-
-void sort(Contacts& contacts)
-{
-    std::sort(contacts.begin(), contacts.end(),
-              [](const Contact& one, const Contact& other) { return key_of(one) < key_of(other); });
 }
 
 }  // namespace
@@ -63,13 +56,13 @@ Contacts DistanceSearch::find(World& world, double dt)
     answers_ = 0;
     standing_.clear();
     grounds_ = {};
-    predicted_t1_ = ends_of(world);
     fit_boxes(world);
+    predicted_t1_ = boxed_t1_;
 
     Contacts found;
     append_plane_pairs(world, found);
     append_near_pairs(world, *this, nearness_, found, grounds_);
-    sort(found);
+    sort_by_keys(found);
     keep_one_at_each_place(world, found);
     complete(world, found);
     return found;
@@ -95,14 +88,13 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
         world.attempt.trouble = StepTrouble::too_deep;
         return;
     }
-    if (crossings.none() && answers_ < distance_parts.most_answers) {
+    if (crossings.none() && answers_ < distance_parts.most_answers)
         crossings.brought = pairs_at_the_end(world, *this, nearness_, contacts,
                                              answers_ == 0 ? EndsOf::new_bodies : EndsOf::new_features);
-    }
     for (Contact& contact : crossings.brought)
         contact.start = 1;  // its spring is at rest until it pushes
     complete(world, crossings.brought);
-    sort(crossings.brought);
+    sort_by_keys(crossings.brought);
     const std::size_t known = contacts.size();
     contacts.insert(contacts.end(), crossings.brought.begin(), crossings.brought.end());
     keep_one_at_each_place(world, contacts, known);

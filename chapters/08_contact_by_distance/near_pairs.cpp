@@ -1,12 +1,10 @@
 #include "chapters/08_contact_by_distance/near_pairs.hpp"
 
 #include "chapters/08_contact_by_distance/distance_parts.hpp"
-#include "chapters/08_contact_by_distance/feature_cones.hpp"
 #include "chapters/08_contact_by_distance/own_points.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace enduring {
 namespace {
@@ -134,39 +132,30 @@ private:
     std::vector<Vec3> normals_, points_;  ///< of its pairs so far
 };
 
-void append_near_edges(const World& world, const CandidateSearch& search, const Nearness& nearness,
-                       Contacts& contacts)
+/// The pair of two edges that are near each other, if they touch.
+void append_near_edges(const World& world, const Nearness& nearness, int body_a, int edge_a, int body_b,
+                       int edge_b, Contacts& contacts)
 {
-    const auto edges = [&](int body_a, int edge_a, int body_b, int edge_b) {
-        if (nearness.is_left_out(body_a, body_b))
-            return;
-        const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
-        const auto [a0, a1] = a.edge(edge_a);
-        const auto [b0, b1] = b.edge(edge_b);
-        const auto closest = closest_inside(a, edge_a, b, edge_b);
-        if (!closest || closest->difference.norm() > nearness.distance(body_a, body_b))
-            return;
-        const double distance = closest->difference.norm();
-        const bool touch = distance <= touching_distance(world, body_a, body_b);
-        const Vec3 across = (a.start(a1) - a.start(a0)).cross(b.start(b1) - b.start(b0)).normalized();
-        const auto in_cones = [&](const Vec3& normal) {
-            return in_cone_of_edge({b, 0}, edge_b, normal, distance_parts.cone_sine,
-                                   distance_parts.least_fold) &&
-                   in_cone_of_edge({a, 0}, edge_a, -normal, distance_parts.cone_sine,
-                                   distance_parts.least_fold);
-        };
-        Vec3 normal = touch ? across : Vec3(closest->difference / distance);
-        if (touch && !in_cones(normal))
-            normal = -normal;
-        if (!in_cones(normal))
-            return;
-        Contact pair = edge_pair(body_a, a, edge_a, body_b, b, edge_b, closest->s, closest->t, normal);
-        pair.gap = nearness.gap(body_a, body_b);
-        put_on_own_surfaces(world, 0, pair);
-        if (contact_geometry(world, pair, 0).depth <= touching_distance(world, body_a, body_b))
-            contacts.push_back(pair);
+    const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
+    const auto closest = closest_inside(a, edge_a, b, edge_b);
+    if (!closest || closest->difference.norm() > nearness.distance(body_a, body_b))
+        return;
+    const double distance = closest->difference.norm();
+    const bool touch = distance <= touching_distance(world, body_a, body_b);
+    const auto in_cones = [&](const Vec3& normal) {
+        return in_cones_of_edges({a, 0}, edge_a, {b, 0}, edge_b, normal);
     };
-    search.visit_candidates([](int, int, int, int) {}, edges);
+    Vec3 normal = touch ? across_edges(a, edge_a, b, edge_b).normalized()
+                        : Vec3(closest->difference / distance);
+    if (touch && !in_cones(normal))
+        normal = -normal;
+    if (!in_cones(normal))
+        return;
+    Contact pair = edge_pair(body_a, a, edge_a, body_b, b, edge_b, closest->s, closest->t, normal);
+    pair.gap = nearness.gap(body_a, body_b);
+    put_on_own_surfaces(world, 0, pair);
+    if (contact_geometry(world, pair, 0).depth <= touching_distance(world, body_a, body_b))
+        contacts.push_back(pair);
 }
 
 }  // namespace
@@ -183,6 +172,20 @@ std::optional<ClosestOnEdges> closest_inside(const SurfaceStep& a, int edge_a, c
     const auto [a0, a1] = a.edge(edge_a);
     const auto [b0, b1] = b.edge(edge_b);
     return closest_inside_edges(a.start(a0), a.start(a1), b.start(b0), b.start(b1), distance_parts.edge_sine);
+}
+
+Vec3 across_edges(const SurfaceStep& a, int edge_a, const SurfaceStep& b, int edge_b)
+{
+    const auto [a0, a1] = a.edge(edge_a);
+    const auto [b0, b1] = b.edge(edge_b);
+    return (a.start(a1) - a.start(a0)).cross(b.start(b1) - b.start(b0));
+}
+
+bool in_cones_of_edges(const SurfaceMoment& a, int edge_a, const SurfaceMoment& b, int edge_b,
+                       const Vec3& normal)
+{
+    return in_cone_of_edge(b, edge_b, normal, distance_parts.cone_sine, distance_parts.least_fold) &&
+           in_cone_of_edge(a, edge_a, -normal, distance_parts.cone_sine, distance_parts.least_fold);
 }
 
 SurfaceStep surface_of(const World& world, int body)
@@ -221,8 +224,7 @@ Contact edge_pair(int body_a, const SurfaceStep& a, int edge_a, int body_b, cons
     contact.vertices = {a0, a1, b0, b1};
     contact.weights = {1 - s, s, t - 1, -t};
     contact.normal_t0 = normal;
-    const Vec3 across = (a.start(a1) - a.start(a0)).cross(b.start(b1) - b.start(b0));
-    contact.orientation = normal.dot(across) < 0 ? -1 : 1;
+    contact.orientation = normal.dot(across_edges(a, edge_a, b, edge_b)) < 0 ? -1 : 1;
     return contact;
 }
 
@@ -245,12 +247,15 @@ void append_near_pairs(const World& world, const CandidateSearch& search, const 
                        Contacts& contacts, Grounds& grounds)
 {
     std::vector<std::array<int, 4>> all;  // all faces of a vertex together
-    search.visit_candidates(
+    Contacts of_edges;                    // behind those of vertices
+    visit_apart(
+        search, nearness,
         [&](int body_a, int vertex, int body_b, int face) {
-            if (!nearness.is_left_out(body_a, body_b))
-                all.push_back({body_a, vertex, body_b, face});
+            all.push_back({body_a, vertex, body_b, face});
         },
-        [](int, int, int, int) {});
+        [&](int body_a, int edge_a, int body_b, int edge_b) {
+            append_near_edges(world, nearness, body_a, edge_a, body_b, edge_b, of_edges);
+        });
     std::sort(all.begin(), all.end());
     std::optional<VertexSearch> vertex_search;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -259,7 +264,7 @@ void append_near_pairs(const World& world, const CandidateSearch& search, const 
             vertex_search.emplace(world, nearness, body_a, vertex, body_b);
         vertex_search->look_at(face, contacts, grounds);
     }
-    append_near_edges(world, search, nearness, contacts);
+    contacts.insert(contacts.end(), of_edges.begin(), of_edges.end());
 }
 
 }  // namespace enduring

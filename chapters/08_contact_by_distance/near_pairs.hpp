@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/02_collision_detection/candidate_search.hpp"
+#include "chapters/08_contact_by_distance/feature_cones.hpp"
 #include "chapters/08_contact_by_distance/own_directions.hpp"
 #include "common/geometry/closest_points.hpp"
 
@@ -64,6 +65,26 @@ ClosestOnTriangle closest_on_face(const Vec3& p, const SurfaceStep& b, int face)
 /// The nearest points of two edges, as the step begins; none where these are ends, or the edges are parallel.
 std::optional<ClosestOnEdges> closest_inside(const SurfaceStep& a, int edge_a, const SurfaceStep& b,
                                              int edge_b);
+/// At right angles to two edges, as the step begins; as long as the area that they span.
+Vec3 across_edges(const SurfaceStep& a, int edge_a, const SurfaceStep& b, int edge_b);
+/// Whether a direction out of B lies in the cones of both edges.
+bool in_cones_of_edges(const SurfaceMoment& a, int edge_a, const SurfaceMoment& b, int edge_b,
+                       const Vec3& normal);
+
+/// The candidates of a search, but for two bodies that another rule serves.
+template <class VertexFace, class EdgeEdge>
+void visit_apart(const CandidateSearch& search, const Nearness& nearness, VertexFace&& vertex_face,
+                 EdgeEdge&& edge_edge)
+{
+    const auto kept_apart = [&nearness](auto& visit) {
+        return [&](int body_a, int feature_a, int body_b, int feature_b) {
+            if (!nearness.is_left_out(body_a, body_b))
+                visit(body_a, feature_a, body_b, feature_b);
+        };
+    };
+    search.visit_candidates(kept_apart(vertex_face), kept_apart(edge_edge));
+}
+
 /// Nearer than this, the difference of two points has no direction [m].
 double touching_distance(const World& world, int body_a, int body_b);
 

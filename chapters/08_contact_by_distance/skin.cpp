@@ -5,7 +5,6 @@
 #include "chapters/08_contact_by_distance/own_directions.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace enduring {

@@ -1,7 +1,6 @@
 #include "chapters/08_contact_by_distance/touching_end.hpp"
 
 #include "chapters/08_contact_by_distance/distance_parts.hpp"
-#include "chapters/08_contact_by_distance/feature_cones.hpp"
 #include "chapters/08_contact_by_distance/own_points.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
@@ -78,11 +77,10 @@ public:
         if (!closest || !is_near(body_a, body_b, closest->difference.norm()))
             return;
         const Vec3 normal = closest->difference.normalized();
-        if (!in_cone_of_edge({b, 1}, edge_b, normal, distance_parts.cone_sine, distance_parts.least_fold) ||
-            !in_cone_of_edge({a, 1}, edge_a, -normal, distance_parts.cone_sine, distance_parts.least_fold))
+        if (!in_cones_of_edges({a, 1}, edge_a, {b, 1}, edge_b, normal))
             return;
-        const double side = across(a1, edge_a, b1, edge_b).dot(normal) < 0 ? -1 : 1;
-        const Vec3 first = (side * across(a, edge_a, b, edge_b)).stableNormalized();
+        const double side = across_edges(a1, edge_a, b1, edge_b).dot(normal) < 0 ? -1 : 1;
+        const Vec3 first = (side * across_edges(a, edge_a, b, edge_b)).stableNormalized();
         Contact pair = edge_pair(body_a, a, edge_a, body_b, b, edge_b, closest->s, closest->t, first);
         pair.orientation = side;
         add(pair);
@@ -91,12 +89,6 @@ public:
     Contacts found;
 
 private:
-    static Vec3 across(const SurfaceStep& a, int edge_a, const SurfaceStep& b, int edge_b)
-    {
-        const auto [a0, a1] = a.edge(edge_a);
-        const auto [b0, b1] = b.edge(edge_b);
-        return (a.start(a1) - a.start(a0)).cross(b.start(b1) - b.start(b0));
-    }
     bool is_near(int body_a, int body_b, double distance) const
     {
         return distance > touching_distance(world_, body_a, body_b) &&
@@ -121,13 +113,14 @@ Contacts pairs_at_the_end(const World& world, const CandidateSearch& search, con
 {
     const Known has(known, wanted);
     EndSearch ends(world, nearness);
-    search.visit_candidates(
+    visit_apart(
+        search, nearness,
         [&](int body_a, int vertex, int body_b, int face) {
-            if (!nearness.is_left_out(body_a, body_b) && !has.vertex(body_a, vertex, body_b))
+            if (!has.vertex(body_a, vertex, body_b))
                 ends.vertex_face(body_a, vertex, body_b, face);
         },
         [&](int body_a, int edge_a, int body_b, int edge_b) {
-            if (!nearness.is_left_out(body_a, body_b) && !has.edges(body_a, edge_a, body_b, edge_b))
+            if (!has.edges(body_a, edge_a, body_b, edge_b))
                 ends.edge_edge(body_a, edge_a, body_b, edge_b);
         });
     return std::move(ends.found);

@@ -30,8 +30,7 @@ Contacts DeepSearch::find(World& world, double dt)
         contact.outward = inside_.part_along_direction(world, contact);
         found.push_back(contact);
     }
-    std::sort(found.begin(), found.end(),
-              [](const Contact& one, const Contact& other) { return key_of(one) < key_of(other); });
+    sort_by_keys(found);
     return found;
 }
 //! [find]
@@ -43,8 +42,7 @@ bool DeepSearch::takes_over(const World& world, const Contact& let_through, doub
         return false;
     const Body &a = *world.bodies[static_cast<std::size_t>(let_through.body_a)],
                &b = *world.bodies[static_cast<std::size_t>(let_through.body_b)];
-    return &a != &b && (moves_as_given(a) || moves_as_given(b)) && a.surface().is_closed() &&
-           b.surface().is_closed();
+    return &a != &b && (moves_as_given(a) || moves_as_given(b)) && takes_what_begins_inside(a, b);
 }
 //! [takes_over]
 

@@ -1,5 +1,6 @@
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
 
+#include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -62,8 +63,8 @@ void InsidePairs::trace(const World& world)
     for (int i = 0; i < count; ++i)
         for (int j = i + 1; j < count; ++j) {
             const Body &a = *bodies_[i], &b = *bodies_[j];
-            if ((a.is_static() && b.is_static()) || !a.surface().is_closed() || !b.surface().is_closed() ||
-                !trees_[i].box().overlaps(trees_[j].box()) || are_joined(world.joints, i, j))
+            if (!a.surface().is_closed() || !b.surface().is_closed() ||
+                !trees_[i].box().overlaps(trees_[j].box()) || !bodies_may_meet(world, i, j))
                 continue;
             if (auto found = find_overlaps(still(i), still(j)); !found.empty())
                 overlaps_.push_back({i, j, std::move(found)});

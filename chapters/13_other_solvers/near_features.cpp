@@ -1,6 +1,6 @@
 #include "chapters/13_other_solvers/near_features.hpp"
 
-#include "common/geometry/closest_points.hpp"
+#include "chapters/08_contact_by_distance/near_pairs.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
@@ -13,15 +13,9 @@ namespace {
 /// Sine by which a neighbour may be further out than its feature. A hundredth: faces that are pressed together and tilt by a
 /// thousandth lose the pairs of one side, and an arch falls. Five times: every feature has a pair.
 constexpr double cone_sine = 0.2;
-constexpr double edge_sine = 1e-3;   ///< of the angle of two edges, below which they have no nearest points
 constexpr double least_fold = 1e-4;  ///< sine between two faces, below which they are one
 constexpr double touching =
     1e-9;  ///< of the size of a body: nearer, the difference of two points has no direction
-
-SurfaceStep surface_of(const World& world, int body)
-{
-    return surface_step(*world.bodies[static_cast<std::size_t>(body)]);
-}
 
 Vec3 normal_of_face(const SurfaceStep& surface, int face)
 {
@@ -63,17 +57,6 @@ bool is_outermost_edge(const SurfaceStep& surface, int edge, const Vec3& directi
         }
     const auto [one, other] = surface.topology.faces_at_edge(edge);
     return other < 0 || is_folded(surface, one, other);
-}
-
-Contact vertex_pair(int body_a, int vertex, int body_b, const SurfaceStep& b, int face,
-                    const std::array<double, 3>& weights, const Vec3& normal)
-{
-    Contact contact{ContactKind::vertex_face, body_a, body_b, vertex, face};
-    const auto [f0, f1, f2] = b.face(face);
-    contact.vertices = {vertex, f0, f1, f2};
-    contact.weights = {1, -weights[0], -weights[1], -weights[2]};
-    contact.normal_t0 = normal;
-    return contact;
 }
 
 /// The faces around the feature of a face on which a point lies, by its weights; none for the face itself.
@@ -164,8 +147,8 @@ private:
         if (std::any_of(points_.begin(), points_.end(), is_known) || !is_outermost(a_, vertex_, -normal))
             return false;
         points_.push_back(found.closest.point);
-        contacts.push_back(
-            vertex_pair(body_a_, vertex_, body_b_, b_, found.face, found.closest.weights, normal));
+        contacts.push_back(vertex_pair(body_a_, vertex_, body_b_, b_, found.face, found.face,
+                                       found.closest.weights, normal));
         return side < 0;
     }
 
@@ -219,8 +202,7 @@ Contacts NearFeatures::find(const World& world)
     append_planes(world, contacts);
     append_vertices(world, contacts);
     append_edges(world, contacts);
-    std::sort(contacts.begin(), contacts.end(),
-              [](const Contact& one, const Contact& other) { return key_of(one) < key_of(other); });
+    sort_by_keys(contacts);
     return contacts;
 }
 
@@ -249,28 +231,21 @@ void NearFeatures::append_edges(const World& world, Contacts& contacts) const
 {
     const auto edges = [&](int body_a, int edge_a, int body_b, int edge_b) {
         const SurfaceStep a = surface_of(world, body_a), b = surface_of(world, body_b);
-        const auto [a0, a1] = a.edge(edge_a);
-        const auto [b0, b1] = b.edge(edge_b);
-        const auto closest = closest_inside_edges(a.start(a0), a.start(a1), b.start(b0), b.start(b1),
-                                                  edge_sine);
+        const auto closest = closest_inside(a, edge_a, b, edge_b);
         if (!closest)
             return;
         const double distance = closest->difference.norm(), outside = reach(world, body_a, body_b),
                      inside = settings_.depth * smaller_size(world, body_a, body_b);
         if (distance > std::max(outside, inside))
             return;
-        const Vec3 across = (a.start(a1) - a.start(a0)).cross(b.start(b1) - b.start(b0)).normalized();
+        const Vec3 across = across_edges(a, edge_a, b, edge_b).normalized();
         const Vec3 towards_a = across.dot(closest->difference) < 0 ? Vec3(-across) : across;
         for (const Vec3& normal : {towards_a, Vec3(-towards_a)}) {  // outside first, then inside
             if (distance > (normal == towards_a ? outside : inside) ||
                 !is_outermost_edge(b, edge_b, normal) || !is_outermost_edge(a, edge_a, -normal))
                 continue;
-            Contact contact{ContactKind::edge_edge, body_a, body_b, edge_a, edge_b};
-            contact.vertices = {a0, a1, b0, b1};
-            contact.weights = {1 - closest->s, closest->s, closest->t - 1, -closest->t};
-            contact.normal_t0 = normal;
-            contact.orientation = normal.dot(across) < 0 ? -1 : 1;
-            contacts.push_back(contact);
+            contacts.push_back(
+                edge_pair(body_a, a, edge_a, body_b, b, edge_b, closest->s, closest->t, normal));
             return;
         }
     };
@@ -288,9 +263,7 @@ void NearFeatures::append_planes(const World& world, Contacts& contacts) const
                 const double way = (moving.position(v, 1) - moving.position(v, 0)).norm();
                 if (height > settings_.reach * moving.size() + way)
                     continue;
-                Contact contact{ContactKind::vertex_plane, body, plane, v, -1};
-                contact.vertices[0] = v;
-                contact.weights[0] = 1;
+                Contact contact = plane_pair(body, plane, v);
                 contact.normal_t0 = ground.normal;
                 contacts.push_back(contact);
             }

@@ -5,13 +5,12 @@
 #include "chapters/08_contact_by_distance/experiments/forces_landing.hpp"
 #include "chapters/08_contact_by_distance/experiments/forces_soft.hpp"
 #include "chapters/08_contact_by_distance/experiments/forces_statics.hpp"
-#include "chapters/08_contact_by_distance/experiments/forces_vices.hpp"
 #include "chapters/08_contact_by_distance/solver.hpp"
+#include "chapters/08_contact_by_distance/tests/check_rows.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <set>
 #include <string>
 
 using namespace enduring;
@@ -25,17 +24,6 @@ Solver quiet(const ContactParameters& parameters)
     ImplicitSettings settings;
     settings.record = [](const SolveRecord&) {};
     return chapter08_solver(parameters, settings);
-}
-
-/// @param off  keys of the rows that the page tells as off: one that holds is no longer an exception
-void check(const Rows& rows, const std::set<std::string>& off = {})
-{
-    for (const Row& row : rows) {
-        CAPTURE(row.key);
-        CAPTURE(row.worst);
-        CAPTURE(row.off);
-        CHECK(row.holds() == !off.count(row.key));
-    }
 }
 
 }  // namespace
@@ -54,60 +42,60 @@ TEST_CASE("forces: a row without runs, and a force that is no number, do not hol
 
 TEST_CASE("forces: pairs carry the weight of what rests on them, each with k times its depth")
 {
-    check(weights(quiet, false));
+    check_rows(weights(quiet, false));
 }
 
 TEST_CASE("forces: the legs of a table carry it and its load, and legs that are mirror images carry the same")
 {
-    check(tables(quiet, false));
+    check_rows(tables(quiet, false));
 }
 
 TEST_CASE("forces: what is symmetric is carried symmetrically, whatever the triangles of the floor")
 {
-    check(mirror_images(quiet, false));
+    check_rows(mirror_images(quiet, false));
 }
 
-TEST_CASE("forces: a pile's base carries its weight") { check(piles(quiet, false)); }
+TEST_CASE("forces: a pile's base carries its weight") { check_rows(piles(quiet, false)); }
 
-TEST_CASE("forces: on a slope below the threshold friction is m g sin") { check(slopes(quiet, false)); }
+TEST_CASE("forces: on a slope below the threshold friction is m g sin") { check_rows(slopes(quiet, false)); }
 
-TEST_CASE("forces: a wedge presses its sides as statics says") { check(wedges(quiet, false)); }
+TEST_CASE("forces: a wedge presses its sides as statics says") { check_rows(wedges(quiet, false)); }
 
 TEST_CASE("forces: bars that lean against each other have the thrust of a frame of three hinges")
 {
-    check(frames(quiet, false));
+    check_rows(frames(quiet, false));
 }
 
 TEST_CASE("forces: the thrust of an arch is the same in each joint, and each stone is in balance")
 {
-    check(arches(quiet, false));
+    check_rows(arches(quiet, false));
 }
 
-TEST_CASE("forces: each ring of a chain carries the rings below it") { check(chains(quiet, false)); }
+TEST_CASE("forces: each ring of a chain carries the rings below it") { check_rows(chains(quiet, false)); }
 
 TEST_SUITE("long simulation")
 {
-    TEST_CASE("forces: soft blocks are carried with their weight") { check(soft_weights(quiet, false)); }
+    TEST_CASE("forces: soft blocks are carried with their weight") { check_rows(soft_weights(quiet, false)); }
 
     TEST_CASE("forces: a soft block between plates presses each vertex by its share of the area")
     {
-        check(soft_pressure(quiet, false));
+        check_rows(soft_pressure(quiet, false));
     }
 }
 
 TEST_CASE("forces: the order in which bodies are listed changes no force")
 {
-    check(either_order(quiet, false));
+    check_rows(either_order(quiet, false));
 }
 
 TEST_CASE("forces: a ball that drops straight does not spin, and its largest force stops it")
 {
-    check(straight_drops(quiet, false));
+    check_rows(straight_drops(quiet, false));
 }
 
 TEST_CASE("forces: in each step of an impact, forces times the step are the change of momentum")
 {
-    check(momentum_of_impacts(quiet, false));
+    check_rows(momentum_of_impacts(quiet, false));
 }
 
 TEST_CASE(
@@ -123,5 +111,5 @@ TEST_CASE(
 
 TEST_CASE("forces: what lands while it slides rolls with the speed that its inertia leaves it")
 {
-    check(landings(quiet, false));
+    check_rows(landings(quiet, false));
 }

@@ -1,4 +1,5 @@
 #include "chapters/08_contact_by_distance/experiments/forces_vices.hpp"
+#include "chapters/08_contact_by_distance/tests/check_rows.hpp"
 #include "chapters/09_deep_contacts/tests/quiet_solver.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/simulation/energy.hpp"
@@ -6,6 +7,7 @@
 #include <doctest/doctest.h>
 
 using namespace enduring;
+using namespace enduring::chapter08::force_rows;
 
 namespace {
 
@@ -24,16 +26,6 @@ Scene squeezed_cube(double too_near, double dt)
         {"name": "cube", "type": "rigid", "shape": {"box": {"size": [0.1, 0.1, 0.1]}}, "density": 1000, "position": [0, 0.5, 0]})" +
                           wall("left", "-", "") + wall("right", "", "-") + "]}",
                       "", "s.json", {});
-}
-
-void check(const chapter08::force_rows::Rows& rows)
-{
-    for (const chapter08::force_rows::Row& row : rows) {
-        CAPTURE(row.key);
-        CAPTURE(row.worst);
-        CAPTURE(row.off);
-        CHECK(row.holds());
-    }
 }
 
 }  // namespace
@@ -60,10 +52,10 @@ TEST_CASE(
 
 TEST_CASE("squeezed: walls that close too far press with k times the depth, both alike")
 {
-    check(chapter08::force_rows::vices(chapter09::quiet_solver, false));
+    check_rows(vices(chapter09::quiet_solver, false));
 }
 
 TEST_CASE("squeezed: fingers that close too far lift a body, and throw nothing")
 {
-    check(chapter08::force_rows::grippers(chapter09::quiet_solver, false));
+    check_rows(grippers(chapter09::quiet_solver, false));
 }
