@@ -35,8 +35,8 @@ struct DistanceParts {
     /// of a skin [1]: what is left of it, at least, where soft bodies or sheets begin nearer to each other. A tenth: what begins in touch is
     /// halved until it stands still; ten times: it is pushed apart.
     double least_skin = 0.1;
-    /// in one step: afterwards what still would cross waits for the next, or stands still. The step itself asks five times.
-    int most_answers = 5;
+    /// in one step: afterwards it is halved, or what still would cross stands still. Five: soft impacts are halved twice as often.
+    int most_answers = 8;
 };
 inline constexpr DistanceParts distance_parts;
 //! [distance_parts]

@@ -53,7 +53,6 @@ void DistanceSearch::begin(World& world, double dt)
 Contacts DistanceSearch::find(World& world, double dt)
 {
     dt_ = dt;
-    answers_ = 0;
     standing_.clear();
     grounds_ = {};
     fit_boxes(world);
@@ -81,16 +80,18 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
             left_out_.insert(std::minmax(contact.body_a, contact.body_b));
         return taken;
     });
-    const bool goes_on = crossings.let_through.empty() && answers_ < distance_parts.most_answers;
+    const bool is_last = world.attempt.responses_left == 0,
+               goes_on = crossings.let_through.empty() && !is_last;
     if (!goes_on && !crossings.none() && !world.attempt.may_be_halved)
         return stand_still(world, contacts, std::move(crossings));
     if (!crossings.let_through.empty()) {
         world.attempt.trouble = StepTrouble::too_deep;
         return;
     }
-    if (crossings.none() && answers_ < distance_parts.most_answers)
-        crossings.brought = pairs_at_the_end(world, *this, nearness_, contacts,
-                                             answers_ == 0 ? EndsOf::new_bodies : EndsOf::new_features);
+    if (crossings.none() && !is_last)
+        crossings.brought = pairs_at_the_end(
+            world, *this, nearness_, contacts,
+            world.attempt.work.responses == 0 ? EndsOf::new_bodies : EndsOf::new_features);
     for (Contact& contact : crossings.brought)
         contact.start = 1;  // its spring is at rest until it pushes
     complete(world, crossings.brought);

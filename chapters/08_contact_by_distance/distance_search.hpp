@@ -25,7 +25,6 @@ public:
     virtual Contacts find(World& world, double dt);
     /// After an answer: appends pairs for what it lets cross, or tells trouble, or stops what would cross.
     void check(World& world, Contacts& contacts, double dt);
-    void count_answer() { ++answers_; }
     /// When the step is the state: what stood still is where it was, at rest.
     void bring_back(World& world);
     //! [distance_search]
@@ -60,7 +59,6 @@ private:
     Ends boxed_t1_;      ///< where the boxes expect the vertices at the end
     Ends predicted_t1_;  ///< where they end without an answer
     Grounds grounds_;
-    int answers_ = 0;
     double dt_ = 0;
     std::set<TwoBodies> left_out_;
     std::map<int, std::vector<double>> standing_;  ///< states of bodies that stand still in this step

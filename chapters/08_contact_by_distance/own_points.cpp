@@ -1,6 +1,7 @@
 #include "chapters/08_contact_by_distance/own_points.hpp"
 
 #include "chapters/06_redefinition/pair_projection.hpp"
+#include "chapters/08_contact_by_distance/own_directions.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <vector>
@@ -26,9 +27,11 @@ double along_edge(const Vec3& p, const Vec3& from, const Vec3& to, const Vec3& n
 
 void put_on_own_surfaces(const World& world, double tau, Contact& contact)
 {
+    const bool both_soft = !keeps_shape(*world.bodies[static_cast<std::size_t>(contact.body_a)]) &&
+                           !keeps_shape(*world.bodies[static_cast<std::size_t>(contact.body_b)]);
     PairVertices x;
     for (std::size_t i = 0; i < 4; ++i)
-        x[i] = contact_vertex(world, contact, static_cast<int>(i), tau);
+        x[i] = contact_vertex(world, contact, static_cast<int>(i), both_soft ? 0 : tau);
     if (contact.kind == ContactKind::edge_edge)
         return put_edges(x, contact);
     std::vector<std::size_t> on;  // the corners of B's feature

@@ -33,6 +33,7 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
     Solver solver;
     solver.name = "chapter 8";
     solver.can_resume = true;
+    solver.max_responses = distance_parts.most_answers;
     solver.append(StepStage::refresh, "put skins",
                   [search](World& world, Contacts&, double dt) { search->begin(world, dt); });
     solver.append(StepStage::refresh, "find pairs", [search](World& world, Contacts& contacts, double dt) {
@@ -46,8 +47,6 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
                           search->check(world, contacts, dt);
                   });
     add_solve(solver, parameters, std::move(settings));
-    solver.append(StepStage::respond, "count answers",
-                  [search](World&, Contacts&, double) { search->count_answer(); });
     solver.append(StepStage::finish, "turn normals", turn_normals);
     solver.insert_before("restitution", "bring back",
                          [search](World& world, Contacts&, double) { search->bring_back(world); });

@@ -13,9 +13,6 @@
 namespace enduring {
 namespace {
 
-/// How often a step answers what its own answers brought about (thesis 3.3, item 4).
-constexpr int max_responses = 5;
-
 void run_passes(const std::vector<Pass>& passes, World& world, Contacts& contacts, double dt,
                 const PassObserver& done)
 {
@@ -227,9 +224,11 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     const Turns free_turns(world, dt);
     run_passes(solver.passes(StepStage::refresh), world, contacts, dt, done);
 
+    int& left = world.attempt.responses_left = solver.max_responses;
     run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
-    for (int n = 0; n < max_responses && (any_waiting(contacts) || (n == 0 && any_waiting(world.joints)));
-         ++n) {
+    const bool joints_wait = any_waiting(world.joints);
+    for (int n = 0; left > 0 && (any_waiting(contacts) || (n == 0 && joints_wait)); ++n) {
+        --left;
         run_passes(solver.passes(StepStage::respond), world, contacts, dt, done);
         apply_impulses(world, contacts);
         ++world.attempt.work.responses;

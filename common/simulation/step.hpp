@@ -52,6 +52,7 @@ struct StepAttempt {
     double springs = 0;  ///< energy that springs held when it began [J]
     /// energy that came in on purpose: by a rule that winds springs up, by bodies that move as given [J]
     double put_in = 0;
+    int responses_left = 0;                      ///< that may still answer what passes of detection find
     std::vector<OutsideImpulse> from_outside{};  ///< in this step: their work counts as put in
     StepWork work{};                             ///< what it has cost so far
 };
@@ -106,6 +107,8 @@ public:
     std::string name;
     /// How often a step may be halved that does not end well (StepTrouble). None: every step is taken as it comes.
     int max_halvings = 0;
+    /// How often a step answers what its own answers brought about (thesis 3.3, item 4).
+    int max_responses = 5;
     /// The furthest that a body may turn in a step that may be halved [rad].
     double max_turn = 0.5;
     bool finds_stiffness = false;  ///< of each pair: a scene's has no effect
@@ -152,7 +155,7 @@ inline void nobody_observes(const std::string&) {}
 void apply_impulses(World& world, Contacts& contacts);
 
 /// One step of the thesis' scheme (its section 3.3, made precise in the book's page on the step):
-///   predict; refresh passes; at most 5 x (detect, respond, apply
+///   predict; refresh passes; at most Solver::max_responses x (detect, respond, apply
 ///   impulses, update the prediction) until nothing new
 ///   appears; finish; commit velocities, then positions; settle. Pairs found by the
 ///   last detection stay, waiting, for the next step.

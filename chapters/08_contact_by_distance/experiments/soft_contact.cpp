@@ -115,6 +115,10 @@ std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
             for (const double dt : steps)
                 for (unsigned seed = 1; seed <= seeds; ++seed)
                     runs.push_back({basis, young, dt, seed});
+    for (const int rigid : {1, 2})
+        for (const double dt : steps)
+            for (unsigned seed = 1; seed <= seeds; ++seed)
+                runs.push_back({Basis::linear, youngs.front(), dt, seed, rigid});
     const auto found = sweep<SoftContact>(options, "soft collisions", runs.size(), [&](std::size_t i) {
         Scene scene = soft_collision(runs[i]);
         return run_soft_contact(scene, 0.5);
@@ -127,18 +131,30 @@ std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
     Table table(columns);
     std::vector<double> worst(steps.size(), 0.0);
     auto run = found->begin();
+    const auto lost_of_next = [&] {
+        double lost = 0;
+        for (unsigned seed = 1; seed <= seeds; ++seed, ++run)
+            lost = std::max(lost, 100 * run->turned_away);
+        return lost;
+    };
     for (const Basis basis : {Basis::linear, Basis::quadratic})
         for (const double young : youngs) {
             std::vector<Cell> row{std::string(basis == Basis::linear ? "linear" : "quadratic"), young};
             for (double& worst_at : worst) {
-                double lost = 0;
-                for (unsigned seed = 1; seed <= seeds; ++seed, ++run)
-                    lost = std::max(lost, 100 * run->turned_away);
+                const double lost = lost_of_next();
                 row.emplace_back(lost);
                 worst_at = std::max(worst_at, lost);
             }
             table.add(row);
         }
+    for (const std::string pair : {"linear and rigid", "both rigid"}) {
+        std::vector<Cell> row{pair, pair == "both rigid" ? Cell{} : Cell{youngs.front()}};
+        for (std::size_t i = 0; i < steps.size(); ++i)
+            row.emplace_back(lost_of_next());
+        report.fact("soft_contact", pair == "both rigid" ? "lost_percent_rigid" : "lost_percent_mixed",
+                    std::get<double>(row[2]), 2);
+        table.add(row);
+    }
     report.table("soft_collisions", table);
     report.page_table("soft_collisions", table, 2);
     report.fact("soft_contact", "lost_percent_longest", worst.front(), 2);

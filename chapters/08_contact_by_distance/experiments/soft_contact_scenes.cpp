@@ -4,6 +4,7 @@
 #include "common/geometry/quadratic.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/rigid_body.hpp"
 
 #include <Eigen/Geometry>
 
@@ -28,6 +29,18 @@ DeformableSettings soft_material(double young, double density = 1000)
     settings.material = {.young = young, .poisson = 0.3, .density = density, .stiffness_damping = 0.005};
     settings.impulse_response = ImpulseResponse::implicit;
     return settings;
+}
+
+/// A rigid body of the same shape and density, in the same motion.
+std::unique_ptr<RigidBody> rigid_like(const Body& soft, const DeformableSettings& settings)
+{
+    SurfaceMesh mesh;
+    for (int vertex = 0; vertex < soft.surface().vertex_count(); ++vertex)
+        mesh.vertices.push_back(soft.position(vertex, 0));
+    for (const Face& face : soft.surface().faces())
+        mesh.faces.push_back(face);
+    return std::make_unique<RigidBody>(soft.name(), mesh, mass_properties(mesh, settings.material.density),
+                                       settings.velocity, settings.angular_velocity);
 }
 
 constexpr int ring_cells = 14;  ///< around, and one across
@@ -96,9 +109,11 @@ Scene soft_collision(const SoftCollision& collision)
         settings.position = Vec3(i == 0 ? -0.3 : 0.3, 0.08 * number(), 0.08 * number());
         settings.velocity = Vec3(i == 0 ? speed : -speed, 0, 0);
         settings.angular_velocity = Vec3(number(), number(), number());
-        scene.world.bodies.push_back(soft_body("cube " + std::to_string(i + 1),
-                                               bar(Vec3::Constant(side), {2, 2, 2}), collision.basis,
-                                               settings));
+        std::unique_ptr<Body> cube = soft_body(
+            "cube " + std::to_string(i + 1), bar(Vec3::Constant(side), {2, 2, 2}), collision.basis, settings);
+        if (i < collision.rigid)
+            cube = rigid_like(*cube, settings);
+        scene.world.bodies.push_back(std::move(cube));
     }
     return scene;
 }

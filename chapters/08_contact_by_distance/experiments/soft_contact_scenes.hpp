@@ -11,6 +11,7 @@ struct SoftCollision {
     double young = 1e5;  ///< [Pa]
     double dt = 0.01;    ///< [s]
     unsigned seed = 1;   ///< turns them, and says how fast they spin
+    int rigid = 0;       ///< how many of the two are rigid
 };
 Scene soft_collision(const SoftCollision& collision);
 

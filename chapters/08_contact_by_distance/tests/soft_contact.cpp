@@ -43,20 +43,20 @@ double lost_by(Basis basis, double dt, bool is_linear = false)
     Scene scene = soft_collision({basis, 1e5, dt, 2});
     const Vec3 first = angular_momentum(scene.world);
     const double all = turning(scene.world);
-    run_and_check(scene, 0.4, 8, is_linear);
+    run_and_check(scene, 0.4, 4, is_linear);
     return (angular_momentum(scene.world) - first).norm() / all;
 }
 
 }  // namespace
 
 TEST_CASE(
-    "soft contact: two soft cubes that strike without friction lose less angular momentum with a shorter step" *
+    "soft contact: two soft cubes that strike without friction keep their angular momentum, the better the shorter the step" *
     doctest::test_suite("long simulation"))
 {
     for (const Basis basis : {Basis::linear, Basis::quadratic}) {
         const double at_10_ms = lost_by(basis, 0.01), at_2_ms = lost_by(basis, 0.0025);
         CAPTURE(at_10_ms);
-        CHECK(at_10_ms < 0.06);
+        CHECK(at_10_ms < 0.002);
         CHECK(at_2_ms < 0.5 * at_10_ms + 1e-4);
     }
 }
@@ -93,13 +93,13 @@ TEST_CASE("soft contact: elements follow by as much as contact has changed them,
             advance(scene.world, contacts, solver, dt);
         thrown_away += scene.world.thrown_away;
     }
-    CHECK(thrown_away <= 20);
+    CHECK(thrown_away <= 6);
 }
 
 TEST_CASE(
     "soft contact: without the pass that settles, elastic forces are those of one linear step, and more turning is lost")
 {
-    CHECK(lost_by(Basis::quadratic, 0.005, true) > 2 * lost_by(Basis::quadratic, 0.005));
+    CHECK(lost_by(Basis::quadratic, 0.005, true) > 50 * lost_by(Basis::quadratic, 0.005));
 }
 
 TEST_CASE("soft contact: a twisted stiff bar that is let go gains no energy, and no step is halved for it")
@@ -134,5 +134,5 @@ TEST_CASE(
         for (int step = 0; step < 30; ++step)
             advance(scene.world, contacts, solver, scene.dt);
     }
-    CHECK(newton_steps < 13600);  // 12,900, and 14,300 where rounds before count, too
+    CHECK(newton_steps < 12000);  // 11,200, and 13,700 where rounds before count, too
 }
