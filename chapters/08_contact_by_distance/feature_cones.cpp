@@ -59,13 +59,6 @@ bool is_foremost(const SurfaceMoment& surface, int vertex, const Vec3& direction
     return true;
 }
 
-bool in_cone_of_vertex(const SurfaceMoment& surface, int vertex, const Vec3& direction, double sine)
-{
-    const auto faces = surface.step.topology.faces_around_vertex(vertex);
-    return (faces.empty() || any_faces(surface, faces, direction)) &&
-           is_foremost(surface, vertex, direction, sine);
-}
-
 bool in_cone_of_edge(const SurfaceMoment& surface, int edge, const Vec3& direction, double sine,
                      double least_fold)
 {

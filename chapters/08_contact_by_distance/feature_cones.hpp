@@ -9,13 +9,10 @@ namespace enduring {
 double fold_at_edge(const SurfaceMoment& surface, int edge);
 
 //! [cones]
-/// Whether a direction lies in the normal cone of a vertex: whether a plane across it can touch the surface there and
-/// has all of the vertex' neighbours behind it. So a vertex in a hollow and one between hills and valleys have none.
+/// Whether a direction lies in the normal cone of a vertex: whether no neighbour of the vertex is further along. So a vertex in a hollow and
+/// one between hills and valleys have none. It does not ask for the outer side, which an impact may turn inwards.
 /// @param direction  unit length, out of the body
-/// @param sine       by which a neighbour may pass the plane
-bool in_cone_of_vertex(const SurfaceMoment& surface, int vertex, const Vec3& direction, double sine);
-
-/// The same but for the outer side, which an impact may turn inwards: whether no neighbour of the vertex is further along.
+/// @param sine       by which a neighbour may pass the plane across it
 bool is_foremost(const SurfaceMoment& surface, int vertex, const Vec3& direction, double sine);
 
 /// As for a vertex, for an edge and its two faces. An edge that is not convex has none.
