@@ -12,12 +12,30 @@ int coordinates_together(const BodyBlock& body)
     return body.size() > of_rigid_body ? of_vertex : std::max(1, body.size());
 }
 
+/// Of a soft body with all its nodes: each is coupled with those that share an element.
+void BlockMatrix::append_columns(const BodyBlock& body, std::vector<Column>& columns)
+{
+    const int before = static_cast<int>(columns.size());
+    for (int node = 0; 3 * node < body.size(); ++node) {
+        std::fill_n(column_of_.begin() + body.first + 3 * node, 3, before + node);
+        columns.push_back({body.first + 3 * node, 3, {}});
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(body.whole->elastic, 3 * node + 2); entry;
+             ++entry)
+            if (entry.row() % 3 == 2)
+                columns.back().neighbours.push_back(before + static_cast<int>(entry.row()) / 3);
+    }
+}
+
 std::vector<BlockMatrix::Column> BlockMatrix::find_columns(const ContactProblem& problem)
 {
     std::vector<Column> columns;
     column_of_.assign(static_cast<std::size_t>(problem.size), 0);
     for (const BodyBlock& body : problem.blocks) {
         const int together = coordinates_together(body), end = body.first + body.size();
+        if (body.whole) {
+            append_columns(body, columns);
+            continue;
+        }
         const int before = static_cast<int>(columns.size()),
                   behind = before + (body.size() + together - 1) / together;
         for (int first = body.first; first < end; first += together) {

@@ -27,7 +27,7 @@ int coordinates_together(const BodyBlock& body);
 
 /// The lower half of a sparse matrix over the coordinates of a problem that can be added to in place. Coordinates that move
 /// together (coordinates_together()) have the same rows in their columns, so a block is a matrix with a stride. It has a block for
-/// each two of them in one body, and for each two that a pair couples. Memory and pattern are kept as long as the same bodies touch.
+/// each two of them in one body, or in one element of a body with all its nodes, and for each two that a pair couples. Memory and pattern are kept as long as the same bodies touch.
 class BlockMatrix {
 public:
     /// Takes the pattern of the problem; entries are not yet set.
@@ -50,6 +50,7 @@ private:
         bool operator==(const Column&) const = default;
     };
     std::vector<Column> find_columns(const ContactProblem& problem);
+    void append_columns(const BodyBlock& body, std::vector<Column>& columns);
     void build();
 
     std::vector<int> column_of_;  ///< of each coordinate

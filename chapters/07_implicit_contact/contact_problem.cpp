@@ -24,11 +24,17 @@ auto small_product(const One& one, const Other& other)
 }
 
 /// The product of all bodies' blocks, of one kind, with a vector.
-VectorXd times(const ContactProblem& problem, Eigen::MatrixXd BodyBlock::*kind, const VectorXd& x)
+/// @param of_whole  VectorXd(matrix of a body with all its nodes, its part of x)
+template <class OfWhole>
+VectorXd times(const ContactProblem& problem, Eigen::MatrixXd BodyBlock::*kind, const VectorXd& x,
+               const OfWhole& of_whole)
 {
     VectorXd product(x.size());
     for (const BodyBlock& block : problem.blocks)
-        if (block.size() == 6)  // of a rigid body
+        if (block.whole)
+            product.segment(block.first, block.size()) = of_whole(*block.whole,
+                                                                  x.segment(block.first, block.size()));
+        else if (block.size() == 6)  // of a rigid body
             product.segment<6>(block.first) = small_product(
                 Eigen::Map<const Eigen::Matrix<double, 6, 6>>((block.*kind).data()),
                 x.segment<6>(block.first));
@@ -42,12 +48,14 @@ VectorXd times(const ContactProblem& problem, Eigen::MatrixXd BodyBlock::*kind, 
 
 VectorXd times_mass(const ContactProblem& problem, const VectorXd& x)
 {
-    return times(problem, &BodyBlock::mass, x);
+    return times(problem, &BodyBlock::mass, x,
+                 [](const WholeMatrix& whole, const VectorXd& own) { return whole.times(own); });
 }
 
 VectorXd times_response(const ContactProblem& problem, const VectorXd& momentum)
 {
-    return times(problem, &BodyBlock::response, momentum);
+    return times(problem, &BodyBlock::response, momentum,
+                 [](const WholeMatrix& whole, const VectorXd& own) { return whole.respond(own); });
 }
 
 //! [rows]
@@ -116,7 +124,10 @@ Answers answers_to(const ContactProblem& problem, const VectorXd& change)
 
 double speed_of(const ContactProblem& problem, const VectorXd& momentum)
 {
-    return std::sqrt(std::max(0.0, momentum.dot(times_response(problem, momentum))));
+    const VectorXd change = times(
+        problem, &BodyBlock::response, momentum,
+        [](const WholeMatrix& whole, const VectorXd& own) { return own.cwiseQuotient(whole.masses); });
+    return std::sqrt(std::max(0.0, momentum.dot(change)));
 }
 
 double residual_from(const ContactProblem& problem, const VectorXd& gradient, const VectorXd& total,
@@ -162,6 +173,8 @@ Mat3 PairRow::response(const std::vector<BodyBlock>& blocks) const
     Mat3 sum = Mat3::Zero();
     for (const VertexMotion& one : moving()) {
         const BodyBlock& block = block_of(blocks, one.first);
+        if (block.whole)
+            continue;
         for (const VertexMotion& other : moving())
             if (&block_of(blocks, other.first) == &block)
                 with_fixed_size(one, [&]<class One>(int row, const One& rate) {

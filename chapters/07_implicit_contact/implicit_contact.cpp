@@ -138,7 +138,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
                            NewtonMatrix& matrix, bool first, double dt)
 {
     StepProblem step = set_up(world, island, settings.stiffness, settings.friction, {settings.centre, dt},
-                              first);
+                              first, settings.sparse_operation);
     if (!island.elements.empty())
         settings.elements.add_rows(world, step);
     IslandOutcome outcome;
@@ -158,6 +158,8 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     for (;; ++record.rounds) {
         if (missing > small_imbalance) {
             missing = approach_ends(world, island, dt);
+            if (follow_elements(world, step))
+                matrix.begin_response(matrix.solves());
             mixing = AndersonMixing(mixed);
         }
         update_kinematics(world, step);

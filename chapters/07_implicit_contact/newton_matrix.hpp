@@ -4,6 +4,8 @@
 #include "chapters/07_implicit_contact/contact_problem.hpp"
 #include "common/fem/linear_solver.hpp"
 
+#include <Eigen/LU>
+
 #include <memory>
 
 namespace enduring {
@@ -45,12 +47,15 @@ public:
 private:
     bool fits(const std::vector<Mat3>& hessians) const;
     void factor(const ContactProblem& problem);
+    void factor_turns(const ContactProblem& problem);
 
     bool has_factor_ = false, is_positive_ = false;
     int solves_ = 0;              ///< in this step
     std::vector<Mat3> hessians_;  ///< of each pair, when it was factored
     BlockMatrix blocks_;
     std::unique_ptr<LinearSolver> solver_;  ///< ordered for the present pattern
+    Eigen::MatrixXd turns_, turns_solved_;  ///< of bodies with all their nodes, six columns each; solved for
+    Eigen::PartialPivLU<Eigen::MatrixXd> turns_factor_;
 };
 
 }  // namespace enduring

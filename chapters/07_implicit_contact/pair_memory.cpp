@@ -106,9 +106,9 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         if (wanted < choice.at_once * contact.stiffness)
             continue;
         const double depth_t0 = depth_at_start(world, contact);
-        const double stiffness = std::min(
-            {wanted, choice.max_k_dt2_over_m * mass_of(step.problem.rows[i], step.problem) / (dt * dt),
-             most_stiffness(contact, depth_t0, step.max_load)});
+        const double stiffness =
+            std::min({wanted, choice.max_k_dt2_over_m * mass_along(law.normal, step.responses[i]) / (dt * dt),
+                      most_stiffness(contact, depth_t0, step.max_load)});
         if (stiffness < choice.at_once * contact.stiffness)
             continue;
         stiffen(contact, depth_t0, stiffness);

@@ -1,5 +1,7 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
+#include "chapters/07_implicit_contact/whole_bodies.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -30,10 +32,16 @@ std::vector<std::vector<int>> touched_vertices(const Island& island)
     return vertices;
 }
 
-void add_blocks(const World& world, StepProblem& step)
+void add_blocks(const World& world, StepProblem& step, double sparse_operation)
 {
     for (std::size_t place = 0; place < step.bodies.size(); ++place) {
         const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
+        step.nodes.push_back(nodes_if_whole(body, step.vertices[place], sparse_operation));
+        if (!step.nodes.back().empty()) {
+            step.problem.blocks.push_back({step.problem.size, {}, {}, whole_of(world, step, place)});
+            step.problem.size += step.problem.blocks.back().size();
+            continue;
+        }
         ContactMass of = body.contact_mass(step.vertices[place]);
         step.problem.blocks.push_back({step.problem.size, std::move(of.mass), std::move(of.response)});
         step.problem.size += step.problem.blocks.back().size();
@@ -53,6 +61,12 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
         const double tau = contact.sliding_normal.isZero(0) ? step.problem.step.centre : 0.5;
         VertexMotion part = world.bodies[body]->contact_motion(vertices, *index, tau);
         part.rate *= contact.weights[static_cast<std::size_t>(i)];
+        if (step.problem.blocks[*place].whole) {
+            const int node = step.nodes[*place][*index];
+            if (node < 0)
+                continue;
+            part.first = 3 * node;
+        }
         part.first += step.problem.blocks[*place].first;
         // all vertices of a rigid body move with the same coordinates
         if (row.part_count > 0 &&
@@ -112,11 +126,6 @@ double mass_along(const Vec3& normal, const Mat3& response)
     return along > 0 ? 1 / along : 0;
 }
 
-double mass_of(const PairRow& row, const ContactProblem& problem)
-{
-    return mass_along(row.law.normal, row.response(problem.blocks));
-}
-
 //! [max_load]
 namespace {
 
@@ -157,14 +166,15 @@ double max_load(const World& world, const Island& island, double dt)
 //! [max_load]
 
 StepProblem set_up(const World& world, const Island& island, const StiffnessChoice& choice,
-                   const FrictionCoefficients& friction, const StepLaw& step_law, bool first)
+                   const FrictionCoefficients& friction, const StepLaw& step_law, bool first,
+                   double sparse_operation)
 {
     StepProblem step;
     step.problem.step = step_law;
     step.bodies = island.bodies;
     step.elements = island.elements;
     step.vertices = touched_vertices(island);
-    add_blocks(world, step);
+    add_blocks(world, step, sparse_operation);
     step.problem.rows.reserve(island.contacts.size());
     const double most = step.max_load = max_load(world, island, step_law.dt);
     for (Contact* const of_row : island.contacts) {
@@ -175,7 +185,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         const double depth_t0 = depth_at_start(world, contact);
         if (row.law.normal.isZero(0) || !gives_way(row))
             continue;
-        step.responses.push_back(row.response(step.problem.blocks));
+        step.responses.push_back(row.response(step.problem.blocks) + response_of_whole(world, contact, step));
         const double mass = mass_along(row.law.normal, step.responses.back());
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
         if (first || contact.stiffness == 0)
@@ -219,7 +229,8 @@ void visit_bodies(World& world, const StepProblem& step, const Eigen::VectorXd& 
     for (std::size_t place = 0; place < step.bodies.size(); ++place)
         if (const BodyBlock& block = step.problem.blocks[place]; block.size() > 0)
             visit(*world.bodies[static_cast<std::size_t>(step.bodies[place])], step.vertices[place],
-                  momentum.segment(block.first, block.size()));
+                  block.whole ? at_nodes(momentum, block.first, step.nodes[place])
+                              : Eigen::VectorXd(momentum.segment(block.first, block.size())));
 }
 
 /// Brings a momentum of the coordinates to the bodies and their prediction.
@@ -251,7 +262,8 @@ bool follow_levers(World& world, StepProblem& step, double least_turn)
         row.part_count = 0;
         add_parts(world, *step.of_row[i], step, row);
         row.add_impulse(acting, missing);
-        step.responses[i] = row.response(step.problem.blocks);
+        step.responses[i] = row.response(step.problem.blocks) +
+                            response_of_whole(world, *step.of_row[i], step);
     }
     apply_momentum(world, step, missing);
     return true;
@@ -289,8 +301,9 @@ Eigen::VectorXd velocities_of(const World& world, const StepProblem& step)
     for (std::size_t place = 0; place < step.bodies.size(); ++place)
         if (const BodyBlock& block = step.problem.blocks[place]; block.size() > 0)
             velocities.segment(block.first, block.size()) =
-                world.bodies[static_cast<std::size_t>(step.bodies[place])]->contact_velocity(
-                    step.vertices[place]);
+                block.whole ? velocities_at_nodes(world, step, place)
+                            : world.bodies[static_cast<std::size_t>(step.bodies[place])]->contact_velocity(
+                                  step.vertices[place]);
     return velocities;
 }
 

@@ -20,7 +20,9 @@ struct StepProblem {
     std::vector<Mat3> responses;   ///< PairRow::response() of each row
     std::vector<int> elements{};   ///< the island's, by number; their rows stand behind those of pairs
     std::vector<int> bodies{};     ///< the island's
-    std::vector<std::vector<int>> vertices{};                   ///< of each of these, those in touch
+    std::vector<std::vector<int>> vertices{};  ///< of each of these, those in touch
+    std::vector<std::vector<int>>
+        nodes{};  ///< where it enters with all its nodes, those of its vertices in touch; -1 where held
     double max_load = std::numeric_limits<double>::infinity();  ///< of the island, see max_load() [N]
 
     std::span<const PairRow> pair_rows() const { return std::span(problem.rows).first(of_row.size()); }
@@ -28,8 +30,14 @@ struct StepProblem {
 
 /// Sets up an island; its enduring and new pairs get their stiffness for the step.
 /// @param first  the step's first problem: enduring pairs get their stiffness once a step
+/// @param sparse_operation  see ImplicitSettings; by default no body enters with all its nodes
 StepProblem set_up(const World& world, const Island& island, const StiffnessChoice& choice,
-                   const FrictionCoefficients& friction, const StepLaw& step, bool first);
+                   const FrictionCoefficients& friction, const StepLaw& step, bool first,
+                   double sparse_operation = std::numeric_limits<double>::infinity());
+
+/// Where bodies enter with all their nodes, A as their elements are now.
+/// @return  whether there is any; then what was factored does not hold
+bool follow_elements(const World& world, StepProblem& step);
 
 /// Appends a row of an element, which acts already with this impulse.
 /// @param parts  the motion of each body that moves, by first_coordinate()
@@ -45,8 +53,6 @@ double depth_at_start(const World& world, const Contact& contact);
 
 /// The mass that a pair feels along its normal: 1 / (n . W n), with W the change of its velocity per impulse; 0 for one
 /// that nothing moves [kg].
-double mass_of(const PairRow& row, const ContactProblem& problem);
-/// The same with W.
 double mass_along(const Vec3& normal, const Mat3& response);
 
 /// What can be brought upon a pair of an island [N]: the weight of its bodies, forces and torques from outside and what elements push, all with a

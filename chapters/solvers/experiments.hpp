@@ -10,6 +10,8 @@ void forces(const RunOptions& options, Report& report);
 void speed(const RunOptions& options, Report& report);
 /// A part of speed(): the matrix of Newton's method, its operations as estimated and the time of its factor.
 void speed_of_matrices(bool quick, Report& report);
+/// Mats of soft elements lying flat, with a dense block each and with all their nodes.
+void soft_speed(const RunOptions& options, Report& report);
 /// The example of the page on scenes, run as a scene of the reader's own: its results go to the folder
 /// tumble, and the picture to the program's as well.
 void own_scene_example(const RunOptions& options, Report& report);

@@ -20,6 +20,8 @@ int main(int argc, char** argv)
             {"speed",
              "how long chapter 7's steps take: against Bullet, over the number of bodies, against the clock",
              solvers::speed},
+            {"soft_speed", "what steps of soft mats cost, with a dense block and with all their nodes",
+             solvers::soft_speed},
             {"own_scene", "the example of a scene of your own; any other runs with --scene FILE",
              solvers::own_scene_example, takes_scene},
         },

@@ -79,6 +79,7 @@ void ElasticBody::fix(int node)
     inverse_masses_[node] = 0;
     velocities_.col(node).setZero();
     whole_turn_.reset();
+    whole_assembly_.reset();
 }
 
 void ElasticBody::release(int node)
@@ -86,6 +87,7 @@ void ElasticBody::release(int node)
     fixed_[node] = 0;
     inverse_masses_[node] = 1 / masses_[node];
     solver_.forget_factor();  // in which the node stands
+    whole_assembly_.reset();
 }
 
 void ElasticBody::linearise(const NodalVectors& positions)
@@ -232,6 +234,23 @@ void ElasticBody::mend_response(const NodalVectors& impulses, double dt)
     last_response_ = mended_response_;
 }
 //! [mend_response]
+
+WholeAssembly& ElasticBody::whole_assembly() const
+{
+    if (!whole_assembly_)
+        whole_assembly_.emplace(mesh_, mass_matrix_, fixed_, !has_point_law());
+    return *whole_assembly_;
+}
+
+WholeMatrix ElasticBody::whole_matrix(double dt) const
+{
+    WholeMatrix whole = whole_assembly().assemble(*elasticity_, turn(), mass_scale(dt), stiffness_scale(dt));
+    whole.respond = [this](const Eigen::VectorXd& momentum) -> Eigen::VectorXd {
+        const NodalVectors impulses = momentum.reshaped(3, node_count());
+        return whole_assembly().values(near_response(whole_assembly().on_coefficients(impulses))).reshaped();
+    };
+    return whole;
+}
 
 void ElasticBody::commit(double dt)
 {

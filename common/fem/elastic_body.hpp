@@ -3,6 +3,7 @@
 #include "common/fem/corotated_elasticity.hpp"
 #include "common/fem/implicit_solver.hpp"
 #include "common/fem/mass_matrix.hpp"
+#include "common/fem/whole_matrix.hpp"
 #include "common/fem/whole_turn.hpp"
 
 #include <memory>
@@ -106,6 +107,12 @@ public:
     {
         solver_.nearly_solve(fixed_, impulses, turn());
     }
+    /// The matrix of a step of dt [s] over all nodes, with K as respond() has it. It belongs to velocities_at_nodes().
+    WholeMatrix whole_matrix(double dt) const;
+    NodalVectors velocities_at_nodes() const { return whole_assembly().values(velocities_); }
+    /// Additions and multiplications of a factor of it, about; 0 before the first predict().
+    double factor_operations() const { return solver_.factor_operations(); }
+    bool is_fixed(int node) const { return fixed_[node] != 0; }
     /// positions += dt velocities.
     void commit(double dt);
 
@@ -145,6 +152,7 @@ private:
     const WholeTurn* turn() const { return whole_turn_ ? &*whole_turn_ : nullptr; }
     void linearise(const NodalVectors& positions);
     void take_out_turn();
+    WholeAssembly& whole_assembly() const;
     double mass_scale(double dt) const { return 1 + dt * material_.mass_damping; }
     double stiffness_scale(double dt) const { return dt * (dt + material_.stiffness_damping); }
     /// What is missing in the equation of the step at the present velocities.
@@ -179,6 +187,8 @@ private:
     std::optional<WholeTurn> whole_turn_;     ///< at that start, where K is taken without it
     double length_;                           ///< diagonal of the box around the rest shape [m]
     ImplicitSolver solver_;
+    mutable std::optional<WholeAssembly>
+        whole_assembly_;  ///< of the nodes that are fixed now; made when asked for
 };
 
 }  // namespace enduring

@@ -50,6 +50,8 @@ public:
     void nearly_solve(const std::vector<char>& fixed, std::span<NodalVectors> fields,
                       const WholeTurn* turn = nullptr) const;
 
+    /// Additions and multiplications of a factor; 0 before the first one.
+    double factor_operations() const { return factor_.operations(); }
     int iterations() const { return iterations_; }          ///< of the last solve
     int factorisations() const { return factorisations_; }  ///< of all so far
 

@@ -19,6 +19,8 @@ public:
     virtual void solve(Eigen::VectorXd& b) const = 0;
     /// The same for each column of b, where the factor is read once for all of them.
     virtual void solve(Eigen::MatrixXd& b) const = 0;
+    /// Additions and multiplications of a factor; n^3 / 3 for a dense matrix.
+    virtual double operations() const = 0;
 };
 
 enum class LinearSolverKind {

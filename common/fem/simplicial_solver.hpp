@@ -17,6 +17,7 @@ public:
         ordered_.selfadjointView<Eigen::Upper>() = pattern.selfadjointView<Eigen::Lower>().twistedBy(m_P);
         entry_of_ = ordered_.coeffs().cast<Eigen::Index>();
     }
+    double operations() const { return m_nonZerosPerCol.cast<double>().array().square().sum(); }
     void factor(const Eigen::SparseMatrix<double>& matrix)
     {
         ordered_.coeffs() = matrix.coeffs()(entry_of_);
@@ -41,6 +42,7 @@ public:
     }
     void solve(Eigen::VectorXd& b) const override { b = cholesky_.solve(b).eval(); }
     void solve(Eigen::MatrixXd& b) const override { b = cholesky_.solve(b).eval(); }
+    double operations() const override { return cholesky_.operations(); }
 
 private:
     OrderedCholesky cholesky_;

@@ -92,16 +92,17 @@ void StiffnessAssembly::add_masses(const Eigen::SparseMatrix<double>& mass_matri
     }
 }
 
-const Eigen::SparseMatrix<double>& StiffnessAssembly::assemble(const Elasticity& elasticity,
-                                                               const Eigen::SparseMatrix<double>& mass_matrix,
-                                                               const std::vector<char>& fixed,
-                                                               double mass_scale, double stiffness_scale)
+const Eigen::SparseMatrix<double>& StiffnessAssembly::assemble(
+    const Elasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
+    const std::vector<char>& fixed, double mass_scale, double stiffness_scale,
+    const std::function<Eigen::MatrixXd(int)>& stiffness_of)
 {
     const ElasticMesh& mesh = elasticity.mesh();
     matrix_.coeffs().setZero();
     std::size_t pair = 0;
     for (std::size_t e = 0; e < mesh.elements().size(); ++e) {
-        const Eigen::MatrixXd stiffness = elasticity.stiffness_of(static_cast<int>(e));
+        const Eigen::MatrixXd stiffness = stiffness_of ? stiffness_of(static_cast<int>(e))
+                                                       : elasticity.stiffness_of(static_cast<int>(e));
         const Mat3 rotation = elasticity.axes_of(static_cast<int>(e));
         for_each_lower_block(
             mesh.elements()[e], nodes_of(mesh.basis()), [&](int row, int column, int a, int b) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <functional>
 #include <vector>
 
 namespace enduring {
@@ -16,10 +17,12 @@ public:
 
     /// @param mass_matrix  M of the same mesh, one row a node
     /// @param fixed        one flag a node: rows and columns of a fixed node become those of the identity
+    /// @param stiffness_of  an element's part of K in place of the elasticity's, in the same axes
     const Eigen::SparseMatrix<double>& assemble(const Elasticity& elasticity,
                                                 const Eigen::SparseMatrix<double>& mass_matrix,
                                                 const std::vector<char>& fixed, double mass_scale,
-                                                double stiffness_scale);
+                                                double stiffness_scale,
+                                                const std::function<Eigen::MatrixXd(int)>& stiffness_of = {});
 
     /// The zero matrix with every entry in place.
     const Eigen::SparseMatrix<double>& pattern() const { return matrix_; }

@@ -97,6 +97,7 @@ SupernodalSolver<Real>::SupernodalSolver(const Eigen::SparseMatrix<double>& patt
     factor_ = cholmod_analyze(&view, &cholmod_);
     if (!factor_)
         throw std::bad_alloc();
+    operations_ = cholmod_.fl;
     order_.assign(ints(factor_->Perm), ints(factor_->Perm) + factor_->n);
 }
 

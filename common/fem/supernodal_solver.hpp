@@ -29,6 +29,7 @@ public:
     bool factor(const Eigen::SparseMatrix<double>& matrix) override;
     void solve(Eigen::VectorXd& b) const override;
     void solve(Eigen::MatrixXd& b) const override;
+    double operations() const override { return operations_; }
 
 private:
     /// Neighbouring columns of L as one dense block: a triangle, and what is below it.
@@ -44,6 +45,7 @@ private:
 
     cholmod_common cholmod_;
     cholmod_factor* factor_ = nullptr;
+    double operations_ = 0;
     std::vector<int> order_;  ///< order_[i] is the unknown that comes i-th
     std::vector<Supernode> supernodes_;
 };

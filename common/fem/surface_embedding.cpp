@@ -2,6 +2,7 @@
 
 #include "common/input/input_error.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace enduring {
@@ -60,6 +61,14 @@ void SurfaceEmbedding::end_vertex()
     offsets_.push_back(static_cast<int>(weights_.size()));
     for (std::size_t i = numbers_.size(); i < weights_.size(); ++i)
         numbers_.push_back(weights_[i].node);
+}
+
+int SurfaceEmbedding::own_node(int vertex) const
+{
+    const auto nodes = nodes_of(vertex);
+    return std::max_element(nodes.begin(), nodes.end(),
+                            [](const NodeWeight& a, const NodeWeight& b) { return a.weight < b.weight; })
+        ->node;
 }
 
 Vec3 SurfaceEmbedding::at(int vertex, const NodalVectors& field) const

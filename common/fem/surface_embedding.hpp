@@ -30,6 +30,8 @@ public:
     {
         return std::span(weights_).subspan(offsets_[vertex], offsets_[vertex + 1] - offsets_[vertex]);
     }
+    /// The one with the largest share: the corner, or of the middle of an edge its control point.
+    int own_node(int vertex) const;
     /// The same nodes without their shares.
     std::span<const int> node_numbers_of(int vertex) const
     {

@@ -30,6 +30,10 @@ public:
                 const std::vector<char>& fixed, double mass_scale, double stiffness_scale);
     /// Is there a factor, of these scales?
     bool matches(double mass_scale, double stiffness_scale) const;
+    double operations() const
+    {
+        return solver_ ? solver_->operations() : 0;
+    }                                                  ///< of a factor; 0 before the first
     double mass_scale() const { return mass_scale_; }  ///< a of the factored matrix
     /// Finds every node's turn since then.
     void turn(const ElementRotations& rotations);

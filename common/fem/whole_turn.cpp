@@ -47,4 +47,14 @@ void WholeTurn::remove_torque(NodalVectors& forces) const
         forces.col(n) -= omega.cross(Vec3(mass_levers_.col(n)));
 }
 
+NodalVectors WholeTurn::turn_about(int axis) const
+{
+    return -levers_.colwise().cross(Vec3(Vec3::Unit(axis)));
+}
+
+NodalVectors WholeTurn::share_of_turn(int axis) const
+{
+    return -mass_levers_.colwise().cross(Vec3(inverse_inertia_.col(axis)));
+}
+
 }  // namespace enduring

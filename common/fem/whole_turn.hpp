@@ -23,6 +23,10 @@ public:
     void remove_turn(NodalVectors& v) const { add_turn(-angular_momentum(v), v); }
     /// Without what turns the body: the transpose of remove_turn().
     void remove_torque(NodalVectors& forces) const;
+    /// Velocities of a turn about an axis of the world [m], and the field whose product with velocities is how fast they turn
+    /// about it [1/m].
+    NodalVectors turn_about(int axis) const;
+    NodalVectors share_of_turn(int axis) const;
 
 private:
     NodalVectors levers_;       ///< r [m]

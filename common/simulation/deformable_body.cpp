@@ -87,13 +87,8 @@ RestNeighbours neighbours_in(const SurfaceTopology& surface, const ElasticMesh& 
         number[node] = static_cast<int>(rest.size());
         rest.push_back(mesh.rest().col(node));
     };
-    for (int vertex = 0; vertex < embedding.vertex_count(); ++vertex) {
-        // the middle of an edge has the largest share of its own
-        const auto nodes = embedding.nodes_of(vertex);
-        append(std::max_element(nodes.begin(), nodes.end(), [](const NodeWeight& a, const NodeWeight& b) {
-                   return a.weight < b.weight;
-               })->node);
-    }
+    for (int vertex = 0; vertex < embedding.vertex_count(); ++vertex)
+        append(embedding.own_node(vertex));
     for (int node = 0; node < mesh.node_count(); ++node)
         if (number[node] < 0)
             append(node);

@@ -79,6 +79,10 @@ public:
     /// blocks are the learned ones, turned with their elements, so the mass is an approximation, made stiffer
     /// than it is nowhere: a solver has to look at what its impulses really did.
     ContactMass contact_mass(std::span<const int> touched) const override;
+    /// What contact_mass() is made of, for a body that is solved for with all its nodes (ElasticBody::whole_matrix()): block (u, v) of
+    /// the learned response, kept for as long as the step has the same length.
+    Mat3 learned_response(int u, int v) const { return vertex_response_.block(u, v); }
+    void learn_responses(std::span<const int> touched) const { vertex_response_.learn(touched); }
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     void apply_contact_impulse(std::span<const int> touched, const Eigen::VectorXd& impulse) override;
     Eigen::VectorXd contact_velocity(std::span<const int> touched) const override;

@@ -135,7 +135,6 @@ void VertexResponse::append_column(int vertex, UnitResponses responses)
 }
 //! [column_of]
 
-/// As column_of() for each of them, in one passage through the factor.
 void VertexResponse::learn(std::span<const int> vertices)
 {
     if (place_.empty())

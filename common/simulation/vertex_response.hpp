@@ -28,6 +28,8 @@ public:
     void begin_step(double dt);
     /// What was learned belongs to another system: nodes were fixed or freed.
     void forget();
+    /// Computes all that block() may be asked for among these, in one passage through the factor.
+    void learn(std::span<const int> vertices);
     /// Velocity change at vertex u per impulse at vertex v [1/kg]; block(v, u) is its transpose.
     Mat3 block(int u, int v);
 
@@ -66,7 +68,6 @@ private:
     Mat3 block_to(const UnitResponses& responses, int vertex) const;
     const Mat3& frame(Vertex& vertex);
     ContactMass local_mass_of(std::span<const int> vertices);
-    void learn(std::span<const int> vertices);
 
     const ElasticBody& body_;
     const SurfaceEmbedding& embedding_;

@@ -24,6 +24,29 @@ public:
         problem_.size += size;
     }
 
+    /// A soft body with all its nodes: each is coupled with the next two, and K holds nothing against a turn.
+    void add_whole_body(int nodes)
+    {
+        Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(3 * nodes, 3 * nodes);
+        for (int node = 0; node < nodes; ++node)
+            for (int other = node; other < std::min(node + 3, nodes); ++other)
+                lower.block<3, 3>(3 * other, 3 * node) = other > node ? matrix(3, 3)
+                                                                      : 30 * Eigen::MatrixXd::Identity(3, 3);
+        WholeMatrix whole;
+        whole.elastic = Eigen::MatrixXd(lower.triangularView<Eigen::Lower>()).sparseView(1, 1e-300);
+        for (int node = 0; node < nodes;
+             ++node)  // entries of a diagonal block that are zero stand there, too
+            for (const auto& [row, column] : {std::pair{1, 0}, {2, 0}, {2, 1}})
+                whole.elastic.coeffRef(3 * node + row, 3 * node + column) = 0.1;
+        whole.elastic.makeCompressed();
+        whole.turn = 0.5 * matrix(3 * nodes, 6);
+        whole.stiffness_scale = 0.3;
+        BodyBlock body{problem_.size, {}, {}};
+        body.whole = std::make_shared<WholeMatrix>(whole);
+        problem_.blocks.push_back(body);
+        problem_.size += 3 * nodes;
+    }
+
     /// A pair of rigid bodies, or of one with a static body.
     void add_rigid_pair(std::initializer_list<std::size_t> bodies)
     {
@@ -108,6 +131,20 @@ RandomProblem soft_among_rigid(unsigned seed, int vertices)
     return mixed;
 }
 
+/// Two soft bodies with all their nodes on each other, and a rigid body on the upper one.
+RandomProblem whole_bodies(unsigned seed, int nodes)
+{
+    RandomProblem mixed(seed);
+    mixed.add_whole_body(nodes);
+    mixed.add_whole_body(nodes + 2);
+    mixed.add_body(6);
+    for (int i = 0; i < nodes / 3; ++i)
+        mixed.add_vertex_pair(1, i, 0);
+    mixed.add_soft_pair(2, 1);
+    mixed.add_soft_pair(2, 1);
+    return mixed;
+}
+
 /// Each lies on the one before, and the first one on a static body: vertices on three vertices each.
 RandomProblem stack_of_soft_bodies(unsigned seed, std::size_t count, int vertices)
 {
@@ -124,6 +161,10 @@ RandomProblem stack_of_soft_bodies(unsigned seed, std::size_t count, int vertice
 Eigen::MatrixXd reference(const ContactProblem& problem, const std::vector<Mat3>& hessians)
 {
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(problem.size, problem.size);
+    for (const BodyBlock& body : problem.blocks)
+        for (int i = 0; body.whole && i < body.size(); ++i)
+            sum.col(body.first + i).segment(body.first, body.size()) +=
+                body.whole->times(Eigen::VectorXd::Unit(body.size(), i));
     for (const BodyBlock& body : problem.blocks)
         sum.block(body.first, body.first, body.mass.rows(), body.mass.cols()) += body.mass;
     for (std::size_t pair = 0; pair < problem.rows.size(); ++pair) {
@@ -150,8 +191,9 @@ void check_solution(NewtonMatrix& matrix, RandomProblem& of)
 TEST_CASE("newton matrix: of rigid bodies or soft ones, it solves with A + J^T S J of the present stiffening")
 {
     for (unsigned seed = 0; seed < 5; ++seed)
-        for (RandomProblem problem : {ring_of_rigid_bodies(seed, 4), ring_of_rigid_bodies(seed, 30),
-                                      soft_among_rigid(seed, 20), stack_of_soft_bodies(seed, 3, 8)}) {
+        for (RandomProblem problem :
+             {ring_of_rigid_bodies(seed, 4), ring_of_rigid_bodies(seed, 30), soft_among_rigid(seed, 20),
+              stack_of_soft_bodies(seed, 3, 8), whole_bodies(seed, 12), whole_bodies(seed, 40)}) {
             NewtonMatrix matrix;
             for (int again = 0; again < 3; ++again)
                 check_solution(matrix, problem);

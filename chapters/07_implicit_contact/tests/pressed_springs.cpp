@@ -47,6 +47,7 @@ struct HeavyOnLight {
             row.part_count = 1 + i;
             step.problem.rows.push_back(row);
             step.of_row.push_back(&contact);
+            step.responses.push_back(row.response(step.problem.blocks));
         }
     }
     double load() const { return step.problem.rows[0].acting.y() / dt; }

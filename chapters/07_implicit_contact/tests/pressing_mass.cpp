@@ -27,6 +27,8 @@ struct StoppedPoints {
             step.problem.blocks.push_back(
                 {3 * static_cast<int>(i), masses[i] * Mat3::Identity(), 1 / masses[i] * Mat3::Identity()});
         step.problem.size = 3 * static_cast<int>(masses.size());
+        for (const PairRow& row : step.problem.rows)
+            step.responses.push_back(row.response(step.problem.blocks));
     }
 
     void add_pair(std::size_t below, double mass, double speed)

@@ -44,7 +44,7 @@ TEST_CASE("solve accuracy: rounding leaves what a spring makes of the last digit
     REQUIRE(step.problem.rows.size() == 1);
     CHECK(rounding_residual(world, step, least) == 0);  // nothing pushes
 
-    const double mass = mass_of(step.problem.rows[0], step.problem),
+    const double mass = mass_along(step.problem.rows[0].law.normal, step.responses[0]),
                  digit = contacts[0].stiffness * dt * std::numeric_limits<double>::epsilon();
     for (const double acting : {1e-3, 20.0}) {
         contacts[0].impulse = acting * Vec3::UnitY();
