@@ -12,6 +12,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -155,9 +156,13 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     AndersonMixing mixing(mixed);
     const bool is_soft = follows_end(world, island);
     double missing = 0;  // of elastic forces, as a part of what the step changes
+    // Of velocities, back to before elements moved the pairs: springs are a thousand times as stiff, so a problem begins there.
+    Eigen::VectorXd before_move = Eigen::VectorXd::Zero(step.problem.size);
     for (;; ++record.rounds) {
         if (missing > small_imbalance) {
+            before_move += velocities_of(world, step);
             missing = approach_ends(world, island, dt);
+            before_move -= velocities_of(world, step);
             if (follow_elements(world, step))
                 matrix.begin_response(matrix.solves());
             mixing = AndersonMixing(mixed);
@@ -185,11 +190,12 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
         const double of_round = residual_of(step.problem, begin.change, least);
         const double sharp = std::max(settings.tolerance_of_laws,
                                       settings.left_by_round * std::min(record.residual, of_round));
-        const ProblemSolution solution = record.rounds < settings.rounds_before_search
-                                             ? solve_convex(step.problem, matrix, begin, sharp, least,
-                                                            std::min(steps_left, max_convex_steps))
-                                             : solve_with_limit_search(step.problem, matrix, begin, sharp,
-                                                                       least, steps_left);
+        const ProblemSolution solution =
+            record.rounds < settings.rounds_before_search
+                ? solve_convex(step.problem, matrix,
+                               {std::exchange(before_move, begin.change), begin.impulses}, sharp, least,
+                               std::min(steps_left, max_convex_steps))
+                : solve_with_limit_search(step.problem, matrix, begin, sharp, least, steps_left);
         record.newton_steps += solution.newton_steps;
         const Eigen::VectorXd next = mixing.next(begin.impulses, solution.impulses);
         if (is_soft)  // their elements feel what contact changes
