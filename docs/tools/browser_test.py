@@ -49,8 +49,10 @@ return arguments[0].contains(hit) && Math.abs(row(seen) - row(field)) < 8 && see
 PRINTED = {"chapter_03.html": ("Which way is out, and how deep?", "Further reading"), "chapter_05.html": ("One normal is not enough", "Further reading")}
 
 
-def browser():
+def browser(waits=True):
+    """Headless Chromium. @param waits  for pages to be loaded; a window that a script writes never is"""
     options = webdriver.ChromeOptions()
+    options.page_load_strategy = "normal" if waits else "none"
     for word in ("--headless=new", "--no-sandbox", "--disable-gpu", "--allow-file-access-from-files", "--hide-scrollbars"):
         options.add_argument(word)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})

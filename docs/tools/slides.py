@@ -1,90 +1,138 @@
 #!/usr/bin/env python3
-"""Slides from the pages of the book: a deck for each chapter, and those of the instructors' plans (docs/tools/slide_plans.toml).
+"""Slides for a lecturer: a deck for each chapter, and those of the instructors' plans (docs/tools/slide_plans.toml).
 
-Of each section a deck takes its heading with the questions that it asks, then one slide for each formula that stands on its own, with
-the sentence before it, and one for each figure, live ones among them. What a figure or formula says is nowhere written twice.
-Shown by reveal.js, a library from npm.
+What to show stands beside each chapter's page, in slides.toml: for each slide one idea, a figure or formulas, and what to say. Pictures and formulas
+are those of the finished page, so nothing is drawn or derived twice. Shown by reveal.js, a library from npm; its speaker view has the notes.
 """
 import argparse
+import html
 import re
 import shutil
 import sys
 import tomllib
+from dataclasses import dataclass
 from pathlib import Path
 
 import npm
 from pdf import KEPT_OF_THE_HEAD, content
 
 ROOT = Path(__file__).resolve().parents[2]
-LIBRARY = ["reveal.js", "reveal.css", "reset.css"]
-SHORT, MOST_QUESTIONS, ON_ONE_SLIDE = 5, 4, 2  # words of a question; questions and formulas on a slide
-NOT_SHOWN = {"Try it", "What changed", "Exercises", "Further reading"}
-PIECE = re.compile(r'<div class="figure">(?P<figure>.*?)<div class="caption">(?P<caption>.*?)</div>\s*</div>'
-                   r'|<p class="formulaDsp">(?P<formula>.*?)</p>|<p\s*>(?P<text>.*?)</p>|<ul>(?P<list>.*?)</ul>', re.S)
+LIBRARY = ["reveal.js", "reveal.css", "reset.css", "plugin/notes.js"]
+KEYS = {"section", "idea", "figure", "formulas", "tex", "says", "notes"}
+MOST_WORDS = {"idea": 14, "says": 45}  # of a slide: what is read while somebody speaks
+FEWEST_NOTES = 20                      # words: less than that is no help to somebody who did not write the page
+HEADING = re.compile(r"^## (.+?)(?: \{#\w+\})?$", re.M)
+# N shows the notes below the slides; reveal's S opens the speaker view, and P prints slides with notes.
+KEYS_OF_OURS = """keyboard: { 78: () => { Reveal.configure({ showNotes: !Reveal.getConfig().showNotes }); Reveal.layout(); },
+  80: () => { location.search = '?view=print&showNotes=separate-page'; } }"""
 
 
-class NoSection(Exception):
-    """A plan names a section that its chapter does not have."""
+class BadSlide(Exception):
+    """A slide that cannot be shown, or says too little; the message names file and slide."""
 
 
-def sections(html):
-    """(heading, HTML) of each section of a page, what stands before the first under the page's title."""
-    title, text = content(html)
-    text = re.sub(r"<details>.*?</details>|<dl class=.*?</dl>", "", text, flags=re.S)
-    parts = re.split(r"<h1\b[^>]*>(.*?)</h1>", text, flags=re.S)
-    found = list(zip([title, *map(plain, parts[1::2])], parts[::2]))
-    return [(heading, part) for heading, part in found if heading not in NOT_SHOWN]
+@dataclass
+class Slide:
+    """One slide: @param idea  its heading; @param figure  file name or live figure of the page; @param formulas  pieces of TeX of the page;
+    @param tex  a formula that the page does not have; @param says  what stands below; @param notes  for the speaker"""
+    section: str
+    idea: str
+    notes: str
+    figure: str = ""
+    formulas: tuple = ()
+    tex: str = ""
+    says: str = ""
 
 
-def plain(html):
-    return " ".join(re.sub(r"<[^>]+>", " ", html).split())
+def read_slides(path):
+    """The slides of a chapter, in order. @throws BadSlide"""
+    found = tomllib.loads(path.read_text(encoding="utf-8")).get("slide", [])
+    headings = HEADING.findall((path.parent / "chapter.md").read_text(encoding="utf-8"))
+    for number, given in enumerate(found, 1):
+        name = f"{path}: slide {number}"
+        if unknown := set(given) - KEYS:
+            raise BadSlide(f"{name}: unknown {', '.join(sorted(unknown))}")
+        if missing := {"section", "idea", "notes"} - set(given):
+            raise BadSlide(f"{name}: no {', '.join(sorted(missing))}")
+        if given["section"] not in headings:
+            raise BadSlide(f"{name}: the page has no section '{given['section']}'")
+        if not given.keys() & {"figure", "formulas", "tex"}:
+            raise BadSlide(f"{name}: neither a figure nor a formula")
+        for key, most in MOST_WORDS.items():
+            if len(given.get(key, "").split()) > most:
+                raise BadSlide(f"{name}: '{key}' has more than {most} words")
+        if len(given["notes"].split()) < FEWEST_NOTES:
+            raise BadSlide(f"{name}: notes of fewer than {FEWEST_NOTES} words")
+    return [Slide(**given) for given in found]
 
 
-def sentences(html):
-    """Those of a paragraph; a formula in the line, or code, is never cut."""
-    found = re.findall(r"(?:\\\(.*?\\\)|<code>.*?</code>|[^.?]|[.?](?!\s|$))+(?:[.?]|$)", re.sub(r"</?a\b[^>]*>", "", html.strip()), re.S)
-    return [sentence.strip() for sentence in found]
+def marked_up(text):
+    """Our few marks as HTML: $formula$, `code` and *stress*."""
+    text = html.escape(" ".join(text.split()), quote=False)
+    text = re.sub(r"\$(.+?)\$", r"\\(\1\\)", text)
+    parts = re.split(r"(\\\(.*?\\\)|`[^`]+`)", text)
+    return "".join(f"<code>{part[1:-1]}</code>" if part.startswith("`") else part if part.startswith("\\(") else re.sub(r"\*([^*\s][^*]*)\*", r"<em>\1</em>", part)
+                   for part in parts)
 
 
-def questions(told):
-    """Those among some sentences; a short one with the sentence that it asks about."""
-    return [f"{before} {sentence}" if before and len(plain(sentence).split()) < SHORT else sentence
-            for before, sentence in zip(["", *told], told) if sentence.endswith("?")]
+def figure_of(page, name):
+    """(HTML of a figure of a page, its caption). @param name  of the picture's file, or of a live figure. @throws BadSlide"""
+    for match in re.finditer(r'<div class="figure">(.*?)<div class="caption">(.*?)</div>\s*</div>', page, re.S):
+        if f'data-figure="{name}"' in match[1] or 'class="live"' not in match[1] and re.search(rf'<img src="[^"]*\b{re.escape(name)}"', match[1]):
+            return re.sub(r'<a class="anchor"[^>]*></a>', "", match[1]), match[2]
+    raise BadSlide(f"the page shows no figure '{name}'")
 
 
-def slides_of(heading, html):
-    """HTML of a section's slides, one below the other."""
-    asked, shown, before, formulas = [], [], "", 0
-    for piece in PIECE.finditer(html):
-        if piece["text"]:
-            told = sentences(piece["text"])
-            asked += questions(told)
-            before = told[-1] if told else ""
-        elif piece["formula"]:
-            formulas += 1
-            if formulas % ON_ONE_SLIDE != 1:
-                shown[-1] += f"<p>{before}</p><p>{piece['formula']}</p>"
-            else:
-                shown.append(f"<p>{before}</p><p>{piece['formula']}</p>")
-            before = ""
-        elif piece["figure"]:
-            formulas = 0
-            shown.append(f'{piece["figure"]}<p class="caption">{piece["caption"]}</p>')
-        elif heading == "What still fails":
-            shown.append(f"<ul>{piece['list']}</ul>")
-    first = f"<h2>{heading}</h2>" + "".join(f"<p>{question}</p>" for question in asked[:MOST_QUESTIONS])
-    below = "".join(f'<section><p class="running">{heading}</p>{slide}</section>' for slide in shown)
-    return f"<section><section>{first}</section>{below}</section>"
+def formula_of(page, piece):
+    """The formula of a page that holds a piece of TeX. @throws BadSlide"""
+    bare = lambda tex: re.sub(r"\s", "", html.unescape(tex))
+    for match in re.finditer(r'<p class="formulaDsp">(.*?)</p>', page, re.S):
+        if bare(piece) in bare(match[1]):
+            return match[1]
+    raise BadSlide(f"the page has no formula with '{piece}'")
 
 
-def from_below(html):
+def slide_html(slide, page, running):
+    """HTML of one slide. @param page  HTML of the chapter's page; @param running  what stands above. @throws BadSlide"""
+    shown, notes = "", marked_up(slide.notes)
+    for piece in slide.formulas:
+        shown += f'<div class="formula">{formula_of(page, piece)}</div>'
+    if slide.tex:
+        shown += f'<div class="formula">\\[ {html.escape(slide.tex.strip(), quote=False)} \\]</div>'
+    if slide.figure:
+        picture, caption = figure_of(page, slide.figure)
+        shown += f'<div class="shown">{picture}</div>'
+        notes += f'<p class="caption">{caption}</p>'
+    said = f"<p>{marked_up(slide.says)}</p>" if slide.says else ""
+    return (f'<section><div class="slide"><p class="running">{running}</p><h2>{marked_up(slide.idea)}</h2>{shown}{said}</div>'
+            f'<aside class="notes">{notes}</aside></section>')
+
+
+def from_below(text):
     """Links to the book's files, from the folder slides."""
-    return re.sub(r'\b(src|href)="(?!\w+:|#)', r'\1="../', html)
+    return re.sub(r'\b(src|href)="(?!\w+:|#)', r'\1="../', text)
 
 
-def deck(head, title, chosen, live):
-    """A whole deck. @param chosen  (heading, HTML) of its sections"""
-    body = "\n".join(slides_of(heading, html) for heading, html in chosen)
+def by_section(slides, page, title):
+    """HTML of slides: sections side by side, the slides of each below one another."""
+    stacks = {}
+    for number, slide in enumerate(slides, 1):
+        try:
+            stacks.setdefault(slide.section, []).append(slide_html(slide, page, f"{title.split(':')[0]} · {slide.section}"))
+        except BadSlide as fault:
+            raise BadSlide(f"{title}, slide {number} ('{slide.idea}'): {fault}") from None
+    return "\n".join(f"<section>{''.join(stack)}</section>" for stack in stacks.values())
+
+
+def first_slide(title, picture, goals):
+    """The title, with a picture; its notes say what students can do afterwards."""
+    listed = "".join(f"<li>{marked_up(goal)}</li>" for goal in goals)
+    return (f'<section><div class="slide first"><h1>{title}</h1><p>Enduring Contacts</p><img src="{picture}" alt=""></div>'
+            f'<aside class="notes"><p>Afterwards a student can</p><ul>{listed}</ul><p>S opens the speaker view, N shows the notes here, P prints both.</p></aside></section>')
+
+
+def deck(head, title, first, body, live):
+    """A whole deck. @param first  its first slide; @param body  the others; @param live  whether the book has live figures"""
     if live:
         body = re.sub(r'<div class="live" data-figure="(\w+)"', r'<div class="live" data-figure="\1" data-live="\1"', body)
     names = list(dict.fromkeys(re.findall(r'data-live="(\w+)"', body)))
@@ -92,44 +140,53 @@ def deck(head, title, chosen, live):
     library = "".join(f'<link rel="stylesheet" href="{name}">' for name in ("reset.css", "reveal.css", "slides.css"))
     formulas = "".join(part for part in re.findall(KEPT_OF_THE_HEAD, head, re.S) if not part.startswith("<link"))
     return (f'<!DOCTYPE html><html lang="en" class="light-mode"><head><meta charset="utf-8"><title>{title}</title>{library}{from_below(formulas)}'
-            '</head><body><div class="reveal"><div class="slides">'
-            f'<section><h1>{title}</h1><p>Enduring Contacts</p></section>\n{from_below(body)}</div></div>{from_below(scripts)}'
-            '<script src="reveal.js"></script><script>\n'
-            'Reveal.initialize({ hash: true, slideNumber: true, width: 1280, height: 720, margin: 0.04, center: false, transition: "none" });\n'
-            'MathJax.Hub.Queue(() => Reveal.layout());\n</script></body></html>')
+            f'</head><body><div class="reveal"><div class="slides">{first}\n{from_below(body)}</div></div>{from_below(scripts)}'
+            '<script src="reveal.js"></script><script src="plugin/notes.js"></script><script>\n'
+            'Reveal.initialize({ hash: true, slideNumber: true, width: 1280, height: 720, margin: 0.04, center: false, transition: "none",\n'
+            f'  plugins: [RevealNotes], {KEYS_OF_OURS} }});\n'
+            'addEventListener("load", () => MathJax.Hub.Queue(() => Reveal.layout()));\n</script></body></html>')
 
 
-def planned(plan, pages):
-    """The sections of a plan. @throws NoSection"""
+def planned(plan, chapters):
+    """(label, slides) of a plan, chapter by chapter. @param chapters  slides by label. @throws BadSlide"""
     for label, headings in plan.items():
-        for heading in headings if label != "title" else []:
-            found = [section for section in pages.get(label, []) if section[0] == heading]
-            if not found:
-                raise NoSection(f"docs/tools/slide_plans.toml: {label} has no section '{heading}'")
-            yield found[0]
+        if label != "title":
+            for heading in headings:
+                if not any(slide.section == heading for slide in chapters.get(label, [])):
+                    raise BadSlide(f"docs/tools/slide_plans.toml: {label} has no slide for '{heading}'")
+            yield label, [slide for heading in headings for slide in chapters[label] if slide.section == heading]
 
 
 def bring_library(place):
     """reveal.js, of the version and with the digest that docs/tools/npm/slides/package-lock.json says."""
     work = ROOT / "build/slides"
-    if not shutil.which("npm"):
-        sys.exit("The slides need npm. On Debian: apt-get install npm   (or: ./course docs --slides, which does)")
     if not npm.installed(ROOT / "docs/tools/npm/slides", work):
-        sys.exit("npm could not fetch what shows the slides")
+        sys.exit("npm could not fetch what shows the slides" if shutil.which("npm") else "The slides need npm. On Debian: apt-get install npm   (or: ./course docs --slides, which does)")
     for name in LIBRARY:
+        (place / name).parent.mkdir(exist_ok=True)
         shutil.copyfile(work / "node_modules/reveal.js/dist" / name, place / name)
     shutil.copyfile(ROOT / "docs/theme/slides.css", place / "slides.css")
 
 
 def write_decks(book, place):
-    """Writes NN.html for each chapter, and NAME.html for each plan; gives their names."""
-    head = (book / "index.html").read_text(encoding="utf-8").split("</head>")[0]
-    pages = {path.stem: sections(path.read_text(encoding="utf-8")) for path in sorted(book.glob("chapter_[0-9][0-9].html"))}
-    decks = {label.split("_")[1]: (found[0][0], found) for label, found in pages.items()}
-    plans = tomllib.loads((ROOT / "docs/tools/slide_plans.toml").read_text(encoding="utf-8"))
-    decks |= {name: (plan["title"], list(planned(plan, pages))) for name, plan in plans.items()}
-    for name, (title, chosen) in decks.items():
-        (place / f"{name}.html").write_text(deck(head, title, chosen, (book / "live").is_dir()), encoding="utf-8")
+    """Writes NN.html for each chapter, and NAME.html for each plan; gives their names. @throws BadSlide"""
+    head, live = (book / "index.html").read_text(encoding="utf-8").split("</head>")[0], (book / "live").is_dir()
+    pages, chapters, goals, decks = {}, {}, {}, {}
+    for path in sorted(ROOT.glob("chapters/[0-9][0-9]_*/slides.toml")):
+        number = path.parent.name[:2]
+        label = f"chapter_{number}"
+        pages[label] = content((book / f"{label}.html").read_text(encoding="utf-8"))
+        chapters[label] = read_slides(path)
+        goals[label] = tomllib.loads((path.parent / "teaching.toml").read_text(encoding="utf-8"))["goals"]
+        shutil.copyfile(ROOT / "renders" / path.parent.name / "thumbnail.png", place / f"{number}.png")
+        decks[number] = (pages[label][0], [label], {label: chapters[label]})
+    for name, plan in tomllib.loads((ROOT / "docs/tools/slide_plans.toml").read_text(encoding="utf-8")).items():
+        chosen = dict(planned(plan, chapters))
+        decks[name] = (plan["title"], list(chosen), chosen)
+    for name, (title, labels, chosen) in decks.items():
+        body = "\n".join(by_section(slides, pages[label][1], pages[label][0]) for label, slides in chosen.items())
+        first = first_slide(title, f"{labels[0][-2:]}.png", [goal for label in labels for goal in goals[label]] if len(labels) == 1 else goals[labels[0]][:1])
+        (place / f"{name}.html").write_text(deck(head, title, first, body, live), encoding="utf-8")
     return list(decks)
 
 
@@ -142,8 +199,8 @@ def main():
     try:
         bring_library(place)
         names = write_decks(book, place)
-    except NoSection as missing:
-        sys.exit(str(missing))
+    except BadSlide as fault:
+        sys.exit(str(fault))
     print(f"Slides: {', '.join(f'{place / name}.html' for name in names)}")
 
 
