@@ -13,6 +13,7 @@ ROOT = Path(__file__).resolve().parent.parent
 ANSWERS = os.environ.get("ENDURING_ANSWERS", "answers")  # seen from the top; the tests of the course command have none
 KINDS = {"rebuild": "rebuild the chapter's core", "extend": "go past the chapter", "predict": "write down a number, then measure it"}
 CLOSE_THE_PAGE = "The chapter prints what you are about to write. Close its page, and write from the formulas."
+FIRST_OF_THE_EXAM = 91  # exercises from this place on are kept for exams: neither in the book nor in a handout, while there are solutions
 FEWEST_MUTANTS = {"rebuild": 5, "extend": 3, "predict": 3}
 TEXTS = {"title": str, "kind": str, "minutes": int, "difficulty": int, "goal": str, "text": str, "hints": list,
          "expected": str, "missing": list}
@@ -65,6 +66,11 @@ class Exercise:
     def order(self):
         chapter, place = self.number.split(".")
         return int(chapter), int(place)
+
+    @property
+    def for_exams(self):
+        """Whether it is kept back. In a handout, where a teacher has laid it, it is an exercise as the others."""
+        return self.order[1] >= FIRST_OF_THE_EXAM and self.source.is_file()
 
     @property
     def stub(self):
@@ -233,6 +239,22 @@ def mutants_of(chapter, name):
     return [Mutant(**entries) for entries in found]
 
 
-def all_exercises(root=ROOT):
-    """Every exercise, in the order of the course."""
+def filled(text, check):
+    """A text with the numbers of a check in it: {{mass}} is what the check names `const double mass = 2.5;`.
+    @throws CatalogueError for a name that the check does not have"""
+    def number(found):
+        named = re.search(rf"\bconst double [^;]*\b{found[1]} = ([-\d.e]+)[,;]", check)
+        if not named:
+            raise CatalogueError(f"the text names {found[1]}, and the check has no such number")
+        return named[1]
+    return re.sub(r"\{\{(\w+)\}\}", number, text)
+
+
+def every_exercise(root=ROOT):
+    """Those of the course and those for exams, in order."""
     return sorted((read(path) for path in root.glob("exercises/[0-9][0-9]_*/[0-9]*_*.toml")), key=lambda exercise: exercise.order)
+
+
+def all_exercises(root=ROOT):
+    """Every exercise of the course, in its order; without those for exams."""
+    return [exercise for exercise in every_exercise(root) if not exercise.for_exams]

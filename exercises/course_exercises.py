@@ -16,7 +16,7 @@ import update
 import variants
 import workshop
 import wrong_versions
-from catalogue import ROOT, CatalogueError, all_exercises
+from catalogue import ROOT, CatalogueError, all_exercises, every_exercise
 
 
 def chosen(exercises, word):
@@ -108,7 +108,7 @@ def arguments():
     grades.add_argument("--hidden", type=Path, metavar="DIR", help="checks of your own, in the place of the course's: NN_name/M_title.check.cpp")
     for_students = commands.add_parser("handout", help="a student repository without solutions")
     for_students.add_argument("folder", type=Path, metavar="DIR")
-    for_students.add_argument("--hidden", type=Path, metavar="DIR", help="write hidden checks there: other numbers, other seeds")
+    for_students.add_argument("--hidden", type=Path, metavar="DIR", help="write hidden checks there, and the exercises for an exam: other numbers, other seeds")
     for_students.add_argument("--seed", type=int, default=None, help="of the hidden checks (default: by chance)")
     commands.add_parser("update", help="the new course; answers stay").add_argument("origin", nargs="?", metavar="URL", help="a new handout (default: git pull)")
     return parser.parse_args()
@@ -116,29 +116,30 @@ def arguments():
 
 def main():
     options = arguments()
-    exercises = all_exercises()
+    everything = every_exercise()
+    exercises, exams = all_exercises(), [exercise for exercise in everything if exercise.for_exams]
     if options.command == "check":
         return student.check(all_chosen(exercises, options.numbers), named=any("." in number for number in options.numbers))
     if options.command == "exercise":
-        return student.show_text(one(exercises, options.number))
+        return student.show_text(one(everything, options.number))
     if options.command == "hint":
         return student.hint(one(exercises, options.number))
     if options.command == "handout":
-        handout.handout(exercises, options.folder)
+        handout.handout(exercises, options.folder, exams)
         if options.hidden:
-            variants.write_variants(exercises, options.hidden, random.randrange(10**6) if options.seed is None else options.seed)
+            variants.write_variants(exercises, options.hidden, random.randrange(10**6) if options.seed is None else options.seed, exams)
         return 0
     if options.command == "update":
         return update.update(exercises, options.origin)
     if options.command in ("solution", "prove") and not (ROOT / "solutions").is_dir():
         stop("the solutions are with your teacher")
     if options.command == "solution":
-        return student.solution(one(exercises, options.number), options.second)
+        return student.solution(one(everything, options.number), options.second)
     if options.command == "prove" and options.layers:
         return prove_layers(options)
     if options.command == "prove":
-        return prove.prove(chosen(exercises, options.number), options.renew, options.part)
-    return grade_class(exercises, options)
+        return prove.prove(chosen(everything, options.number), options.renew, options.part)
+    return grade_class(everything if options.numbers else exercises, options)
 
 
 if __name__ == "__main__":

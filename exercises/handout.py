@@ -18,13 +18,15 @@ class CannotHandOut(Exception):
     """The message says why."""
 
 
-def handout(exercises, folder):
+def handout(exercises, folder, exams=()):
     """Writes the students' repository into a new folder.
+    @param exams  exercises that are kept back
     @throws CannotHandOut"""
     if folder.exists() and any(folder.iterdir()):
         raise CannotHandOut(f"{folder} is not empty")
+    kept_back = (*KEPT_BACK, *(f"exercises/{exam.chapter}/{exam.name}." for exam in exams))
     for name in tracked_files():
-        if not name.startswith(KEPT_BACK):
+        if not name.startswith(kept_back):
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, folder / name, follow_symlinks=False)
     for exercise in exercises:

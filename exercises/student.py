@@ -10,7 +10,7 @@ from pathlib import Path
 import beside
 import workshop
 from alone import alone
-from catalogue import CLOSE_THE_PAGE, KINDS, all_exercises, shown
+from catalogue import CLOSE_THE_PAGE, KINDS, all_exercises, filled, shown
 from judge import NOT_IMPLEMENTED, THREW, judge
 from progress import Progress
 from terminal import plain, readable_here
@@ -180,7 +180,7 @@ def tell_next(exercises, progress, named):
 def show_text(exercise):
     """An exercise's text, as the terminal can show it."""
     print(f"{exercise.number} {exercise.title}\n{KINDS[exercise.kind]}; {exercise.minutes} minutes, difficulty {exercise.difficulty} of 3\n")
-    print(plain(f"{exercise.goal.strip()}\n\n{exercise.text.strip()}"))
+    print(plain(f"{exercise.goal.strip()}\n\n{filled(exercise.text.strip(), exercise.check.read_text(encoding='utf-8'))}"))
     if exercise.kind == "rebuild":
         print(f"\n{CLOSE_THE_PAGE}")
     if exercise.asks_first and exercise.untouched():

@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import workshop
-from catalogue import ROOT
+from catalogue import ROOT, filled
 from judge import properties_of, run_cases
 
 NUMBER = r"(?<![\w.])\d+(?:\.\d*)?(?:e[+-]?\d+)?(?![\w.])"
@@ -46,21 +46,46 @@ def varied(text, seed, chosen=None):
     return text
 
 
+def variants(exercise, seeds):
+    """For each seed (the check with other numbers, how many were changed); ("", 0) where there is none to change."""
+    text = exercise.published_check.read_text(encoding="utf-8")
+    if not sites(text):
+        yield from (("", 0) for _ in seeds)
+        return
+    with tempfile.TemporaryDirectory(prefix="enduring_") as scratch:
+        answers = compiled(exercise, Path(scratch))
+        for seed in seeds:
+            tried = ((dice, kept_sites(exercise, answers, text, dice)) for dice in (seed, *(f"{seed}.{throw}" for throw in range(1, THROWS))))
+            yield next(((varied(text, dice, kept), len(kept)) for dice, kept in tried if kept), ("", 0))
+
+
 def write_variant(exercise, folder, seed):
     """Writes the hidden check of an exercise, where there is a number to change.
     @return how many were changed"""
-    text = exercise.check.read_text(encoding="utf-8")
-    if not sites(text):
-        return 0
-    with tempfile.TemporaryDirectory(prefix="enduring_") as scratch:
-        answers = compiled(exercise, Path(scratch))
-        for dice in (seed, *(f"{seed}.{throw}" for throw in range(1, THROWS))):
-            if kept := kept_sites(exercise, answers, text, dice):
-                path = folder / exercise.chapter / exercise.check.name
-                path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_text(HEAD.format(exercise.check.relative_to(ROOT / "exercises"), seed) + varied(text, dice, kept), encoding="utf-8")
-                return len(kept)
-    return 0
+    (text, count), = variants(exercise, [seed])
+    return write_hidden(exercise, folder, seed, text, count)
+
+
+def write_hidden(exercise, folder, seed, text, count):
+    if count:
+        path = folder / exercise.chapter / exercise.check.name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(HEAD.format(exercise.check.relative_to(ROOT / "exercises"), seed) + text, encoding="utf-8")
+    return count
+
+
+def write_exam(exercise, folder, seed):
+    """Writes the hidden check of an exercise for exams, and into folder/exam what its students get: text and check with other numbers again, and the stub.
+    @return how many numbers were changed in the hidden check"""
+    (hidden, count), (shown, _) = variants(exercise, [seed, f"{seed}.shown"])
+    shown = shown or exercise.published_check.read_text(encoding="utf-8")
+    place = folder / "exam/exercises" / exercise.chapter
+    place.mkdir(parents=True, exist_ok=True)
+    declared, asked = exercise.stub.with_suffix(".hpp"), exercise.stub.with_suffix(".toml")
+    for name, text in ((exercise.published_check.name, shown), (exercise.stub.name, exercise.stub_text()), (exercise.kept_stub.name, exercise.stub_text()),
+                       (asked.name, filled(asked.read_text(encoding="utf-8"), shown)), (declared.name, declared.read_text(encoding="utf-8"))):
+        (place / name).write_text(text, encoding="utf-8")
+    return write_hidden(exercise, folder, seed, hidden, count)
 
 
 def kept_sites(exercise, answers, text, dice):
@@ -98,15 +123,17 @@ def passes(exercise, answer, text):
     return run_cases(answer.with_name("check"), expected=properties_of(judged_by_it)).state == "passed"
 
 
-def write_variants(exercises, folder, seed):
-    """Writes the hidden checks of all exercises and says which have none."""
-    workshop.prepare(exercises)
+def write_variants(exercises, folder, seed, exams=()):
+    """Writes the hidden checks of all exercises and says which have none; and the exercises for exams, with their hidden checks."""
+    workshop.prepare([*exercises, *exams])
     without = []
-    for exercise in exercises:
-        count = write_variant(exercise, folder, seed)
+    for exercise in [*exercises, *exams]:
+        count = (write_exam if exercise in exams else write_variant)(exercise, folder, seed)
         print(f"  {exercise.number}: {count} numbers changed" if count else f"  {exercise.number}: none", flush=True)
         without += [] if count else [exercise.number]
     print(f"\nHidden checks: {folder}. Keep them to yourself; ./course grade FOLDER --hidden {folder}")
+    if exams:
+        print(f"For an exam: {', '.join(exam.number for exam in exams)}, in {folder / 'exam'}. On the day: cp -r {folder / 'exam'}/. HANDOUT")
     if without:
         print(f"Without one, for they name no number that can change alone: {', '.join(without)}. Write yours there, as NN_name/M_title.check.cpp.")
 

@@ -179,6 +179,15 @@ class AHandout(TwoRepositories):
         self.assertTrue(first.stub.read_text(encoding="utf-8").startswith("// New."))
         self.assertEqual(first.attempt.read_text(encoding="utf-8"), ANSWER)
 
+    def test_an_exercise_for_exams_is_not_in_it(self):
+        first, exam = self.exercises
+        without = self.students.with_name("without")
+        with redirect_stdout(io.StringIO()):
+            handout.handout([first], without, [exam])
+        files = [file.name for file in without.rglob("*")]
+        self.assertIn(first.stub.name, files)
+        self.assertFalse([name for name in files if name.startswith(f"{exam.name}.")])
+
     def test_a_folder_with_something_in_it_is_refused(self):
         with self.assertRaises(handout.CannotHandOut):
             handout.handout(self.exercises, self.students)
