@@ -17,6 +17,8 @@ import editor  # noqa: E402
 import weave  # noqa: E402
 
 EXERCISES = course_exercises.all_exercises()
+WITH_EXAMS = course_exercises.every_exercise()
+FOR_TEACHERS = {"exercise", "solution", "prove", "grade"}  # commands that know the exercises for exams
 COMMAND = re.compile(r"`\./course\b([^`]*)`|^ *\./course\b(.*)$", re.M)
 SHAPES = {"[N]": "1"}  # what stands for a number; capitals stand for a file or a folder, and are as good as any name
 
@@ -68,7 +70,7 @@ def refusal_of_exercises(words):
             options = course_exercises.arguments()
             number = getattr(options, "number", None)
             if not getattr(options, "layers", False):
-                course_exercises.all_chosen(EXERCISES, getattr(options, "numbers", [number] if number else []))
+                course_exercises.all_chosen(WITH_EXAMS if words[0] in FOR_TEACHERS else EXERCISES, getattr(options, "numbers", [number] if number else []))
         except SystemExit as stop:
             return f"exit status {stop.code}"
     return ""
