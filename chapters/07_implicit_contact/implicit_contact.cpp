@@ -133,10 +133,30 @@ struct IslandOutcome {
     int solves = 0;      ///< of Newton's matrix in this response
 };
 
+//! [last_problem]
+/// Where the rounds do not end: normals, levers and limits of friction stay those of the last motion, and their convex problem is solved to
+/// its end. Its impulses belong to its motion, so they take energy only; what errs is how much friction there is.
+/// @param most  steps of Newton's method
+/// @return      whether it is solved
+bool solve_last_problem(World& world, StepProblem& step, NewtonMatrix& matrix,
+                        const ImplicitSettings& settings, int most, double least, SolveRecord& record)
+{
+    if (most <= 0)
+        return false;
+    const ProblemSolution solution = solve_convex(step.problem, matrix, unchanged(step.problem),
+                                                  settings.left_by_round * settings.kept_residual, least,
+                                                  most);
+    record.newton_steps += solution.newton_steps;
+    apply_impulses(world, step, solution.impulses);
+    update_kinematics(world, step);
+    return solution.residual <= settings.kept_residual;
+}
+//! [last_problem]
+
 //! [solve_contacts]
 /// Changes the island's bodies and pairs only, and reads what does not move.
 IslandOutcome solve_island(World& world, const Island& island, const ImplicitSettings& settings,
-                           NewtonMatrix& matrix, bool first, double dt)
+                           NewtonMatrix& matrix, const Allowance& allowed, bool first, double dt)
 {
     StepProblem step = set_up(world, island, settings.stiffness, settings.friction, {settings.centre, dt},
                               first, settings.sparse_operation);
@@ -154,7 +174,9 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     // Forces of joints that cancel each other are not determined, and mixing would enlarge what rounding makes of them.
     const int mixed = island.elements.empty() ? settings.mixing_rounds : 0;
     AndersonMixing mixing(mixed);
-    const bool is_soft = follows_end(world, island);
+    const bool is_soft = follows_end(world, island), has_budget = !is_soft && island.elements.empty();
+    const int most_steps = has_budget ? std::min(settings.max_newton_steps, allowed.newton_steps)
+                                      : settings.max_newton_steps;
     double missing = 0;  // of elastic forces, as a part of what the step changes
     // Of velocities, back to before elements moved the pairs: springs are a thousand times as stiff, so a problem begins there.
     Eigen::VectorXd before_move = Eigen::VectorXd::Zero(step.problem.size);
@@ -173,7 +195,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
         const ProblemSolution begin = unchanged(step.problem);
         record.residual = true_residual(step.problem, begin.change, least);
         // the next round counts as one
-        const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds - 1;
+        const int steps_left = most_steps - matrix.solves() - record.rounds - 1;
         if (record.residual <= settings.kept_residual && steps_left > 0 &&
             follow_levers(world, step, settings.lever_turn)) {
             matrix.begin_response(matrix.solves());
@@ -202,11 +224,16 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             missing += changed_part(step.problem, begin.impulses, next, least);
         apply_impulses(world, step, next);
     }
-    if (!world.attempt.may_be_halved &&
+    const int steps_left = settings.max_newton_steps - matrix.solves() - record.rounds;
+    const bool is_lagged =
+        has_budget && allowed.is_last && !record.converged && !(record.residual <= settings.kept_residual) &&
+        solve_last_problem(world, step, matrix, settings,
+                           std::min(steps_left, settings.budget.of_last_problem), least, record);
+    if ((is_lagged || !world.attempt.may_be_halved) &&
         island.elements.empty())  // a part of a joint's impulses holds nothing
         if (const double part = part_that_takes(world, step); part < 1)
             apply_impulses(world, step, part * impulses_acting(step.problem));
-    if (!(record.residual <= settings.kept_residual))
+    if (!is_lagged && !(record.residual <= settings.kept_residual))
         outcome.trouble = StepTrouble::unsolved;
     else if (largest_compression(world, step) > settings.kept_depth)
         outcome.trouble = StepTrouble::too_deep;
@@ -260,24 +287,32 @@ void tell_unconverged(const SolveRecord& record)
 
 //! [islands]
 void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings,
-                    IslandMatrices& matrices, double dt)
+                    IslandMatrices& matrices, StepBudget& budget, double dt)
 {
     const bool first = first_of_the_step(contacts);
     const std::vector<ElementBodies> elements = settings.elements.any() ? settings.elements.bodies(world)
                                                                         : std::vector<ElementBodies>{};
     const std::vector<Island> islands = find_islands(world, contacts, elements);
     matrices.begin_response(islands, world.bodies.size(), first);
+    int pairs = 0;
+    for (const Island& island : islands)
+        pairs += static_cast<int>(island.contacts.size());
+    budget.begin_response(world, settings.budget, pairs);
     std::vector<IslandOutcome> outcomes(islands.size());
     const bool is_small = contacts.size() < static_cast<std::size_t>(settings.pairs_for_threads);
     for_each_index(islands.size(), is_small ? 1 : settings.threads, [&](std::size_t i) {
-        outcomes[i] = solve_island(world, islands[i], settings, matrices.of(islands[i]), first, dt);
+        NewtonMatrix& matrix = matrices.of(islands[i]);
+        const Allowance allowed = budget.of_island(world, settings.budget, matrix.solves(), dt);
+        outcomes[i] = solve_island(world, islands[i], settings, matrix, allowed, first, dt);
     });
 
     if (first)
         world.attempt.put_in -= world.attempt.springs;
     SolveRecord record{world.step};
-    for (const IslandOutcome& outcome : outcomes)
+    for (const IslandOutcome& outcome : outcomes) {
         add(outcome, record, world);
+        budget.take(outcome.solves, static_cast<double>(outcome.record.pairs) / std::max(1, pairs));
+    }
     count(outcomes, record, world.attempt.work);
     for (Contact& contact : contacts)
         if (contact.waiting())
@@ -286,6 +321,13 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
         settings.record(record);
 }
 //! [islands]
+
+void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings,
+                    IslandMatrices& matrices, double dt)
+{
+    StepBudget budget;
+    solve_contacts(world, contacts, settings, matrices, budget, dt);
+}
 
 //! [settle]
 void settle_soft_bodies(World& world, double dt)
@@ -326,9 +368,9 @@ void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSett
     solver.insert_before(first, "settle soft bodies",
                          [](World& world, Contacts&, double dt) { settle_soft_bodies(world, dt); });
     solver.append(StepStage::respond, "solve contacts",
-                  [settings, matrices = std::make_shared<IslandMatrices>()](World& world, Contacts& contacts,
-                                                                            double dt) {
-                      solve_contacts(world, contacts, settings, *matrices, dt);
+                  [settings, matrices = std::make_shared<IslandMatrices>(),
+                   budget = std::make_shared<StepBudget>()](World& world, Contacts& contacts, double dt) {
+                      solve_contacts(world, contacts, settings, *matrices, *budget, dt);
                   });
     solver.append(StepStage::finish, "remember pairs", remember_pairs);
     solver.append(StepStage::settle, "restitution",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/07_implicit_contact/islands.hpp"
+#include "chapters/07_implicit_contact/step_budget.hpp"
 #include "chapters/07_implicit_contact/step_problem.hpp"
 #include "chapters/07_implicit_contact/threads.hpp"
 
@@ -62,6 +63,7 @@ struct ImplicitSettings {
     /// Of Newton's method for an island in a step, over all its responses and rounds, each of which counts as one more; what is not solved then is told, or the step is taken in
     /// halves. No island takes another one's. A tenth of it would cut landing soft bodies off; ten times as many cost ten seconds where a heap jams.
     int max_newton_steps = 500;
+    BudgetLimits budget{};  ///< of a step, for rigid bodies
     /// Changes from round to round that are combined (AndersonMixing). None: a jam takes some times the steps of Newton's method.
     /// Ten times: changes of rounds in which other pairs slipped lead astray.
     int mixing_rounds = 8;
@@ -83,6 +85,10 @@ struct ImplicitSettings {
 /// each island. Each round brings normals, levers and limits of friction to the last motion, solves one convex problem, and mixes its impulses with those of
 /// the rounds before, until the equation holds on the bodies themselves.
 /// @param matrices  keep their memory and their order from step to step
+/// @param budget    counts what the islands of a step take, from response to response
+void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings,
+                    IslandMatrices& matrices, StepBudget& budget, double dt);
+/// The same as the only response of a step.
 void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& settings,
                     IslandMatrices& matrices, double dt);
 
