@@ -21,8 +21,9 @@ int main(int argc, char** argv)
         },
     };
     program.add_options = [method](CLI::App& app) {
-        app.add_option("--method", *method,
-                       "that runs a scene of your own: sequential, soft_step, relaxation, xpbd or avbd")
+        app.add_option(
+               "--method", *method,
+               "that runs a scene of your own: sequential, soft_step, relaxation, xpbd, avbd or barrier")
             ->needs(app.get_option("--scene"))
             ->excludes(app.get_option("experiments"));
     };

@@ -81,24 +81,32 @@ ContactPoint contact_point(const World& world, const RigidStep& step, const Cont
     point.mu_d = mu.mu_d;
     point.restitution = pair_restitution(world, contact);
     point.key = key_of(contact);
+    point.vertices = contact.vertices;
+    for (int i = 0; i < contact.vertex_count(); ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        const MovingBody& body = i < of_a ? step.a(point) : step.b(point);
+        point.corners[n] =
+            body.pose.to_body(body_of_vertex(world, contact, i).contact_point(contact.vertices[n], 0));
+    }
     return point;
 }
 
 /// What lasts beyond a step: the search's trees, and of each pair its impulse, which turns with body A.
 class RigidRun {
 public:
-    RigidRun(const ContactParameters& parameters, RigidMethod method, const SearchSettings& search)
-        : friction_(coefficients_of(parameters.friction)), method_(std::move(method)), search_(search)
+    RigidRun(const ContactParameters& parameters, RigidMethod method, PairSearch search)
+        : friction_(coefficients_of(parameters.friction)), method_(std::move(method)),
+          search_(std::move(search))
     {}
 
-    void find(const World& world, Contacts& contacts, double dt)
+    void find(World& world, Contacts& contacts, double dt)
     {
         step_ = {};
         step_.dt = dt;
         for (const auto& body : world.bodies)
             step_.bodies.push_back(moving_body(world, *body, dt));
         step_.bodies.emplace_back();  // the ground
-        contacts = search_.find(world);
+        contacts = search_(world);
         for (const Contact& contact : contacts) {
             step_.points.push_back(contact_point(world, step_, contact, friction_));
             ContactPoint& point = step_.points.back();
@@ -161,7 +169,7 @@ private:
 
     FrictionCoefficients friction_;
     RigidMethod method_;
-    NearFeatures search_;
+    PairSearch search_;
     RigidStep step_;
     std::map<PairKey, Vec3> impulses_;  ///< in the axes of A
     std::vector<Eigen::VectorXd> kicks_;
@@ -216,9 +224,9 @@ double RigidStep::response(const ContactPoint& p, const Vec3& direction) const
 }
 
 Solver rigid_solver(const std::string& name, const ContactParameters& parameters, RigidMethod method,
-                    const SearchSettings& search)
+                    PairSearch search)
 {
-    const auto run = std::make_shared<RigidRun>(parameters, std::move(method), search);
+    const auto run = std::make_shared<RigidRun>(parameters, std::move(method), std::move(search));
     Solver solver;
     solver.name = name;
     solver.append(StepStage::refresh, "find near features",
@@ -228,6 +236,14 @@ Solver rigid_solver(const std::string& name, const ContactParameters& parameters
     solver.append(StepStage::settle, "leave velocities",
                   [run](World& world, Contacts&, double) { run->leave(world); });
     return solver;
+}
+
+Solver rigid_solver(const std::string& name, const ContactParameters& parameters, RigidMethod method,
+                    const SearchSettings& search)
+{
+    const auto near = std::make_shared<NearFeatures>(search);
+    return rigid_solver(name, parameters, std::move(method),
+                        PairSearch([near](World& world) { return near->find(world); }));
 }
 
 }  // namespace enduring

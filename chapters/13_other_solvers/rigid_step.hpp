@@ -56,6 +56,9 @@ struct ContactPoint {
     double restitution = 0;
     Vec3 impulse = Vec3::Zero();  ///< on A [N s]: first that of the last step, in the end that of this one
     PairKey key;
+    std::array<int, 4> vertices{-1, -1, -1, -1};  ///< of both features, as Contact has them
+    std::array<Vec3, 4>
+        corners;  ///< the same in body coordinates, of the surfaces that a search for contact sees [m]
 };
 //! [contact_point]
 
@@ -84,6 +87,8 @@ struct RigidStep {
 
 /// A method: from the start of the step to poses and velocities at its end, and the impulse of each point.
 using RigidMethod = std::function<void(RigidStep&)>;
+/// The pairs of a step, ascending by their keys, with Contact::normal_t0.
+using PairSearch = std::function<Contacts(World&)>;
 
 //! [rigid_solver]
 /// A solver that is this method on the common search, from an empty list of passes: pairs, the method, and behind the commit the velocities where
@@ -91,6 +96,9 @@ using RigidMethod = std::function<void(RigidStep&)>;
 /// @throws InputError  when it runs: a body is deformable, held or pinned; names it
 Solver rigid_solver(const std::string& name, const ContactParameters& parameters, RigidMethod method,
                     const SearchSettings& search = {});
+/// The same with a search of its own.
+Solver rigid_solver(const std::string& name, const ContactParameters& parameters, RigidMethod method,
+                    PairSearch search);
 //! [rigid_solver]
 
 }  // namespace enduring

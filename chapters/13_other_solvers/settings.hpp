@@ -84,4 +84,27 @@ struct AvbdSettings {
 };
 //! [avbd_settings]
 
+//! [barrier_settings]
+/// The barrier method for rigid bodies (IPC, Li 2020; rigid-ipc, Ferguson 2021). Lengths are parts of the smallest moving body's size.
+struct BarrierSettings {
+    double distance =
+        1e-3;  ///< d^, from which on the barrier pushes [1]; both papers, of the scene. Ten times: bodies rest ten times as deep.
+    double stiffness =
+        1;  ///< kappa in m (d^ / dt)^2 [1], m the mean mass: to come to rest within d^ costs about one kappa. Ten times: nearer to d^, worse condition.
+    double friction_speed =
+        1e-3;  ///< slip at which friction is in full, sizes a second [1/s]; Li 2020. A tenth: a tenth of the creep on slopes, more steps.
+    int lags =
+        2;  ///< problems of a step, each with the normal forces of the one before; with 1, a landing has no friction
+    double tolerance =
+        1e-6;  ///< change of velocity that ends Newton's method, sizes a second [1/s]; Li 2020 has 1e-2, where loads are right to a percent
+    int max_steps = 100;         ///< of Newton's method for a problem; a stack of ten takes below 30
+    int line_search_steps = 60;  ///< below 2^-60 nothing changes
+    double reach =
+        4;  ///< of the longest way of a vertex as predicted [1]: how far bodies may go in a step. With 1, a light body is stopped that a heavy one hits.
+    double least_reach =
+        0.02;  ///< and this beside it [1]: what rests may rock. Ten times: ten times the pairs.
+    double part_of_impact = 0.8;  ///< of the time of impact that a step may go [1]; Li 2020
+};
+//! [barrier_settings]
+
 }  // namespace enduring

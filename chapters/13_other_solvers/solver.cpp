@@ -20,6 +20,8 @@ const std::vector<OtherMethod>& other_methods()
          [](const P& p, int n) { return chapter13_xpbd_solver(p, {.substeps = n}); }, true},
         {"avbd", "AVBD", [](const P& p) { return chapter13_avbd_solver(p); },
          [](const P& p, int n) { return chapter13_avbd_solver(p, {.iterations = n}); }, false},
+        {"barrier", "barrier", [](const P& p) { return chapter13_barrier_solver(p); },
+         [](const P& p, int n) { return chapter13_barrier_solver(p, {.max_steps = n}); }, false},
     };
     return methods;
 }

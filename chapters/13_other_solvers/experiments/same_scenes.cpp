@@ -5,10 +5,12 @@
 #include "chapters/engines/cases.hpp"
 #include "chapters/engines/judge.hpp"
 #include "common/experiments/report/growing_table.hpp"
+#include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace enduring::chapter13 {
@@ -21,6 +23,7 @@ struct Column {
     std::string title;
     Engine engine;
     bool knows_restitution = false;  ///< of a scene
+    bool is_method = false;          ///< of this chapter
 };
 
 Column column_of(const OtherMethod& method)
@@ -29,7 +32,7 @@ Column column_of(const OtherMethod& method)
     engine.run = [make = method.make](Scene scene, const Way&, int steps) {
         return run_solver(std::move(scene), 1, steps, [&](Scene& taken) { return make(taken.contact); });
     };
-    return {method.title, engine, method.knows_restitution};
+    return {method.title, engine, method.knows_restitution, true};
 }
 
 std::vector<Column> all_columns()
@@ -95,6 +98,22 @@ std::vector<Case> cases_of(bool quick)
     return cases;
 }
 
+/// Whether a method has an answer: restitution is not in every paper, and a barrier cannot begin inside.
+bool is_defined(const Case& asked, const Column& column)
+{
+    if (asked.name == "bounce" && !column.knows_restitution)
+        return false;
+    if (column.is_method)
+        try {
+            column.engine.run(asked.make(0), column.engine.plain, 1);
+        } catch (const InputError& refusal) {
+            std::fprintf(stderr, "%s, %s: not defined: %s\n", column.title.c_str(), asked.name.c_str(),
+                         refusal.what());
+            return false;
+        }
+    return true;
+}
+
 std::string word_of(std::string title)
 {
     std::replace(title.begin(), title.end(), ' ', '_');
@@ -125,9 +144,8 @@ void same_scenes(const RunOptions& options, Report& report)
         std::vector<std::vector<Cell>> lines;
         std::vector<Verdict> verdicts;
         for (const Column& column : columns)
-            verdicts.push_back(asked.name == "bounce" && !column.knows_restitution
-                                   ? Verdict{}
-                                   : try_case(asked, column.engine, column.engine.plain));
+            verdicts.push_back(is_defined(asked, column) ? try_case(asked, column.engine, column.engine.plain)
+                                                         : Verdict{});
         const auto ours =
             static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(),
                                                   [](const Column& c) { return c.title == "chapter 10"; }) -

@@ -7,7 +7,7 @@ set format y "10^{%L}"
 set xrange [0.9:300]
 set key outside right
 data = folder."/over_iterations.csv"
-methods = "'sequential impulses' 'soft step' 'convex relaxation' XPBD AVBD"
+methods = "'sequential impulses' 'soft step' 'convex relaxation' XPBD AVBD barrier"
 of(method, value) = strcol("method") eq method ? value : NaN
 set ylabel "stack of ten: moved [m]"
 plot for [i=1:words(methods)] data using "n":(of(word(methods, i), column("stack_m"))) with linespoints linetype i pointtype 4 + i pointsize 0.7 title word(methods, i)

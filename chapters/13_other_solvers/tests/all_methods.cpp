@@ -43,8 +43,8 @@ TEST_CASE("other solvers: the impulses of a cube at rest carry its weight")
 TEST_CASE(
     "other solvers: a cube on a slope below the angle of friction stays, but for a creep that is bounded")
 {
-    const std::map<std::string, double> creep{
-        {"sequential", 1e-6}, {"soft_step", 2e-3}, {"relaxation", 1e-4}, {"xpbd", 5e-3}, {"avbd", 3e-3}};
+    const std::map<std::string, double> creep{{"sequential", 1e-6}, {"soft_step", 2e-3}, {"relaxation", 1e-4},
+                                              {"xpbd", 5e-3},       {"avbd", 3e-3},      {"barrier", 1e-3}};
     for (const OtherMethod& method : other_methods()) {
         CAPTURE(method.name);
         Scene scene = one_cube(0, 20);
@@ -93,7 +93,9 @@ TEST_CASE(
         CHECK((sum(linear) - linear_t0).norm() <= (is_avbd ? 1e-2 : 1e-9) * linear_t0.norm());
         // p and q leave each other along the surface within a step, and with them the lines on which they are pushed
         const bool is_velocity = method.name == "sequential" || method.name == "relaxation";
-        CHECK((sum(turning) - turning_t0).norm() <= (is_velocity ? 0.02 : 0.06) * turning_t0.norm());
+        // the barrier pushes at levers of the step's end, from where bodies have gone along by their old velocities
+        const double off = is_velocity ? 0.02 : method.name == "barrier" ? 0.1 : 0.06;
+        CHECK((sum(turning) - turning_t0).norm() <= off * turning_t0.norm());
         CHECK(kinetic() < 0.9 * kinetic_t0);  // they have met
     }
 }
@@ -135,7 +137,7 @@ TEST_CASE(
     Contacts contacts;
     CHECK_THROWS_WITH_AS(advance(scene.world, contacts, chapter13_solver("avbd", scene.contact), scene.dt),
                          "body 'jelly' is deformable; this solver moves rigid bodies only", InputError);
-    CHECK_THROWS_WITH_AS(chapter13_solver("magic", scene.contact),
-                         "no method 'magic'; there are sequential, soft_step, relaxation, xpbd, avbd",
-                         InputError);
+    CHECK_THROWS_WITH_AS(
+        chapter13_solver("magic", scene.contact),
+        "no method 'magic'; there are sequential, soft_step, relaxation, xpbd, avbd, barrier", InputError);
 }

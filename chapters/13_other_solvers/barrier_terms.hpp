@@ -1,0 +1,49 @@
+#pragma once
+
+#include "chapters/13_other_solvers/barrier_distances.hpp"
+#include "chapters/13_other_solvers/rigid_step.hpp"
+
+#include <vector>
+
+namespace enduring {
+
+//! [log_barrier]
+/// The barrier over the ratio r = d^2 / d^hat^2 of squared distances, with its derivatives: -(r - 1)^2 ln r below r = 1, and 0 from there on.
+struct BarrierValue {
+    double value = 0, slope = 0, bend = 0;
+};
+/// @param ratio  positive
+/// @see Li et al. 2020, (6), which is the same of d and d^hat; their program and this one take squares
+BarrierValue log_barrier(double ratio);
+//! [log_barrier]
+
+using Poses = std::vector<Pose>;  ///< of all bodies of a step
+
+/// Two features within d^hat. Many pairs of features have the same nearest corners, as those around one edge: they count together.
+struct BarrierTerm {
+    std::size_t point;  ///< the first of them, in RigidStep::points
+    FourPoints x;
+    NearestPoints nearest;
+    Derivatives mollifier;  ///< 1 for all but edges that are nearly parallel
+    double count = 1;
+    BarrierValue barrier;
+
+    /// count kappa e(x) b(d^2 / d^hat^2), by the corners [J].
+    Derivatives potential(const ContactPoint& pair, double kappa, double distance) const;
+};
+
+/// @param step      its points are the pairs that can meet
+/// @param distance  d^hat [m], positive
+std::vector<BarrierTerm> barrier_terms(const RigidStep& step, const Poses& poses, double distance);
+
+/// When the first pair meets, in (0, 1], if all vertices go straight from pose to pose; 1 too if none does. By chapter 2's certified query.
+/// @return  and whether one meets
+std::pair<double, bool> first_meeting(const RigidStep& step, const Poses& from, const Poses& to,
+                                      double distance);
+
+int corners_of_a(const ContactPoint& pair);
+int corner_count(const ContactPoint& pair);
+/// In the world [m]; of a pair with a plane the first alone.
+FourPoints corners_of(const ContactPoint& pair, const Poses& poses);
+
+}  // namespace enduring
