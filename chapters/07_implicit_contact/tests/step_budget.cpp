@@ -53,7 +53,7 @@ TEST_CASE("step budget: with few pairs there is more of it, up to five times as 
     const BudgetLimits limits{100, 300, 10, 60, 100, 5, 2};
     World world = in_a_step();
     StepBudget budget;
-    for (const auto& [pairs, times] : {std::pair{1000, 1}, {100, 2}, {40, 5}, {3, 5}, {0, 5}}) {
+    for (const auto& [pairs, times] : {std::pair{1000, 1}, {50, 2}, {20, 5}, {3, 5}, {0, 5}}) {
         CAPTURE(pairs);
         world.work.attempts = 0;
         budget.begin_response(world, limits, pairs);
