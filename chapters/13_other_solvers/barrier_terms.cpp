@@ -12,6 +12,7 @@
 
 namespace enduring {
 
+//! [log_barrier]
 BarrierValue log_barrier(double ratio)
 {
     if (ratio >= 1)
@@ -20,6 +21,7 @@ BarrierValue log_barrier(double ratio)
     return {-short_of * short_of * log, -2 * short_of * log - short_of * short_of / ratio,
             -2 * log - 4 * short_of / ratio + short_of * short_of / (ratio * ratio)};
 }
+//! [log_barrier]
 
 namespace {
 
