@@ -222,9 +222,9 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     begin_step(world.joints);
     done("predict");
     const Turns free_turns(world, dt);
+    int& left = world.attempt.responses_left = solver.max_responses;
     run_passes(solver.passes(StepStage::refresh), world, contacts, dt, done);
 
-    int& left = world.attempt.responses_left = solver.max_responses;
     run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
     const bool joints_wait = any_waiting(world.joints);
     for (int n = 0; left > 0 && (any_waiting(contacts) || (n == 0 && joints_wait)); ++n) {

@@ -48,7 +48,7 @@ class Packed(unittest.TestCase):
 
     def test_each_exercise_of_the_course_is_offered_with_its_wrong_answers(self):
         exercises = editor.offered()
-        self.assertEqual({str(exercise.published_check.relative_to(ROOT)) for exercise in exercises}, {str(path.relative_to(ROOT)) for path in ROOT.glob("exercises/*/*.check.cpp")})
+        self.assertEqual({str(exercise.published_check.relative_to(ROOT)) for exercise in exercises}, {str(path.relative_to(ROOT)) for path in ROOT.glob("exercises/*/*.check.cpp") if not path.name.startswith("9")})
         for exercise in exercises:
             entry = editor.entry_of(exercise)
             self.assertTrue((ROOT / entry["check"]).is_file())
