@@ -4,6 +4,7 @@
 #include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/restitution.hpp"
 #include "chapters/07_implicit_contact/taken_energy.hpp"
+#include "chapters/07_implicit_contact/whole_bodies.hpp"
 #include "common/fem/elastic_body.hpp"
 #include "common/simulation/turns.hpp"
 

@@ -3,7 +3,6 @@
 #include "chapters/07_implicit_contact/whole_bodies.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace enduring {
 namespace {
@@ -32,6 +31,12 @@ std::vector<std::vector<int>> touched_vertices(const Island& island)
     return vertices;
 }
 
+/// Change of a pair's velocity per impulse on p [1/kg].
+Mat3 response_of(const World& world, const Contact& contact, const StepProblem& step, const PairRow& row)
+{
+    return row.response(step.problem.blocks) + response_of_whole(world, contact, step);
+}
+
 void add_blocks(const World& world, StepProblem& step, double sparse_operation)
 {
     for (std::size_t place = 0; place < step.bodies.size(); ++place) {
@@ -52,7 +57,7 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
 {
     for (int i = 0; i < contact.vertex_count(); ++i) {
         const std::size_t body = body_index(contact, i);
-        const auto place = place_among(step.bodies, static_cast<int>(body));
+        const auto place = place_of(step, static_cast<int>(body));
         if (!place || step.problem.blocks[*place].size() == 0)
             continue;
         const std::vector<int>& vertices = step.vertices[*place];
@@ -185,7 +190,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         const double depth_t0 = depth_at_start(world, contact);
         if (row.law.normal.isZero(0) || !gives_way(row))
             continue;
-        step.responses.push_back(row.response(step.problem.blocks) + response_of_whole(world, contact, step));
+        step.responses.push_back(response_of(world, contact, step, row));
         const double mass = mass_along(row.law.normal, step.responses.back());
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
         if (first || contact.stiffness == 0)
@@ -202,9 +207,14 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
     return step;
 }
 
+std::optional<std::size_t> place_of(const StepProblem& step, int body)
+{
+    return place_among(step.bodies, body);
+}
+
 int first_coordinate(const StepProblem& step, int body)
 {
-    const auto place = place_among(step.bodies, body);
+    const auto place = place_of(step, body);
     return place && step.problem.blocks[*place].size() > 0 ? step.problem.blocks[*place].first : -1;
 }
 
@@ -262,8 +272,7 @@ bool follow_levers(World& world, StepProblem& step, double least_turn)
         row.part_count = 0;
         add_parts(world, *step.of_row[i], step, row);
         row.add_impulse(acting, missing);
-        step.responses[i] = row.response(step.problem.blocks) +
-                            response_of_whole(world, *step.of_row[i], step);
+        step.responses[i] = response_of(world, *step.of_row[i], step, row);
     }
     apply_momentum(world, step, missing);
     return true;

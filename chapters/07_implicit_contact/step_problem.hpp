@@ -8,6 +8,7 @@
 #include "common/simulation/step.hpp"
 
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace enduring {
@@ -35,14 +36,13 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
                    const FrictionCoefficients& friction, const StepLaw& step, bool first,
                    double sparse_operation = std::numeric_limits<double>::infinity());
 
-/// Where bodies enter with all their nodes, A as their elements are now.
-/// @return  whether there is any; then what was factored does not hold
-bool follow_elements(const World& world, StepProblem& step);
-
 /// Appends a row of an element, which acts already with this impulse.
 /// @param parts  the motion of each body that moves, by first_coordinate()
 void add_element_row(StepProblem& step, ElementLaw law, std::span<const VertexMotion> parts,
                      const Vec3& acting);
+
+/// Where a body stands among those of the problem; none for one that is not in the island.
+std::optional<std::size_t> place_of(const StepProblem& step, int body);
 
 /// Where a body's coordinates begin among those of all; -1 for a body that is not in the island or has none.
 int first_coordinate(const StepProblem& step, int body);

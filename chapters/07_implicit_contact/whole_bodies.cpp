@@ -2,8 +2,6 @@
 
 #include "common/simulation/deformable_body.hpp"
 
-#include <algorithm>
-
 namespace enduring {
 namespace {
 
@@ -51,13 +49,10 @@ Mat3 response_of_whole(const World& world, const Contact& contact, const StepPro
 {
     Mat3 sum = Mat3::Zero();
     for (int i = 0; i < contact.vertex_count(); ++i) {
-        const auto body = std::lower_bound(step.bodies.begin(), step.bodies.end(),
-                                           static_cast<int>(body_index(contact, i)));
-        const auto place = static_cast<std::size_t>(body - step.bodies.begin());
-        if (body == step.bodies.end() || *body != static_cast<int>(body_index(contact, i)) ||
-            !step.problem.blocks[place].whole)
+        const auto place = place_of(step, static_cast<int>(body_index(contact, i)));
+        if (!place || !step.problem.blocks[*place].whole)
             continue;
-        const DeformableBody& soft = soft_body(world, step, place);
+        const DeformableBody& soft = soft_body(world, step, *place);
         for (int j = 0; j < contact.vertex_count(); ++j)
             if (body_index(contact, j) == body_index(contact, i))
                 sum += contact.weights[static_cast<std::size_t>(i)] *

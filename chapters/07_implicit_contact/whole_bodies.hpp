@@ -16,6 +16,10 @@ std::shared_ptr<const WholeMatrix> whole_of(const World& world, const StepProble
 /// What these bodies add to PairRow::response() of a pair: it is learned, as that of other soft bodies is.
 Mat3 response_of_whole(const World& world, const Contact& contact, const StepProblem& step);
 
+/// Brings A of these bodies to where their elements are now.
+/// @return  whether there is any; then what was factored does not hold
+bool follow_elements(const World& world, StepProblem& step);
+
 /// Predicted, of all nodes [m/s].
 Eigen::VectorXd velocities_at_nodes(const World& world, const StepProblem& step, std::size_t place);
 

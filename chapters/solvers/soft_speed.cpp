@@ -1,7 +1,7 @@
+#include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
 #include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "common/experiments/run/processor_clock.hpp"
-#include "common/scenes/scene_reader.hpp"
 #include "common/simulation/energy.hpp"
 
 #include <nlohmann/json.hpp>
@@ -14,29 +14,14 @@
 namespace enduring::solvers {
 namespace {
 
-using nlohmann::json;
-
 constexpr double dense = std::numeric_limits<double>::infinity();
 
-/// A mat of 2 m x 4 cm x 2 m and 10 kg that falls flat from 20 cm.
-Scene falling_mat(int cells)
+/// Of 2 m and 10 kg, which falls flat from 20 cm.
+Scene wide_mat(int cells)
 {
-    const json mat{{"name", "mat"},
-                   {"type", "deformable"},
-                   {"shape", {{"bar", {{"size", {2, 0.04, 2}}, {"cells", {cells, 1, cells}}}}}},
-                   {"basis", "quadratic"},
-                   {"mass", 10},
-                   {"young", 5e4},
-                   {"poisson", 0.2},
-                   {"position", {0, 0.2, 0}},
-                   {"rotation", {{"axis", {1, 0, 0.3}}, {"angle_deg", 8}}}};
-    const json scene{{"name", "mat"},
-                     {"dt", 0.01},
-                     {"duration", 0.3},
-                     {"contact", {{"friction", {{"model", "mass_splitting"}, {"mu_s", 0.5}, {"mu_d", 0.5}}}}},
-                     {"planes", {{{"name", "ground"}}}},
-                     {"bodies", {mat}}};
-    return read_scene(scene.dump(), "", "mat.json", {});
+    return chapter07::falling_mat(
+        2, cells,
+        {{"mass", 10}, {"position", {0, 0.2, 0}}, {"rotation", {{"axis", {1, 0, 0.3}}, {"angle_deg", 8}}}});
 }
 
 struct MatRun {
@@ -49,7 +34,7 @@ struct MatRun {
 MatRun run_mat(int cells, double sparse_operation)
 {
     constexpr int last = 5;
-    Scene scene = falling_mat(cells);
+    Scene scene = wide_mat(cells);
     ImplicitSettings settings;
     settings.threads = 1;
     settings.sparse_operation = sparse_operation;

@@ -226,8 +226,7 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     run_passes(solver.passes(StepStage::refresh), world, contacts, dt, done);
 
     run_passes(solver.passes(StepStage::detect), world, contacts, dt, done);
-    const bool joints_wait = any_waiting(world.joints);
-    for (int n = 0; left > 0 && (any_waiting(contacts) || (n == 0 && joints_wait)); ++n) {
+    for (int n = 0; left > 0 && (any_waiting(contacts) || (n == 0 && any_waiting(world.joints))); ++n) {
         --left;
         run_passes(solver.passes(StepStage::respond), world, contacts, dt, done);
         apply_impulses(world, contacts);

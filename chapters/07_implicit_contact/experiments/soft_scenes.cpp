@@ -3,6 +3,7 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
+#include "common/scenes/scene_reader.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/static_body.hpp"
 
@@ -47,6 +48,25 @@ Scene soft_cube_on_triangles(const SoftCube& cube, double mu)
     scene.world.bodies.push_back(std::make_unique<DeformableBody>(
         "cube", bar(Vec3::Ones(), {cube.cells, cube.cells, cube.cells}), settings));
     return scene;
+}
+
+Scene falling_mat(double width, int cells, const nlohmann::json& change)
+{
+    using nlohmann::json;
+    json mat{{"name", "mat"},
+             {"type", "deformable"},
+             {"shape", {{"bar", {{"size", {width, 0.04, width}}, {"cells", {cells, 1, cells}}}}}},
+             {"basis", "quadratic"},
+             {"young", 5e4},
+             {"poisson", 0.2}};
+    mat.update(change);
+    const json scene{{"name", "mat"},
+                     {"dt", 0.01},
+                     {"duration", 0.3},
+                     {"contact", {{"friction", {{"model", "mass_splitting"}, {"mu_s", 0.5}, {"mu_d", 0.5}}}}},
+                     {"planes", {{{"name", "ground"}}}},
+                     {"bodies", {mat}}};
+    return read_scene(scene.dump(), "", "mat.json", {});
 }
 
 Scene bunnies_in_bowl(const Bunnies& bunnies, double dt)

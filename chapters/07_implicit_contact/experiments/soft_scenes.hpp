@@ -2,6 +2,8 @@
 
 #include "common/scenes/scene.hpp"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 
 namespace enduring::chapter07 {
@@ -25,6 +27,12 @@ struct SoftCube {
 /// It lies on triangles that fall by 10 degrees towards -x.
 /// @param mu  of its friction; the stiffness is nobody's choice
 Scene soft_cube_on_triangles(const SoftCube& cube, double mu);
+
+/// A thin mat of quadratic elements above the ground, 4 cm thick.
+/// @param width   of its sides [m]
+/// @param cells   along each side
+/// @param change  of its body, in JSON
+Scene falling_mat(double width, int cells, const nlohmann::json& change);
 
 /// Soft bunnies fall into the bowl of common/scenes/bunny_at_rest.json, one after the other.
 struct Bunnies {

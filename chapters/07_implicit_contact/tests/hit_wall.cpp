@@ -39,7 +39,7 @@ double momentum_along_shot(const World& world)
 {
     double sum = 0;
     for (const auto& body : world.bodies)
-        sum += body->mass() * body->mean_velocity().z();
+        sum += body->linear_momentum().z();
     return sum;
 }
 

@@ -1,6 +1,6 @@
+#include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
 #include "chapters/07_implicit_contact/solver.hpp"
 #include "chapters/07_implicit_contact/tests/only_island.hpp"
-#include "common/scenes/scene_reader.hpp"
 #include "common/simulation/deformable_body.hpp"
 
 #include <nlohmann/json.hpp>
@@ -18,28 +18,16 @@ namespace {
 
 constexpr double dense = std::numeric_limits<double>::infinity(), whole = 0;
 
-/// A thin mat of quadratic elements just above the ground.
+/// Just above the ground.
 /// @param change  of its body
-Scene falling_mat(int cells, const json& change = json::object())
+Scene low_mat(int cells, const json& change = json::object())
 {
-    json mat{{"name", "mat"},
-             {"type", "deformable"},
-             {"shape", {{"bar", {{"size", {1, 0.04, 1}}, {"cells", {cells, 1, cells}}}}}},
-             {"basis", "quadratic"},
-             {"density", 60},
-             {"young", 5e4},
-             {"poisson", 0.2},
+    json mat{{"density", 60},
              {"position", {0, 0.045, 0}},
              {"rotation", {{"axis", {1, 0, 0.3}}, {"angle_deg", 1}}},
              {"velocity", {0.3, -0.5, 0}}};
     mat.update(change);
-    const json scene{{"name", "mat"},
-                     {"dt", 0.01},
-                     {"duration", 1},
-                     {"contact", {{"friction", {{"model", "mass_splitting"}, {"mu_s", 0.5}, {"mu_d", 0.5}}}}},
-                     {"planes", {{{"name", "ground"}}}},
-                     {"bodies", {mat}}};
-    return read_scene(scene.dump(), "", "mat.json", {});
+    return chapter07::falling_mat(1, cells, mat);
 }
 
 struct Landed {
@@ -91,7 +79,7 @@ TEST_CASE("whole bodies: a mat lands as with a dense block, free, held or driven
                                                  {"neo-Hookean", {{"elasticity", "neo_hookean"}}}};
     for (const auto& [name, change] : mats) {
         CAPTURE(name);
-        const Landed one = land(falling_mat(3, change), dense), other = land(falling_mat(3, change), whole);
+        const Landed one = land(low_mat(3, change), dense), other = land(low_mat(3, change), whole);
         CHECK(largest_difference(one, other) < 1e-4);
         CHECK(other.energy == doctest::Approx(one.energy).epsilon(1e-4));
         CHECK(other.newton_steps < one.newton_steps);
@@ -100,9 +88,9 @@ TEST_CASE("whole bodies: a mat lands as with a dense block, free, held or driven
 
 TEST_CASE("whole bodies: a mat that bounces does so as with a dense block")
 {
-    const Landed one = land(falling_mat(3), dense, 0.7), other = land(falling_mat(3), whole, 0.7);
+    const Landed one = land(low_mat(3), dense, 0.7), other = land(low_mat(3), whole, 0.7);
     CHECK(largest_difference(one, other) < 2e-5);
-    CHECK(largest_difference(one, land(falling_mat(3), dense)) > 1e-3);
+    CHECK(largest_difference(one, land(low_mat(3), dense)) > 1e-3);
 }
 
 TEST_CASE(
@@ -127,17 +115,17 @@ TEST_CASE(
         return is_whole;
     };
     const double usual = ImplicitSettings{}.sparse_operation;
-    CHECK(enters(falling_mat(6), usual));
-    CHECK_FALSE(enters(falling_mat(2), usual));
-    CHECK(enters(falling_mat(2), whole));
-    CHECK_FALSE(enters(falling_mat(6), dense));
+    CHECK(enters(low_mat(6), usual));
+    CHECK_FALSE(enters(low_mat(2), usual));
+    CHECK(enters(low_mat(2), whole));
+    CHECK_FALSE(enters(low_mat(6), dense));
     const json corner{
         {"ball", {{"centre", {-0.5, -0.02, -0.5}}, {"radius", 0.01}}}};  // not the middles of its edges
-    CHECK(enters(falling_mat(2, {{"fixed", corner}}), whole));
+    CHECK(enters(low_mat(2, {{"fixed", corner}}), whole));
 }
 
 TEST_CASE("whole bodies: behind elements that moved, the convex problem begins where the pairs were before")
 {
-    CHECK(land(falling_mat(4), whole).newton_steps <
+    CHECK(land(low_mat(4), whole).newton_steps <
           300);  // 290, and 310 where it begins at the present velocities
 }

@@ -147,14 +147,17 @@ std::optional<SoftTotals> collisions(const RunOptions& options, Report& report)
             }
             table.add(row);
         }
-    for (const std::string pair : {"linear and rigid", "both rigid"}) {
-        std::vector<Cell> row{pair, pair == "both rigid" ? Cell{} : Cell{youngs.front()}};
+    const auto add_rigid = [&](const std::string& cubes, const Cell& young, const std::string& fact) {
+        std::vector<double> lost;
         for (std::size_t i = 0; i < steps.size(); ++i)
-            row.emplace_back(lost_of_next());
-        report.fact("soft_contact", pair == "both rigid" ? "lost_percent_rigid" : "lost_percent_mixed",
-                    std::get<double>(row[2]), 2);
+            lost.push_back(lost_of_next());
+        std::vector<Cell> row{cubes, young};
+        row.insert(row.end(), lost.begin(), lost.end());
         table.add(row);
-    }
+        report.fact("soft_contact", fact, lost.front(), 2);
+    };
+    add_rigid("linear and rigid", youngs.front(), "lost_percent_mixed");
+    add_rigid("both rigid", "", "lost_percent_rigid");
     report.table("soft_collisions", table);
     report.page_table("soft_collisions", table, 2);
     report.fact("soft_contact", "lost_percent_longest", worst.front(), 2);
