@@ -83,7 +83,6 @@ Touch<double> touch_at_root(const Differences<MovingDifference<double>>& motion,
 }
 //! [crossing]
 
-//! [search]
 /// How many proofs one query takes in each precision, and how much shorter than proposed one of them may be.
 constexpr int most_proofs = 64;
 constexpr double shortest = 0x1p-40;
@@ -97,6 +96,7 @@ double left_of_step(const Real& time)
     return rounded(Real(1.0) - time);
 }
 
+//! [go_on]
 /// Goes on from `time` to the end of a proof, or where the proof does not hold so long, to a half, a quarter, ... of it.
 template <class Real, template <class> class Differences>
 bool go_on(const Certificate& proof, const Differences<MovingDifference<Real>>& motion, double rest,
@@ -115,7 +115,9 @@ bool go_on(const Certificate& proof, const Differences<MovingDifference<Real>>& 
     }
     return false;
 }
+//! [go_on]
 
+//! [search]
 /// First contact from `time` on, by a chain of proofs: take the proof that is likely to hold longest, and go to its end. What no
 /// proof excludes there is open; where the height changes its sign within the polygon, it is a touch.
 template <class Real, template <class> class Differences>

@@ -60,6 +60,10 @@ class OfTheChapters(unittest.TestCase):
                 self.assertEqual(len(plan["questions"]), 3)
                 self.assertIn(f"[{plan['listing']}](", source.replace("common/simulation/", ""))
                 self.assertIn(f"@figure{{{plan['figure']},", source)
+                named = next(match for match in map(weave.LISTING.match, source.splitlines()) if match and f"{match[1]}: {match[2]}" == plan["listing"])
+                lines = (path.parent / named[3]).read_text(encoding="utf-8").splitlines()
+                begin, end = (number for number, line in enumerate(lines) if f"[{named[2]}]" in line)
+                self.assertLess(end - begin - 1, 40, "three answers need room below the listing")
                 bare = re.sub(r"\s", "", source)
                 for piece in plan["formulas"]:
                     self.assertEqual(bare.count(re.sub(r"\s", "", piece)), 1, piece)
