@@ -50,6 +50,10 @@ class ForGitHub(unittest.TestCase):
         self.assertIn("So $`a\\,b`$, and\n```math\nx = y\n```", text)
         self.assertIn("`fall.hpp`:\n\n```cpp\nint fall();\n```", text)
 
+    def test_the_name_behind_a_tick_is_its_title(self):
+        tick = '<span class="test" tabindex="0">✓<code class="test">drop: \\|v\\| &lt; "1"</code></span>'
+        self.assertIn('It falls (<span title="drop: |v| &lt; &quot;1&quot;">✓</span>).', self.made(f"It falls ({tick})."))
+
     def test_code_is_left_as_it_is(self):
         self.assertIn("`\\ref x`\n\n```\n\\ref y\n```", self.made("`\\ref x`\n\n```\n\\ref y\n```\n"))
 

@@ -113,7 +113,10 @@ class WhatArrives(unittest.TestCase):
         self.assertIn("chapter.md:4: ", done.stderr)
 
     def test_a_test_is_named_so_that_a_table_survives_it(self):
-        self.assertIn('<code class="test">drop: \\|v\\| &lt; 1</code>', self.woven("@test{drop: |v| < 1}"))
+        self.assertIn('| <code class="test">drop: \\|v\\| &lt; 1</code> |', self.woven("| Test |\n|:--|\n| @test{drop: |v| < 1} |"))
+
+    def test_in_a_sentence_a_test_is_a_tick_with_its_name_behind_it(self):
+        self.assertIn('It falls (<span class="test" tabindex="0">✓<code class="test">drop: \\|v\\| &lt; 1</code></span>).', self.woven("It falls (@test{drop: |v| < 1})."))
 
     def test_a_wrong_version_names_the_test_that_fails_in_it(self):
         book = Book("# The drop\n@wrong{upside_down}")

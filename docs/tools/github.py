@@ -73,6 +73,12 @@ class Markdown:
         first, last = [number for number, line in enumerate(lines) if f"[{region}]" in line]
         return f"`{shown}`:\n\n```cpp\n{textwrap.dedent(chr(10).join(lines[first + 1:last]))}\n```"
 
+    @staticmethod
+    def tick(found):
+        """GitHub has no style for the name behind a tick, but shows a title to who points at it."""
+        name = found[1].replace('"', "&quot;").replace("\\|", "|")
+        return f'<span title="{name}">✓</span>'
+
     def prose(self, text, name):
         text = text.replace("[TOC]\n", "")
         text = re.sub(r"^# (.*?) \{#\w+\}\s*$", r"# \1", text, count=1, flags=re.M)
@@ -80,6 +86,7 @@ class Markdown:
         text = re.sub(r"\\htmlonly(\[block\])?\n?|\\endhtmlonly", "", text)
         text = re.sub(r"^\\note (.*(?:\n(?!\n).*)*)", lambda found: "> " + found[1].replace("\n", "\n> "), text, flags=re.M)
         text = re.sub(r'<span class="quick".*?>(.*?)</span>', r"*(\1)*", text)
+        text = re.sub(r'<span class="test" tabindex="0">✓<code class="test">(.*?)</code></span>', self.tick, text)
         text = re.sub(r'<div class="neighbours"><span>(.*?)</span> <span>(.*?)</span></div>', r"---\n\n\1 · \2", text)
         text = re.sub(r'<div class="(?:caption|exercise)">(.*?)</div>', r"\1\n", text)
         text = re.sub(r"</?div\b[^>]*>", "", text)

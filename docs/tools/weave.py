@@ -294,9 +294,14 @@ class Weaver:
         self.orphans = self.concordance.check(self.tests, self.by_label)
 
     def test(self, name):
+        """A test's name, as a row of a table shows it."""
         if name not in self.tests:
             raise Mistake(f"no test is called '{name}'")
         return '<code class="test">' + html.escape(name, quote=False).replace("|", "\\|") + "</code>"
+
+    def tick(self, name):
+        """A tick in a sentence, with the test's name behind it: docs/theme/book.css shows it to who points at the tick, or comes to it by keys."""
+        return f'<span class="test" tabindex="0">✓{self.test(name)}</span>'
 
     def wrong(self, page, name):
         """The name of a wrong version, of the page's own chapter or else of any other layer, and of the test that fails in it."""
@@ -316,9 +321,11 @@ class Weaver:
 
     def inline(self, page, text):
         """Measured numbers and references, everywhere but in `code`."""
+        in_table = text.lstrip().startswith("|")
+
         def replaced(match):
             if match[1] == "test":
-                return self.test(match[2].strip())
+                return (self.test if in_table else self.tick)(match[2].strip())
             if match[1] == "wrong":
                 return self.wrong(page, match[2].strip())
             return reference(self.pages, page, match[1], match[2].strip())
