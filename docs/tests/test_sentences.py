@@ -56,6 +56,16 @@ class Faults(Book):
         self.assertEqual(self.faults(f"{PRONOUNS} A cube lies on the floor.", rules=rules), [])
         self.assertEqual(len(self.faults(f"{PRONOUNS} {PRONOUNS} A cube lies on the floor.", rules=rules)), 2)
 
+    def test_a_caption_of_more_than_40_words_is_found_and_its_marks_and_places_count_for_nothing(self):
+        for kind in ("@figure{9/drop.svg", "@table{drop", "@live{drop, drop.svg"):
+            self.assertEqual(self.faults(f"{kind}, {'word ' * 39}7<!--drop.depth-->}}"), [], kind)
+            self.assertIn("a caption of 41 words, 40 allowed", self.faults(f"{kind}, {'word ' * 40}7<!--drop.depth-->}}")[0])
+
+    def test_three_sentences_that_begin_with_of_and_a_number_are_too_many(self):
+        of = "Of 14<!--drop.runs--> runs, 13 come to rest. "
+        self.assertEqual(self.faults(of * 2 + "All of 14 runs come to rest."), [])
+        self.assertEqual(len(self.faults(of * 2 + "Of all 14 runs some come to rest.")), 3)
+
     def test_only_the_main_line_is_counted(self):
         long = "A cube lies on the wide and even floor. " * 5
         self.assertIn("45 words before 'For the curious', 30 allowed", self.faults(long)[0])

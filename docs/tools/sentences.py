@@ -11,6 +11,9 @@ LONG = 36  # words in a sentence; formulas and numbers are none
 ACTOR = r"bod(?:y|ies)|pairs?|solvers?|steps?|springs?|vertex|vertices|faces?|edges?|ground|walls?|methods?|query|queries|cubes?|rounds?|particles?|chapter \d+"
 MIND = re.compile(rf"\b(?:{ACTOR})\s+(?:\w+ly\s+|never |does not |do not |cannot )?(?:wants?|wanted to|knows?|knew|says?|said|asks?|asked|answers?|answered|thinks?|forgets?)\b", re.I)
 HISTORY = re.compile(r"\b(?:(?:an?|the) (?:earlier|first|former) version|for long (?:it|this|they) (?:was|were|had)|until now|we would like|(?:was|were) asked for)\b", re.I)
+OF = re.compile(r"^Of (?:\w+ )?\d")  # "Of 14 runs, 13 come to rest"
+CAPTION = re.compile(r"^@(?:(?:figure|table)\{|live\{\s*\w+\s*,)\s*[\w./-]+\s*,\s*(.+)\}\s*$")
+WORDS_OF_A_CAPTION, OFS = 40, 2
 BEHIND = re.compile(r"^## For the curious\b", re.M)  # where a chapter's main line ends
 
 
@@ -75,6 +78,12 @@ def faults(name, text, rules, first_line=1):
         allowed = group[kind] * len(all_sentences) / 100 if kind in ("pronouns", "long") else group[kind]
         if len(sentences_found) > allowed:
             yield from (f"{name}:{s.line}: {told[kind]} ({len(sentences_found)} sentences, {allowed:.0f} allowed): {s.text[:90]}" for s in sentences_found)
+    ofs = [sentence for sentence in all_sentences if OF.match(sentence.text)]
+    if len(ofs) > OFS:
+        yield from (f"{name}:{s.line}: 'Of N x, M y' ({len(ofs)} sentences, {OFS} allowed): {s.text[:90]}" for s in ofs)
+    for line, caption in enumerate(text.split("\n"), start=first_line):
+        if (found := CAPTION.match(caption)) and (count := len(re.sub(r"<!--.*?-->", "", found[1]).split())) > WORDS_OF_A_CAPTION:
+            yield f"{name}:{line}: a caption of {count} words, {WORDS_OF_A_CAPTION} allowed"
     main = sum(len(s.text.split()) for s in sentences(BEHIND.split(text)[0]))
     if main > group["words"]:
         yield f"{name}:1: {main} words before 'For the curious', {group['words']} allowed"
