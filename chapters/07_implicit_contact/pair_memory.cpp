@@ -148,9 +148,9 @@ void remember_pairs(const World& world, Contacts& contacts, double dt)
                                                 : Vec3(Vec3::Zero());
         contact.stretch = surface_turn(world, contact) * contact.stretch;
         contact.start = is_open ? 1 : 0;  // behind surface_turn, which asks for that of the search
-        if (!world.attempt.may_be_halved && contact.stiffness > 0)  // what is not solved presses no spring
-            contact.rest_offset = std::min(
-                0.0, contact_geometry(world, contact, 1).depth + contact.load / contact.stiffness);
+        if (world.attempt.work.unsolved > 0 && contact.stiffness > 0)  // what is not solved presses no spring
+            contact.rest_offset = std::min(contact.rest_offset, contact_geometry(world, contact, 1).depth +
+                                                                    contact.load / contact.stiffness);
     }
 }
 //! [remember_pairs]

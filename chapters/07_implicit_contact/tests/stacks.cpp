@@ -239,6 +239,30 @@ TEST_CASE("pair memory: a pair that is held lets its spring go, and begins anew 
     CHECK(contacts[0].rest_offset == -0.02);
 }
 
+TEST_CASE(
+    "pair memory: the springs of a step that is not solved hold what their pairs gave, whether it could be halved or not")
+{
+    for (const int unsolved : {0, 1})
+        for (const bool may_be_halved : {true, false})
+            for (const double impulse : {0.0, 0.2}) {
+                Scene scene = scene_of(stack_of(1), 0.01);  // its lower corners are where the plane is
+                scene.world.attempt.may_be_halved = may_be_halved;
+                scene.world.attempt.work.unsolved = unsolved;
+                Contact pair{ContactKind::vertex_plane, 0, 0, 0, 0, {0}, {1}};
+                pair.stiffness = 1e5;
+                pair.impulse = Vec3(0, impulse, 0);
+                const double depth = contact_geometry(scene.world, pair, 1).depth,
+                             pressed = impulse / 0.01 / pair.stiffness;
+                pair.rest_offset = depth + 5e-3;  // of the law that was not solved: 500 N
+                Contacts contacts{pair, pair};
+                contacts[1].rest_offset = depth - 1e-3;  // slack, and stays so
+                remember_pairs(scene.world, contacts, 0.01);
+                CHECK(contacts[0].rest_offset ==
+                      doctest::Approx(depth + (unsolved > 0 ? pressed : 5e-3)).epsilon(1e-12));
+                CHECK(contacts[1].rest_offset == depth - 1e-3);
+            }
+}
+
 TEST_CASE("pair memory: a rest offset deeper than the load has pressed does not rub, any other pair does")
 {
     Scene scene = scene_of(stack_of(1), 0.01);
