@@ -1,6 +1,7 @@
 #include "chapters/08_contact_by_distance/crossings.hpp"
 
 #include "chapters/02_collision_detection/certified.hpp"
+#include "chapters/02_collision_detection/edge_triangle.hpp"
 #include "chapters/02_collision_detection/impact_weights.hpp"
 #include "chapters/05_categorisation/normal_span.hpp"
 #include "chapters/08_contact_by_distance/distance_parts.hpp"
@@ -113,7 +114,37 @@ private:
     std::map<PairKey, const Contact*> known_;
 };
 
-/// Whether a known pair is on its own side at both ends of the step.
+/// Whether one of these edges passes through one of these faces of another body where the step ends.
+template <class Edges, class Faces>
+bool any_passes_through(const SurfaceStep& a, const Edges& edges, const SurfaceStep& b, const Faces& faces)
+{
+    for (const int face : faces)
+        for (const int edge : edges) {
+            if (face < 0)
+                continue;
+            const auto [p, q] = a.edge(edge);
+            const auto [f0, f1, f2] = b.face(face);
+            if (find_edge_triangle_hit(a.end(p), a.end(q), b.end(f0), b.end(f1), b.end(f2)))
+                return true;
+        }
+    return false;
+}
+
+/// Whether the surfaces around a pair's features cross each other where the step ends.
+bool crosses_at_the_end(const World& world, const Contact& pair)
+{
+    const SurfaceStep a = surface_of(world, pair.body_a), b = surface_of(world, pair.body_b);
+    if (pair.kind == ContactKind::edge_edge)
+        return any_passes_through(a, std::array{pair.feature_a}, b,
+                                  b.topology.faces_at_edge(pair.feature_b)) ||
+               any_passes_through(b, std::array{pair.feature_b}, a, a.topology.faces_at_edge(pair.feature_a));
+    return any_passes_through(a, a.topology.edges_around_vertex(pair.feature_a), b,
+                              std::array{pair.feature_b}) ||
+           any_passes_through(b, b.topology.edges_of_face(pair.feature_b), a,
+                              a.topology.faces_around_vertex(pair.feature_a));
+}
+
+/// Whether a known pair is on its own side at both ends of the step, and its surfaces are apart.
 bool ends_well(const World& world, const TimedPair& crossing)
 {
     if (crossing.known == nullptr || crossing.known->kind == ContactKind::vertex_plane)
@@ -128,7 +159,7 @@ bool ends_well(const World& world, const TimedPair& crossing)
         if (contact_geometry(world, pair, tau).normal.dot(apart) <= 0)
             return false;
     }
-    return true;
+    return !crosses_at_the_end(world, crossing.pair);
 }
 
 /// Of two bodies whose points all follow one answer.
@@ -178,7 +209,7 @@ Crossings find_crossings(const World& world, const CandidateSearch& search, cons
 {
     Query query(world, nearness, known);
     visit_apart(
-        search, nearness,
+        search, nearness.left_out,
         [&](int body_a, int vertex, int body_b, int face) {
             query.vertex_face(body_a, vertex, body_b, face);
         },

@@ -17,7 +17,8 @@ struct Crossings {
 ///
 /// Of two bodies that keep their shape only the first crossing counts, with what follows within a fiftieth of the step: an answer to it changes the
 /// motion of all their points, so later crossings are consequences. Of others the first of each vertex and each edge counts.
-/// A known pair may cross on its straight path if it is on its own side at both ends of the step: what turns goes in arcs.
+/// A known pair may cross on its straight path if it is on its own side at both ends of the step, and no edge passes through a face
+/// around it at the end: what turns goes in arcs.
 Crossings find_crossings(const World& world, const CandidateSearch& search, const Nearness& nearness,
                          const Contacts& known);
 //! [find_crossings]

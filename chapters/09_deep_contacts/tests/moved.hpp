@@ -4,10 +4,10 @@
 
 namespace enduring {
 
-inline SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
+inline SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by, const Quaternion& turn = Quaternion::Identity())
 {
     for (Vec3& x : mesh.vertices)
-        x += by;
+        x = turn * x + by;
     return mesh;
 }
 
