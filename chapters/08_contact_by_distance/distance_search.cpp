@@ -46,7 +46,7 @@ void DistanceSearch::begin(World& world, double dt)
         [this, &world](int a, int b) { return skins_.distance(a, b) + touching_distance(world, a, b); },
         [this](int a, int b) { return skins_.gap(a, b); },
         [this](int body) { return skins_.of(body).thickness + skins_.of(body).recess; },
-        [this](int a, int b) { return left_out_.count(std::minmax(a, b)) > 0; }};
+        {}};
 }
 
 //! [find]
@@ -77,7 +77,7 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
     std::erase_if(crossings.let_through, [&](const Contact& contact) {
         const bool taken = contact.kind != ContactKind::vertex_plane && takes_over(world, contact, dt);
         if (taken)
-            left_out_.insert(std::minmax(contact.body_a, contact.body_b));
+            nearness_.left_out.bodies.insert(std::minmax(contact.body_a, contact.body_b));
         return taken;
     });
     const bool is_last = world.attempt.responses_left == 0,

@@ -32,8 +32,8 @@ public:
     const Skins& skins() const { return skins_; }
 
 protected:
-    /// Two bodies each that get no pair, and that may cross in this step: something else keeps them apart.
-    void leave_out(std::set<TwoBodies> bodies) { left_out_ = std::move(bodies); }
+    /// What gets no pair, and may cross in this step.
+    void leave_out(LeftOut left_out) { nearness_.left_out = std::move(left_out); }
     bool vertex_may_meet(const Body& body, int vertex) const override;
     bool edge_may_meet(const Body& body, int edge) const override;
     /// Whether something else lets out two bodies that begin inside each other.
@@ -60,7 +60,6 @@ private:
     Ends predicted_t1_;  ///< where they end without an answer
     Grounds grounds_;
     double dt_ = 0;
-    std::set<TwoBodies> left_out_;
     std::map<int, std::vector<double>> standing_;  ///< states of bodies that stand still in this step
 };
 

@@ -249,7 +249,7 @@ void append_near_pairs(const World& world, const CandidateSearch& search, const 
     std::vector<std::array<int, 4>> all;  // all faces of a vertex together
     Contacts of_edges;                    // behind those of vertices
     visit_apart(
-        search, nearness,
+        search, nearness.left_out,
         [&](int body_a, int vertex, int body_b, int face) {
             all.push_back({body_a, vertex, body_b, face});
         },

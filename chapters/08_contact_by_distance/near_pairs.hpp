@@ -7,12 +7,32 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace enduring {
 
 /// Two bodies by their places in World::bodies, the smaller first.
 using TwoBodies = std::pair<int, int>;
+
+//! [left_out]
+/// What another rule serves: it gets no pair here, and may cross.
+struct LeftOut {
+    std::set<TwoBodies> bodies;                    ///< with all that they have
+    std::set<std::tuple<int, int, int>> vertices;  ///< of a body, against another body
+    std::set<std::tuple<int, int, int>> edges;     ///< the same
+
+    bool vertex_face(int body_a, int vertex, int body_b) const
+    {
+        return bodies.count(std::minmax(body_a, body_b)) > 0 || vertices.count({body_a, vertex, body_b}) > 0;
+    }
+    bool edge_edge(int body_a, int edge_a, int body_b, int edge_b) const
+    {
+        return bodies.count(std::minmax(body_a, body_b)) > 0 || edges.count({body_a, edge_a, body_b}) > 0 ||
+               edges.count({body_b, edge_b, body_a}) > 0;
+    }
+};
+//! [left_out]
 
 /// What nearest features are looked for with.
 struct Nearness {
@@ -22,7 +42,7 @@ struct Nearness {
         gap;  ///< of the bodies' own surfaces, below which they touch [m]
     std::function<double(int body)>
         behind_plane;  ///< how far behind a plane its surface for contact lies for a body [m]
-    std::function<bool(int body_a, int body_b)> is_left_out;  ///< two bodies that another rule serves
+    LeftOut left_out;  ///< what another rule serves
 };
 
 /// Of each vertex against a body: the nearest of its pairs, and the direction from there to the vertex. It is where the vertex stands
@@ -71,18 +91,20 @@ Vec3 across_edges(const SurfaceStep& a, int edge_a, const SurfaceStep& b, int ed
 bool in_cones_of_edges(const SurfaceMoment& a, int edge_a, const SurfaceMoment& b, int edge_b,
                        const Vec3& normal);
 
-/// The candidates of a search, but for two bodies that another rule serves.
+/// The candidates of a search, but for what another rule serves.
 template <class VertexFace, class EdgeEdge>
-void visit_apart(const CandidateSearch& search, const Nearness& nearness, VertexFace&& vertex_face,
+void visit_apart(const CandidateSearch& search, const LeftOut& left_out, VertexFace&& vertex_face,
                  EdgeEdge&& edge_edge)
 {
-    const auto kept_apart = [&nearness](auto& visit) {
-        return [&](int body_a, int feature_a, int body_b, int feature_b) {
-            if (!nearness.is_left_out(body_a, body_b))
-                visit(body_a, feature_a, body_b, feature_b);
-        };
-    };
-    search.visit_candidates(kept_apart(vertex_face), kept_apart(edge_edge));
+    search.visit_candidates(
+        [&](int body_a, int vertex, int body_b, int face) {
+            if (!left_out.vertex_face(body_a, vertex, body_b))
+                vertex_face(body_a, vertex, body_b, face);
+        },
+        [&](int body_a, int edge_a, int body_b, int edge_b) {
+            if (!left_out.edge_edge(body_a, edge_a, body_b, edge_b))
+                edge_edge(body_a, edge_a, body_b, edge_b);
+        });
 }
 
 /// Nearer than this, the difference of two points has no direction [m].

@@ -114,7 +114,7 @@ Contacts pairs_at_the_end(const World& world, const CandidateSearch& search, con
     const Known has(known, wanted);
     EndSearch ends(world, nearness);
     visit_apart(
-        search, nearness,
+        search, nearness.left_out,
         [&](int body_a, int vertex, int body_b, int face) {
             if (!has.vertex(body_a, vertex, body_b))
                 ends.vertex_face(body_a, vertex, body_b, face);

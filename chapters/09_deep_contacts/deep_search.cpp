@@ -22,8 +22,7 @@ bool moves_as_given(const Body& body)
 Contacts DeepSearch::find(World& world, double dt)
 {
     inside_.trace(world);
-    const auto overlapping = inside_.overlapping_bodies();
-    leave_out({overlapping.begin(), overlapping.end()});
+    leave_out(inside_.left_out([this](int a, int b) { return skins().distance(a, b); }));
     Contacts found = DistanceSearch::find(world, dt), deep;
     inside_.append_pairs(world, deep);
     for (Contact& contact : deep) {

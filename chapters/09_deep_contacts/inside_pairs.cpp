@@ -3,9 +3,11 @@
 #include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
+#include "common/geometry/closest_points.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace enduring {
 namespace {
@@ -31,6 +33,41 @@ void append_pairs_of(int body_a, const StillSurface& inner, const std::vector<in
     }
 }
 //! [append]
+
+/// How deep two bodies are in each other: the length of their overlap along its separation direction [m].
+double depth_of(const Overlap& overlap, const StillSurface& a, const StillSurface& b)
+{
+    double lowest = INFINITY, highest = -INFINITY;
+    const auto add = [&](const Vec3& point) {
+        const double along = overlap.separation_direction.dot(point);
+        lowest = std::min(lowest, along);
+        highest = std::max(highest, along);
+    };
+    for (const int vertex : overlap.vertices_of_a)
+        add(a.positions[vertex]);
+    for (const int vertex : overlap.vertices_of_b)
+        add(b.positions[vertex]);
+    for (const std::vector<Piercing>& curve : overlap.curves)
+        for (const Piercing& piercing : curve)
+            add(point_of(piercing, a, b));
+    return highest - lowest;
+}
+
+/// The vertices of A, or of B, that are nearer to the curves around an overlap than `reach` [m].
+std::vector<int> vertices_at_curves(const Overlap& overlap, const StillSurface& a, const StillSurface& b,
+                                    bool of_a, double reach)
+{
+    const std::span<const Vec3> positions = (of_a ? a : b).positions;
+    std::vector<int> near;
+    for (const std::vector<Piercing>& curve : overlap.curves)
+        for (std::size_t i = 0; i < curve.size(); ++i) {
+            const Vec3 from = point_of(curve[i], a, b), to = point_of(curve[(i + 1) % curve.size()], a, b);
+            for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
+                if (closest_on_triangle(positions[vertex], from, to, to).distance <= reach)
+                    near.push_back(static_cast<int>(vertex));
+        }
+    return near;
+}
 
 }  // namespace
 
@@ -71,13 +108,33 @@ void InsidePairs::trace(const World& world)
         }
 }
 
-std::vector<std::pair<int, int>> InsidePairs::overlapping_bodies() const
+//! [left_out]
+LeftOut InsidePairs::left_out(const std::function<double(int, int)>& touching) const
 {
-    std::vector<std::pair<int, int>> bodies;
-    for (const BodyOverlaps& overlap : overlaps_)
-        bodies.emplace_back(overlap.a, overlap.b);
-    return bodies;
+    LeftOut left_out;
+    const auto add_vertex = [&](int body, int vertex, int other) {
+        left_out.vertices.insert({body, vertex, other});
+        for (const int edge : bodies_[body]->surface().edges_around_vertex(vertex))
+            left_out.edges.insert({body, edge, other});
+    };
+    for (const auto& [a, b, overlaps] : overlaps_)
+        for (const Overlap& overlap : overlaps) {
+            for (const int vertex : overlap.vertices_of_a)
+                add_vertex(a, vertex, b);
+            for (const int vertex : overlap.vertices_of_b)
+                add_vertex(b, vertex, a);
+            for (const std::vector<Piercing>& curve : overlap.curves)
+                for (const auto& [of_a, edge, face, entry] : curve)
+                    left_out.edges.insert(of_a ? std::tuple{a, edge, b} : std::tuple{b, edge, a});
+            const double reach = std::max(touching(a, b), depth_of(overlap, still(a), still(b)));
+            for (const int vertex : vertices_at_curves(overlap, still(a), still(b), true, reach))
+                add_vertex(a, vertex, b);
+            for (const int vertex : vertices_at_curves(overlap, still(a), still(b), false, reach))
+                add_vertex(b, vertex, a);
+        }
+    return left_out;
 }
+//! [left_out]
 
 void InsidePairs::append_pairs(const World& world, Contacts& contacts)
 {

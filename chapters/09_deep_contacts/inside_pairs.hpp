@@ -1,5 +1,6 @@
 #pragma once
 
+#include "chapters/08_contact_by_distance/near_pairs.hpp"
 #include "chapters/09_deep_contacts/overlaps.hpp"
 #include "common/simulation/step.hpp"
 
@@ -28,8 +29,10 @@ class InsidePairs {
 public:
     /// Finds where bodies overlap at the start of the step.
     void trace(const World& world);
-    /// Those that trace() found, each two ascending.
-    std::vector<std::pair<int, int>> overlapping_bodies() const;
+    /// The vertices that trace() found inside, those that touch the curve around them, the edges that end in these, and edges that pass
+    /// through a face. They come out wherever their pairs push them. What is outside elsewhere has to stay there.
+    /// @param touching  up to which distance two bodies touch [m]
+    LeftOut left_out(const std::function<double(int body_a, int body_b)>& touching) const;
     /// A pair for each vertex in a traced overlap that has none in the list, and for edges that cross on its border.
     void append_pairs(const World& world, Contacts& contacts);
 
