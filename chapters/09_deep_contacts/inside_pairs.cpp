@@ -6,6 +6,8 @@
 #include "common/geometry/closest_points.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -59,13 +61,24 @@ std::vector<int> vertices_at_curves(const Overlap& overlap, const StillSurface& 
 {
     const std::span<const Vec3> positions = (of_a ? a : b).positions;
     std::vector<int> near;
-    for (const std::vector<Piercing>& curve : overlap.curves)
-        for (std::size_t i = 0; i < curve.size(); ++i) {
-            const Vec3 from = point_of(curve[i], a, b), to = point_of(curve[(i + 1) % curve.size()], a, b);
-            for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
-                if (closest_on_triangle(positions[vertex], from, to, to).distance <= reach)
-                    near.push_back(static_cast<int>(vertex));
+    for (const std::vector<Piercing>& curve : overlap.curves) {
+        std::vector<Vec3> points;
+        Eigen::AlignedBox3d box;
+        for (const Piercing& piercing : curve) {
+            points.push_back(point_of(piercing, a, b));
+            box.extend(points.back());
         }
+        const auto reaches = [&](const Vec3& x) {
+            for (std::size_t i = 0; i < points.size(); ++i)
+                if (const Vec3& to = points[(i + 1) % points.size()];
+                    closest_on_triangle(x, points[i], to, to).distance <= reach)
+                    return true;
+            return false;
+        };
+        for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
+            if (box.exteriorDistance(positions[vertex]) <= reach && reaches(positions[vertex]))
+                near.push_back(static_cast<int>(vertex));
+    }
     return near;
 }
 
