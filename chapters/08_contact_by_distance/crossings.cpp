@@ -114,52 +114,33 @@ private:
     std::map<PairKey, const Contact*> known_;
 };
 
-/// Whether one of these edges passes through one of these faces of another body where the step ends.
-template <class Edges, class Faces>
-bool any_passes_through(const SurfaceStep& a, const Edges& edges, const SurfaceStep& b, const Faces& faces)
+/// Whether one of these edges passes through another body where the step ends.
+template <class Edges>
+bool any_passes_through(const SurfaceStep& a, const Edges& edges, const SurfaceStep& b)
 {
-    for (const int face : faces)
-        for (const int edge : edges) {
-            if (face < 0)
-                continue;
-            const auto [p, q] = a.edge(edge);
-            const auto [f0, f1, f2] = b.face(face);
-            if (find_edge_triangle_hit(a.end(p), a.end(q), b.end(f0), b.end(f1), b.end(f2)))
+    for (const int edge : edges) {
+        const auto [p, q] = a.edge(edge);
+        const Vec3 low = a.end(p).cwiseMin(a.end(q)), high = a.end(p).cwiseMax(a.end(q));
+        for (const auto& [f0, f1, f2] : b.topology.faces()) {
+            const Vec3 &x = b.end(f0), &y = b.end(f1), &z = b.end(f2);
+            if ((x.cwiseMin(y).cwiseMin(z).array() <= high.array()).all() &&
+                (x.cwiseMax(y).cwiseMax(z).array() >= low.array()).all() &&
+                find_edge_triangle_hit(a.end(p), a.end(q), x, y, z))
                 return true;
         }
+    }
     return false;
 }
 
-/// Whether the surfaces around a pair's features cross each other where the step ends.
+/// Whether the surfaces cross at a pair's features where the step ends: behind its face, or behind one to which it has slid.
 bool crosses_at_the_end(const World& world, const Contact& pair)
 {
     const SurfaceStep a = surface_of(world, pair.body_a), b = surface_of(world, pair.body_b);
     if (pair.kind == ContactKind::edge_edge)
-        return any_passes_through(a, std::array{pair.feature_a}, b,
-                                  b.topology.faces_at_edge(pair.feature_b)) ||
-               any_passes_through(b, std::array{pair.feature_b}, a, a.topology.faces_at_edge(pair.feature_a));
-    return any_passes_through(a, a.topology.edges_around_vertex(pair.feature_a), b,
-                              std::array{pair.feature_b}) ||
-           any_passes_through(b, b.topology.edges_of_face(pair.feature_b), a,
-                              a.topology.faces_around_vertex(pair.feature_a));
-}
-
-/// Whether a known pair is on its own side at both ends of the step, and its surfaces are apart.
-bool ends_well(const World& world, const TimedPair& crossing)
-{
-    if (crossing.known == nullptr || crossing.known->kind == ContactKind::vertex_plane)
-        return false;
-    const Contact& pair = *crossing.known;
-    for (const double tau : {0.0, 1.0}) {
-        Vec3 apart = Vec3::Zero();
-        for (int i = 0; i < 4; ++i) {
-            const auto n = static_cast<std::size_t>(i);
-            apart += pair.weights[n] * body_of_vertex(world, pair, i).contact_point(pair.vertices[n], tau);
-        }
-        if (contact_geometry(world, pair, tau).normal.dot(apart) <= 0)
-            return false;
-    }
-    return !crosses_at_the_end(world, crossing.pair);
+        return any_passes_through(a, std::array{pair.feature_a}, b) ||
+               any_passes_through(b, std::array{pair.feature_b}, a);
+    return any_passes_through(a, a.topology.edges_around_vertex(pair.feature_a), b) ||
+           any_passes_through(b, b.topology.edges_of_face(pair.feature_b), a);
 }
 
 /// Of two bodies whose points all follow one answer.
@@ -202,7 +183,29 @@ void take_first_of_each(const std::vector<TimedPair>& ascending, Crossings& cros
     }
 }
 
+/// Whether a pair is on its own side at both ends of the step.
+bool is_on_own_side(const World& world, const Contact& pair)
+{
+    if (pair.kind == ContactKind::vertex_plane)
+        return false;
+    for (const double tau : {0.0, 1.0}) {
+        Vec3 apart = Vec3::Zero();
+        for (int i = 0; i < 4; ++i) {
+            const auto n = static_cast<std::size_t>(i);
+            apart += pair.weights[n] * body_of_vertex(world, pair, i).contact_point(pair.vertices[n], tau);
+        }
+        if (contact_geometry(world, pair, tau).normal.dot(apart) <= 0)
+            return false;
+    }
+    return true;
+}
+
 }  // namespace
+
+bool ends_well(const World& world, const Contact& pair)
+{
+    return is_on_own_side(world, pair) && !crosses_at_the_end(world, pair);
+}
 
 Crossings find_crossings(const World& world, const CandidateSearch& search, const Nearness& nearness,
                          const Contacts& known)
@@ -220,9 +223,21 @@ Crossings find_crossings(const World& world, const CandidateSearch& search, cons
         query.planes(body);
     Crossings crossings;
     for (auto& [bodies, found] : query.of_bodies) {
-        std::erase_if(found, [&](const TimedPair& crossing) { return ends_well(world, crossing); });
-        if (found.empty())
+        std::vector<TimedPair> on_arcs;
+        std::erase_if(found, [&](const TimedPair& crossing) {
+            const bool is_arc = crossing.known != nullptr && is_on_own_side(world, *crossing.known);
+            if (is_arc)
+                on_arcs.push_back(crossing);
+            return is_arc;
+        });
+        if (found.empty()) {
+            const auto let_through = std::find_if(
+                on_arcs.begin(), on_arcs.end(),
+                [&](const TimedPair& crossing) { return crosses_at_the_end(world, crossing.pair); });
+            if (let_through != on_arcs.end())
+                crossings.let_through.push_back(let_through->pair);
             continue;
+        }
         std::stable_sort(found.begin(), found.end(),
                          [](const TimedPair& one, const TimedPair& other) { return one.time < other.time; });
         const auto keeps = [&](int body) {

@@ -80,27 +80,40 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
             nearness_.left_out.bodies.insert(std::minmax(contact.body_a, contact.body_b));
         return taken;
     });
-    const bool is_last = world.attempt.responses_left == 0,
-               goes_on = crossings.let_through.empty() && !is_last;
-    if (!goes_on && !crossings.none() && !world.attempt.may_be_halved)
+    const bool is_last = world.attempt.responses_left == 0;
+    if (crossings.let_through.empty() && (!is_last || world.attempt.may_be_halved)) {
+        if (append(world, contacts, crossings.brought))
+            return;
+        // what is left lies at the places of known pairs, so it may cross on its way as they may
+        std::erase_if(crossings.brought, [&](const Contact& contact) { return ends_well(world, contact); });
+    }
+    const bool crosses = !crossings.none();
+    if (crosses && !world.attempt.may_be_halved)
         return stand_still(world, contacts, std::move(crossings));
-    if (!crossings.let_through.empty()) {
+    if (crosses) {
         world.attempt.trouble = StepTrouble::too_deep;
         return;
     }
-    if (crossings.none() && !is_last)
-        crossings.brought = pairs_at_the_end(
-            world, *this, nearness_, contacts,
-            world.attempt.work.responses == 0 ? EndsOf::new_bodies : EndsOf::new_features);
-    for (Contact& contact : crossings.brought)
-        contact.start = 1;  // its spring is at rest until it pushes
-    complete(world, crossings.brought);
-    sort_by_keys(crossings.brought);
-    const std::size_t known = contacts.size();
-    contacts.insert(contacts.end(), crossings.brought.begin(), crossings.brought.end());
-    keep_one_at_each_place(world, contacts, known);
+    if (!is_last)
+        append(
+            world, contacts,
+            pairs_at_the_end(world, *this, nearness_, contacts,
+                             world.attempt.work.responses == 0 ? EndsOf::new_bodies : EndsOf::new_features));
 }
 //! [check]
+
+/// @return  whether any is left, of those that lie at the place of no other
+bool DistanceSearch::append(const World& world, Contacts& contacts, Contacts brought) const
+{
+    for (Contact& contact : brought)
+        contact.start = 1;  // its spring is at rest until it pushes
+    complete(world, brought);
+    sort_by_keys(brought);
+    const std::size_t known = contacts.size();
+    contacts.insert(contacts.end(), brought.begin(), brought.end());
+    keep_one_at_each_place(world, contacts, known);
+    return contacts.size() > known;
+}
 
 void DistanceSearch::fit_boxes(const World& world)
 {

@@ -45,6 +45,7 @@ protected:
     }
 
 private:
+    bool append(const World& world, Contacts& contacts, Contacts brought) const;
     /// Category and path of pairs that geometry has found.
     void complete(const World& world, Contacts& contacts) const;
     Vec3 motion_without_answer(const World& world, const Contact& contact) const;

@@ -16,8 +16,8 @@ Contacts near_pairs(World& world, double distance)
 {
     for (const auto& body : world.bodies)
         body->stand_still();
-    const Nearness nearness{[&](int, int) { return distance; }, [&](int, int) { return distance; },
-                            [](int) { return 0.0; }, {}};
+    const Nearness nearness{
+        [&](int, int) { return distance; }, [&](int, int) { return distance; }, [](int) { return 0.0; }, {}};
     DistanceSearch search;
     search.find_candidates(world, std::vector<double>(world.bodies.size(), distance));
     Contacts found;
