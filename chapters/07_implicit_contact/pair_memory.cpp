@@ -132,6 +132,14 @@ bool was_open(const World& world, const Contact& contact)
            depth_at_start(world, contact) - std::min(0.0, contact.rest_offset) > -least;
 }
 
+/// A spring that is shorter than its pair's load says gets the length of this load. Where the pair is solved, both agree but for rounding.
+void take_given_length(const World& world, Contact& contact)
+{
+    const double given = contact_geometry(world, contact, 1).depth + contact.load / contact.stiffness;
+    if (contact.rest_offset - given > restitution_limits.least_length * natural_length(world, contact))
+        contact.rest_offset = given;
+}
+
 }  // namespace
 
 void remember_pairs(const World& world, Contacts& contacts, double dt)
@@ -149,8 +157,7 @@ void remember_pairs(const World& world, Contacts& contacts, double dt)
         contact.stretch = surface_turn(world, contact) * contact.stretch;
         contact.start = is_open ? 1 : 0;  // behind surface_turn, which asks for that of the search
         if (world.attempt.work.unsolved > 0 && contact.stiffness > 0)  // what is not solved presses no spring
-            contact.rest_offset = std::min(contact.rest_offset, contact_geometry(world, contact, 1).depth +
-                                                                    contact.load / contact.stiffness);
+            take_given_length(world, contact);
     }
 }
 //! [remember_pairs]

@@ -74,18 +74,14 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
     if (has_moved(world))
         fit_boxes(world);
     Crossings crossings = find_crossings(world, *this, nearness_, contacts);
-    std::erase_if(crossings.let_through, [&](const Contact& contact) {
-        const bool taken = contact.kind != ContactKind::vertex_plane && takes_over(world, contact, dt);
-        if (taken)
-            nearness_.left_out.bodies.insert(std::minmax(contact.body_a, contact.body_b));
-        return taken;
-    });
+    hand_over(world, crossings.let_through, dt);
     const bool is_last = world.attempt.responses_left == 0;
     if (crossings.let_through.empty() && (!is_last || world.attempt.may_be_halved)) {
         if (append(world, contacts, crossings.brought))
             return;
-        // what is left lies at the places of known pairs, so it may cross on its way as they may
+        // what is left lies at the places of known pairs: so these let it through, and it may cross on its way as they may
         std::erase_if(crossings.brought, [&](const Contact& contact) { return ends_well(world, contact); });
+        hand_over(world, crossings.brought, dt);
     }
     const bool crosses = !crossings.none();
     if (crosses && !world.attempt.may_be_halved)
@@ -101,6 +97,17 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
                              world.attempt.work.responses == 0 ? EndsOf::new_bodies : EndsOf::new_features));
 }
 //! [check]
+
+/// Takes out what something else keeps apart from now on.
+void DistanceSearch::hand_over(const World& world, Contacts& let_through, double dt)
+{
+    std::erase_if(let_through, [&](const Contact& contact) {
+        const bool taken = contact.kind != ContactKind::vertex_plane && takes_over(world, contact, dt);
+        if (taken)
+            nearness_.left_out.bodies.insert(std::minmax(contact.body_a, contact.body_b));
+        return taken;
+    });
+}
 
 /// @return  whether any is left, of those that lie at the place of no other
 bool DistanceSearch::append(const World& world, Contacts& contacts, Contacts brought) const

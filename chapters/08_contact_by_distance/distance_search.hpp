@@ -45,6 +45,7 @@ protected:
     }
 
 private:
+    void hand_over(const World& world, Contacts& let_through, double dt);
     bool append(const World& world, Contacts& contacts, Contacts brought) const;
     /// Category and path of pairs that geometry has found.
     void complete(const World& world, Contacts& contacts) const;
