@@ -42,7 +42,8 @@ TEST_CASE("contact by distance: nothing crosses where the new pairs lie at the p
     CHECK(crossing_steps(814) == 0);
 }
 
-TEST_CASE("contact by distance: nothing crosses where a vertex slides from its face behind the next one of a flat side")
+TEST_CASE(
+    "contact by distance: nothing crosses where a vertex slides from its face behind the next one of a flat side")
 {
     ImplicitSettings quiet;
     quiet.record = [](const SolveRecord&) {};
