@@ -36,8 +36,22 @@ void append_pairs_of(int body_a, const StillSurface& inner, const std::vector<in
 }
 //! [append]
 
+using Curve = std::vector<Vec3>;  ///< the points of its piercings, in their order
+
+std::vector<Curve> curves_around(const Overlap& overlap, const StillSurface& a, const StillSurface& b)
+{
+    std::vector<Curve> curves;
+    for (const std::vector<Piercing>& piercings : overlap.curves) {
+        Curve& curve = curves.emplace_back();
+        for (const Piercing& piercing : piercings)
+            curve.push_back(point_of(piercing, a, b));
+    }
+    return curves;
+}
+
 /// How deep two bodies are in each other: the length of their overlap along its separation direction [m].
-double depth_of(const Overlap& overlap, const StillSurface& a, const StillSurface& b)
+double depth_of(const Overlap& overlap, const std::vector<Curve>& curves, const StillSurface& a,
+                const StillSurface& b)
 {
     double lowest = INFINITY, highest = -INFINITY;
     const auto add = [&](const Vec3& point) {
@@ -49,36 +63,28 @@ double depth_of(const Overlap& overlap, const StillSurface& a, const StillSurfac
         add(a.positions[vertex]);
     for (const int vertex : overlap.vertices_of_b)
         add(b.positions[vertex]);
-    for (const std::vector<Piercing>& curve : overlap.curves)
-        for (const Piercing& piercing : curve)
-            add(point_of(piercing, a, b));
+    for (const Curve& curve : curves)
+        std::for_each(curve.begin(), curve.end(), add);
     return highest - lowest;
 }
 
-/// The vertices of A, or of B, that are nearer to the curves around an overlap than `reach` [m].
-std::vector<int> vertices_at_curves(const Overlap& overlap, const StillSurface& a, const StillSurface& b,
-                                    bool of_a, double reach)
+/// The vertices that are nearer to a curve than `reach` [m].
+std::vector<int> vertices_at(const Curve& curve, std::span<const Vec3> positions, double reach)
 {
-    const std::span<const Vec3> positions = (of_a ? a : b).positions;
+    Eigen::AlignedBox3d box;
+    for (const Vec3& point : curve)
+        box.extend(point);
+    const auto reaches = [&](const Vec3& x) {
+        for (std::size_t i = 0; i < curve.size(); ++i)
+            if (const Vec3& to = curve[(i + 1) % curve.size()];
+                closest_on_triangle(x, curve[i], to, to).distance <= reach)
+                return true;
+        return false;
+    };
     std::vector<int> near;
-    for (const std::vector<Piercing>& curve : overlap.curves) {
-        std::vector<Vec3> points;
-        Eigen::AlignedBox3d box;
-        for (const Piercing& piercing : curve) {
-            points.push_back(point_of(piercing, a, b));
-            box.extend(points.back());
-        }
-        const auto reaches = [&](const Vec3& x) {
-            for (std::size_t i = 0; i < points.size(); ++i)
-                if (const Vec3& to = points[(i + 1) % points.size()];
-                    closest_on_triangle(x, points[i], to, to).distance <= reach)
-                    return true;
-            return false;
-        };
-        for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
-            if (box.exteriorDistance(positions[vertex]) <= reach && reaches(positions[vertex]))
-                near.push_back(static_cast<int>(vertex));
-    }
+    for (std::size_t vertex = 0; vertex < positions.size(); ++vertex)
+        if (box.exteriorDistance(positions[vertex]) <= reach && reaches(positions[vertex]))
+            near.push_back(static_cast<int>(vertex));
     return near;
 }
 
@@ -125,25 +131,26 @@ void InsidePairs::trace(const World& world)
 LeftOut InsidePairs::left_out(const std::function<double(int, int)>& touching) const
 {
     LeftOut left_out;
-    const auto add_vertex = [&](int body, int vertex, int other) {
-        left_out.vertices.insert({body, vertex, other});
-        for (const int edge : bodies_[body]->surface().edges_around_vertex(vertex))
-            left_out.edges.insert({body, edge, other});
+    const auto add_vertices = [&](int body, const std::vector<int>& vertices, int other) {
+        for (const int vertex : vertices) {
+            left_out.vertices.insert({body, vertex, other});
+            for (const int edge : bodies_[body]->surface().edges_around_vertex(vertex))
+                left_out.edges.insert({body, edge, other});
+        }
     };
     for (const auto& [a, b, overlaps] : overlaps_)
         for (const Overlap& overlap : overlaps) {
-            for (const int vertex : overlap.vertices_of_a)
-                add_vertex(a, vertex, b);
-            for (const int vertex : overlap.vertices_of_b)
-                add_vertex(b, vertex, a);
+            add_vertices(a, overlap.vertices_of_a, b);
+            add_vertices(b, overlap.vertices_of_b, a);
             for (const std::vector<Piercing>& curve : overlap.curves)
                 for (const auto& [of_a, edge, face, entry] : curve)
                     left_out.edges.insert(of_a ? std::tuple{a, edge, b} : std::tuple{b, edge, a});
-            const double reach = std::max(touching(a, b), depth_of(overlap, still(a), still(b)));
-            for (const int vertex : vertices_at_curves(overlap, still(a), still(b), true, reach))
-                add_vertex(a, vertex, b);
-            for (const int vertex : vertices_at_curves(overlap, still(a), still(b), false, reach))
-                add_vertex(b, vertex, a);
+            const std::vector<Curve> curves = curves_around(overlap, still(a), still(b));
+            const double reach = std::max(touching(a, b), depth_of(overlap, curves, still(a), still(b)));
+            for (const Curve& curve : curves) {
+                add_vertices(a, vertices_at(curve, still(a).positions, reach), b);
+                add_vertices(b, vertices_at(curve, still(b).positions, reach), a);
+            }
         }
     return left_out;
 }

@@ -1,6 +1,5 @@
 #include "chapters/08_contact_by_distance/experiments/experiments.hpp"
 #include "chapters/08_contact_by_distance/experiments/random_scenes.hpp"
-#include "chapters/08_contact_by_distance/solver.hpp"
 
 #include <algorithm>
 
@@ -15,16 +14,9 @@ struct Tally {
 void run_scene(unsigned seed, Tally& tally)
 {
     Scene scene = random_scene(seed);
-    ImplicitSettings settings;
-    settings.record = [](const SolveRecord&) {};
-    const Solver solver = chapter08_solver(scene.contact, settings);
-    Contacts contacts;
-    long crossed = 0;
-    for (int i = 0; i < random_scene_steps; ++i) {
-        advance(scene.world, contacts, solver, scene.dt);
-        crossed += any_crossing(scene.world);
+    const long crossed = crossing_steps(scene, random_scene_steps, [&] {
         tally.deepest = std::max(tally.deepest, deepest_drawn(scene.world));
-    }
+    });
     ++tally.scenes;
     tally.crossed += crossed > 0;
     tally.steps_crossed += crossed;

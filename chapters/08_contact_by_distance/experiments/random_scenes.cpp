@@ -1,6 +1,7 @@
 #include "chapters/08_contact_by_distance/experiments/random_scenes.hpp"
 
 #include "chapters/02_collision_detection/edge_triangle.hpp"
+#include "chapters/08_contact_by_distance/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/closest_points.hpp"
 #include "common/geometry/round_shapes.hpp"
@@ -123,6 +124,22 @@ bool any_crossing(const World& world)
             if (a != b && (inside(*a, *b) || pierced(*a, *b)))
                 return true;
     return false;
+}
+
+long crossing_steps(Scene& scene, int steps, const std::function<void()>& after_step)
+{
+    ImplicitSettings quiet;
+    quiet.record = [](const SolveRecord&) {};
+    const Solver solver = chapter08_solver(scene.contact, quiet);
+    Contacts contacts;
+    long crossing = 0;
+    for (int step = 0; step < steps; ++step) {
+        advance(scene.world, contacts, solver, scene.dt);
+        crossing += any_crossing(scene.world);
+        if (after_step)
+            after_step();
+    }
+    return crossing;
 }
 
 double deepest_drawn(const World& world)

@@ -4,10 +4,10 @@
 
 namespace enduring {
 
-inline SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by, const Quaternion& turn = Quaternion::Identity())
+inline SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
 {
     for (Vec3& x : mesh.vertices)
-        x = turn * x + by;
+        x += by;
     return mesh;
 }
 

@@ -1,9 +1,6 @@
+#include "chapters/08_contact_by_distance/tests/small_world.hpp"
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
-#include "chapters/09_deep_contacts/tests/moved.hpp"
-#include "common/geometry/box_shapes.hpp"
-#include "common/simulation/rigid_body.hpp"
-#include "common/simulation/static_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,16 +8,12 @@
 #include <numbers>
 
 using namespace enduring;
+using distance_tests::add_static;
+using distance_tests::moved;
 
 namespace {
 
-void add_static(World& world, const SurfaceMesh& mesh)
-{
-    world.bodies.push_back(std::make_unique<StaticBody>(
-        "still", SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices));
-}
-
-void add_rigid(World& world, const SurfaceMesh& mesh, double mass)
+void add_with_mass(World& world, const SurfaceMesh& mesh, double mass)
 {
     world.bodies.push_back(std::make_unique<RigidBody>("body " + std::to_string(world.bodies.size()), mesh,
                                                        with_mass(mass_properties(mesh, 1000), mass)));
@@ -78,8 +71,8 @@ TEST_CASE(
         const Quaternion upright(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()));
         add_static(world, moved(ring(), {0, 2, 0}));
         for (int i = 1; i < 6; ++i)
-            add_rigid(world, moved(ring(), {0.144 * i, 2, 0}, i % 2 > 0 ? upright : Quaternion::Identity()),
-                      0.3);
+            add_with_mass(
+                world, moved(ring(), {0.144 * i, 2, 0}, i % 2 > 0 ? upright : Quaternion::Identity()), 0.3);
         CAPTURE(dt);
         CHECK(overlapping_steps(world, solver_with(0.3), static_cast<int>(1 / dt), dt) == 0);
     }
@@ -94,8 +87,8 @@ TEST_CASE(
             World world;
             world.planes.push_back({"ground"});
             for (int i = 0; i < count; ++i)
-                add_rigid(world, moved(box(Vec3::Constant(0.2)), {0, 0.1 + 0.2 * (1 - overlap) * i, 0}),
-                          1.0 + i);
+                add_with_mass(world, moved(box(Vec3::Constant(0.2)), {0, 0.1 + 0.2 * (1 - overlap) * i, 0}),
+                              1.0 + i);
             const Solver solver = solver_with(0.5);
             overlapping_steps(world, solver, static_cast<int>(1 / dt), dt);
             CAPTURE(dt);
@@ -115,9 +108,9 @@ TEST_CASE(
     // a plank that leans with one end in the ground, and falls onto it with the other one
     World world;
     add_static(world, moved(box({4, 1, 4}), {0, -0.5, 0}));
-    add_rigid(world,
-              moved(box({2, 0.1, 0.4}), {0, 0.238, 0}, Quaternion(Eigen::AngleAxisd(0.2, Vec3::UnitZ()))),
-              20);
+    add_with_mass(world,
+                  moved(box({2, 0.1, 0.4}), {0, 0.238, 0}, Quaternion(Eigen::AngleAxisd(0.2, Vec3::UnitZ()))),
+                  20);
     InsidePairs inside;
     inside.trace(world);
     const LeftOut left_out = inside.left_out([](int, int) { return 1e-4; });
