@@ -30,8 +30,8 @@ struct PairRow {
     PairLaw law;
     int element =
         -1;  ///< index into ContactProblem::elements, whose law is in the place of a pair's; -1 for a pair
-    /// weight times the motion of each vertex of a body that moves, `first` counted among all
-    std::array<VertexMotion, 4> parts;
+    /// weight times the motion of each vertex of a body that moves, `first` counted among all; six between two faces of soft bodies
+    std::array<VertexMotion, 6> parts;
     int part_count = 0;
     /// of p against q as predicted, all that acts already included [m/s]
     Vec3 velocity = Vec3::Zero();

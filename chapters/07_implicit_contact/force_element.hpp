@@ -38,17 +38,28 @@ struct ElementLaw {
     Mat3 axes = Mat3::Identity();    ///< in the columns; zero where there is no line
     std::array<LineLaw, 3> lines{};  ///< a line without slope and bias is free
     Vec3 begin = Vec3::Zero();       ///< impulse with which the step begins
-    double rounding = 0;             ///< what rounding of coordinates makes of it [sqrt(kg) m/s]
+    /// Whether the first two lines are one plane: they have the same slope and no bias, and what both push together is within the first one's bounds.
+    bool is_round = false;
+    int pair = -1;              ///< row of the pair whose load bounds it, if it belongs to one
+    Vec3 given = Vec3::Zero();  ///< part of its velocity that belongs to what moves as given [m/s, rad/s]
+    double rounding = 0;        ///< what rounding of coordinates makes of it [sqrt(kg) m/s]
 
     Vec3 impulse(const Vec3& velocity) const;
     /// Minus the derivative of the impulse by the velocity [kg]; symmetric, never negative.
     Mat3 hessian(const Vec3& velocity) const;
 };
 
+/// A body's surface vertex, and how much of it counts in a point.
+struct VertexShare {
+    int body = -1, vertex = -1;
+    double weight = 0;
+};
+
 /// Which bodies an element joins to one problem: -1 for the world, and for what does not move.
 struct ElementBodies {
     int a = -1, b = -1;
     double force = 0;  ///< the most that it brings upon them by itself, as a motor does [N]
+    std::vector<VertexShare> vertices{};  ///< of those that are soft, what it reads and pushes
 };
 
 //! [force_elements]

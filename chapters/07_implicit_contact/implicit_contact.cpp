@@ -3,6 +3,7 @@
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
 #include "chapters/07_implicit_contact/limit_search.hpp"
 #include "chapters/07_implicit_contact/restitution.hpp"
+#include "chapters/07_implicit_contact/rolling_friction.hpp"
 #include "chapters/07_implicit_contact/taken_energy.hpp"
 #include "chapters/07_implicit_contact/whole_bodies.hpp"
 #include "common/fem/elastic_body.hpp"
@@ -161,6 +162,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
 {
     StepProblem step = set_up(world, island, settings.stiffness, settings.friction, {settings.centre, dt},
                               first, settings.sparse_operation);
+    add_rolling_rows(world, settings.friction, step);
     if (!island.elements.empty())
         settings.elements.add_rows(world, step);
     IslandOutcome outcome;
@@ -191,6 +193,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
             mixing = AndersonMixing(mixed);
         }
         update_kinematics(world, step);
+        follow_rolling(world, settings.friction, step);
         if (!island.elements.empty())
             settings.elements.follow(world, step);
         const ProblemSolution begin = unchanged(step.problem);
@@ -234,7 +237,8 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
         island.elements.empty())  // a part of a joint's impulses holds nothing
         if (const double part = part_that_takes(world, step); part < 1)
             apply_impulses(world, step, part * impulses_acting(step.problem));
-    if (!is_lagged && !(record.residual <= settings.kept_residual))
+    // what rounding leaves of hardly any impulse no shorter step mends
+    if (!is_lagged && !record.converged && !(record.residual <= settings.kept_residual))
         outcome.trouble = StepTrouble::unsolved;
     else if (largest_compression(world, step) > settings.kept_depth)
         outcome.trouble = StepTrouble::too_deep;
@@ -357,7 +361,7 @@ double approach_ends(World& world, const Island& island, double dt)
 //! [add_solve]
 void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSettings settings)
 {
-    settings.friction = coefficients_of(parameters.friction);
+    settings.friction = coefficients_of(parameters);
     settings.max_turn = solver.max_turn;
     if (parameters.wanted_depth)
         settings.stiffness.wanted_depth = parameters.wanted_depth;
@@ -365,6 +369,7 @@ void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSett
         settings.stiffness.max_depenetration_velocity = parameters.max_depenetration_velocity;
     solver.max_halvings = max_halvings;
     solver.finds_stiffness = true;
+    solver.has_surface_laws = true;
     const std::string first = solver.passes(StepStage::refresh).front().name;
     solver.insert_before(first, "settle soft bodies",
                          [](World& world, Contacts&, double dt) { settle_soft_bodies(world, dt); });

@@ -87,6 +87,8 @@ std::vector<Island> find_islands(const World& world, Contacts& contacts,
             Island& island = islands[place[static_cast<std::size_t>(body)]];
             island.elements.push_back(static_cast<int>(i));
             island.element_force += elements[i].force;
+            island.element_vertices.insert(island.element_vertices.end(), elements[i].vertices.begin(),
+                                           elements[i].vertices.end());
         }
     return islands;
 }

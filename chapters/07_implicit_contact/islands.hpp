@@ -27,10 +27,11 @@ private:
 /// Bodies that press each other, directly or through others that move, and all their pairs. What does not move joins nothing:
 /// two stacks on the same ground are two islands, and no impulse of one changes anything in the other.
 struct Island {
-    std::vector<int> bodies;         ///< that move, by their places in World::bodies, ascending
-    std::vector<Contact*> contacts;  ///< in the order of the list
-    std::vector<int> elements{};     ///< what else joins them, by number, ascending
-    double element_force = 0;        ///< sum of what these bring upon them by themselves [N]
+    std::vector<int> bodies;                      ///< that move, by their places in World::bodies, ascending
+    std::vector<Contact*> contacts;               ///< in the order of the list
+    std::vector<int> elements{};                  ///< what else joins them, by number, ascending
+    double element_force = 0;                     ///< sum of what these bring upon them by themselves [N]
+    std::vector<VertexShare> element_vertices{};  ///< of soft bodies, what these read and push
 };
 
 /// The islands of all pairs that take part in the step, in the order of their first bodies. A pair that is held or resolved

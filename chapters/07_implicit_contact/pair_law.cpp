@@ -1,5 +1,7 @@
 #include "chapters/07_implicit_contact/pair_law.hpp"
 
+#include "chapters/07_implicit_contact/grain_friction.hpp"
+#include "chapters/07_implicit_contact/viscous_friction.hpp"
 #include "chapters/07_implicit_contact/weighted_impulse.hpp"
 
 #include <algorithm>
@@ -8,7 +10,8 @@ namespace enduring {
 
 Vec3 spring_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step)
 {
-    const Vec3 stretch = pair.stretch + step.dt * velocity;
+    const Vec3 stretch = pair.has_grain ? stretch_on_grain(pair.grain, pair.stretch, step.dt * velocity)
+                                        : Vec3(pair.stretch + step.dt * velocity);
     return -pair.stiffness * step.dt * (stretch - pair.normal.dot(stretch) * pair.normal);
 }
 
@@ -21,13 +24,16 @@ PairPush pushed(const PairLaw& pair, const Vec3& velocity, const StepLaw& step)
     PairPush push{impulse * pair.normal};
     push.slope = slope;
     push.limit = std::max(0.0, pair.mu * pair.lagged_normal_impulse);
+    if (pair.viscous > 0)
+        push.friction = film_impulse(pair, velocity);
     if (push.limit == 0)
         return push;
 
     // A spring that gives: its end moves with p, its impulse never exceeds the limit.
     push.spring = spring_impulse(pair, velocity, step);
     push.slips = push.spring.squaredNorm() > push.limit * push.limit;
-    push.friction = push.slips ? Vec3(push.limit / push.spring.norm() * push.spring) : push.spring;
+    const Vec3 held = push.slips ? Vec3(push.limit / push.spring.norm() * push.spring) : push.spring;
+    push.friction += pair.has_grain ? Vec3(pair.grain.transpose() * held) : held;
     return push;
 }
 //! [push]
@@ -45,14 +51,16 @@ Mat3 hessian_of(const PairLaw& pair, const PairPush& push, const StepLaw& step)
     const Vec3& n = pair.normal;
     const double k = pair.stiffness, dt = step.dt;
     Mat3 hessian = -dt * push.slope * n * n.transpose();
+    if (pair.viscous > 0)
+        hessian += film_hessian(pair);
     if (push.limit == 0)
         return hessian;
-    const Mat3 along = Mat3::Identity() - n * n.transpose();
-    if (!push.slips)
-        return hessian + k * dt * dt * along;
-    const Vec3 direction = push.friction / push.limit;
-    return hessian +
-           push.limit / push.spring.norm() * k * dt * dt * (along - direction * direction.transpose());
+    Mat3 along = k * dt * dt * (Mat3::Identity() - n * n.transpose());
+    if (push.slips) {
+        const Vec3 direction = push.spring.normalized();
+        along = push.limit / push.spring.norm() * (along - k * dt * dt * direction * direction.transpose());
+    }
+    return hessian + (pair.has_grain ? Mat3(pair.grain.transpose() * along * pair.grain) : along);
 }
 //! [answer]
 

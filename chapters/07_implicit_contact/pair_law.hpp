@@ -14,6 +14,10 @@ struct PairLaw {
     /// The normal impulse from which friction's limit follows [N s], that of an earlier motion. It is known, so the impulse is
     /// the gradient of a convex potential of the velocity. With the normal impulse of the same motion there is no potential.
     double lagged_normal_impulse = 0;
+    double viscous = 0;  ///< of a film between the surfaces, see viscous_friction.hpp [s/m]
+    /// of a surface with a grain, from a velocity along the surface to the one that an equal friction in all directions would feel
+    Mat3 grain = Mat3::Identity();
+    bool has_grain = false;
 };
 
 /// The same for all pairs.
@@ -27,14 +31,14 @@ struct PairPush {
     Vec3 normal_impulse, friction = Vec3::Zero();  ///< on p [N s]
     double slope = 0;  ///< of the normal impulse over the depth at the end [N s/m]
     double limit = 0;  ///< of friction [N s]
-    Vec3 spring =
-        Vec3::Zero();  ///< the impulse of friction's spring without its limit, where there is one [N s]
+    /// the impulse of friction's spring without its limit, where there is one; on a grain the one that an equal friction would have [N s]
+    Vec3 spring = Vec3::Zero();
     bool slips = false;
 
     Vec3 total() const { return normal_impulse + friction; }
 };
 
-/// The impulse of the spring along the surface without a limit [N s].
+/// The impulse of the spring along the surface without a limit, see PairPush::spring [N s].
 Vec3 spring_impulse(const PairLaw& pair, const Vec3& velocity, const StepLaw& step);
 
 /// The normal impulse, which does not depend on the limit of friction [N s]; never negative.

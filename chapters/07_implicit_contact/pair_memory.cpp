@@ -111,9 +111,10 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
                       most_stiffness(contact, depth_t0, step.max_load)});
         if (stiffness < choice.at_once * contact.stiffness)
             continue;
+        const double before = contact.stiffness;
         stiffen(contact, depth_t0, stiffness);
         law.stiffness = contact.stiffness;
-        law.stretch = contact.stretch;
+        law.stretch = law.viscous > 0 ? Vec3(before / stiffness * law.stretch) : contact.stretch;
         any = true;
     }
     return any;

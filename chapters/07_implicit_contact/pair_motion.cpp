@@ -1,3 +1,4 @@
+#include "chapters/07_implicit_contact/grain_friction.hpp"
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
 #include <algorithm>
@@ -66,6 +67,10 @@ void update_row(const World& world, const Contact& contact, const StepLaw& step,
     const Vec3 running = running_of_surfaces(world, contact);
     if (!running.isZero(0))  // along the surface: friction feels it, and the depth does not
         row.velocity += running - row.law.normal.dot(running) * row.law.normal;
+    if (const std::optional<Mat3> grain = grain_of(world, contact, row.law.normal)) {
+        row.law.grain = *grain;
+        row.law.has_grain = true;
+    }
 }
 
 }  // namespace enduring

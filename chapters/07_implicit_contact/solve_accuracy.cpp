@@ -59,7 +59,10 @@ double rounding_residual(const World& world, const StepProblem& step, double lea
     Eigen::VectorXd total = Eigen::VectorXd::Zero(step.problem.size);
     for (const PairRow& row : step.problem.rows)
         row.add_impulse(row.acting, total);
-    return rounding_speed(world, step) / std::max(least_speed, speed_of(step.problem, total));
+    // where nothing acts yet, what pairs answer is no rounding
+    const Answers answers = answers_to(step.problem, Eigen::VectorXd::Zero(step.problem.size));
+    return rounding_speed(world, step) /
+           std::max({least_speed, speed_of(step.problem, total), speed_of(step.problem, answers.total)});
 }
 //! [rounding_residual]
 

@@ -1,5 +1,6 @@
 #include "chapters/07_implicit_contact/step_problem.hpp"
 
+#include "chapters/07_implicit_contact/viscous_friction.hpp"
 #include "chapters/07_implicit_contact/whole_bodies.hpp"
 
 #include <algorithm>
@@ -24,6 +25,9 @@ std::vector<std::vector<int>> touched_vertices(const Island& island)
         for (int i = 0; i < contact->vertex_count(); ++i)
             if (const auto place = place_among(island.bodies, static_cast<int>(body_index(*contact, i))))
                 vertices[*place].push_back(contact->vertices[static_cast<std::size_t>(i)]);
+    for (const VertexShare& share : island.element_vertices)
+        if (const auto place = place_among(island.bodies, share.body))
+            vertices[*place].push_back(share.vertex);
     for (std::vector<int>& of_body : vertices) {
         std::sort(of_body.begin(), of_body.end());
         of_body.erase(std::unique(of_body.begin(), of_body.end()), of_body.end());
@@ -34,7 +38,12 @@ std::vector<std::vector<int>> touched_vertices(const Island& island)
 /// Change of a pair's velocity per impulse on p [1/kg].
 Mat3 response_of(const World& world, const Contact& contact, const StepProblem& step, const PairRow& row)
 {
-    return row.response(step.problem.blocks) + response_of_whole(world, contact, step);
+    std::array<VertexShare, 4> shares;
+    const auto count = static_cast<std::size_t>(contact.vertex_count());
+    for (std::size_t i = 0; i < count; ++i)
+        shares[i] = {static_cast<int>(body_index(contact, static_cast<int>(i))), contact.vertices[i],
+                     contact.weights[i]};
+    return row.response(step.problem.blocks) + response_of_whole(world, std::span(shares).first(count), step);
 }
 
 void add_blocks(const World& world, StepProblem& step, double sparse_operation)
@@ -56,30 +65,21 @@ void add_blocks(const World& world, StepProblem& step, double sparse_operation)
 void add_parts(const World& world, const Contact& contact, const StepProblem& step, PairRow& row)
 {
     for (int i = 0; i < contact.vertex_count(); ++i) {
-        const std::size_t body = body_index(contact, i);
-        const auto place = place_of(step, static_cast<int>(body));
-        if (!place || step.problem.blocks[*place].size() == 0)
-            continue;
-        const std::vector<int>& vertices = step.vertices[*place];
-        const auto index = place_among(vertices, contact.vertices[static_cast<std::size_t>(i)]);
+        const auto vertex = static_cast<std::size_t>(i);
         // the lever of a path is that of its middle, or a push at right angles to the path would do work
         const double tau = contact.sliding_normal.isZero(0) ? step.problem.step.centre : 0.5;
-        VertexMotion part = world.bodies[body]->contact_motion(vertices, *index, tau);
-        part.rate *= contact.weights[static_cast<std::size_t>(i)];
-        if (step.problem.blocks[*place].whole) {
-            const int node = step.nodes[*place][*index];
-            if (node < 0)
-                continue;
-            part.first = 3 * node;
-        }
-        part.first += step.problem.blocks[*place].first;
+        std::optional<VertexMotion> part = motion_of_vertex(
+            world, step, static_cast<int>(body_index(contact, i)), contact.vertices[vertex], tau);
+        if (!part)
+            continue;
+        part->rate *= contact.weights[vertex];
         // all vertices of a rigid body move with the same coordinates
         if (row.part_count > 0 &&
-            row.parts[static_cast<std::size_t>(row.part_count - 1)].first == part.first) {
-            row.parts[static_cast<std::size_t>(row.part_count - 1)].rate += part.rate;
+            row.parts[static_cast<std::size_t>(row.part_count - 1)].first == part->first) {
+            row.parts[static_cast<std::size_t>(row.part_count - 1)].rate += part->rate;
             continue;
         }
-        row.parts[static_cast<std::size_t>(row.part_count++)] = part;
+        row.parts[static_cast<std::size_t>(row.part_count++)] = *part;
     }
 }
 
@@ -198,6 +198,9 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         row.law.stiffness = contact.stiffness;
         row.law.stretch = contact.stretch;
         const FrictionCoefficients& of_pair = pair_friction(world, contact, friction);
+        if (row.law.viscous = of_pair.laws.viscous; row.law.viscous > 0)
+            row.law.stretch = stretch_without_film(contact.stretch,
+                                                   of_pair.mu_s * contact.load / contact.stiffness);
         row.law.mu = !rubs(contact, mass, own, step_law.dt)           ? 0
                      : slides_on(contact, mass, of_pair, step_law.dt) ? of_pair.mu_d
                                                                       : of_pair.mu_s;
@@ -216,6 +219,26 @@ int first_coordinate(const StepProblem& step, int body)
 {
     const auto place = place_of(step, body);
     return place && step.problem.blocks[*place].size() > 0 ? step.problem.blocks[*place].first : -1;
+}
+
+std::optional<VertexMotion> motion_of_vertex(const World& world, const StepProblem& step, int body,
+                                             int vertex, double tau)
+{
+    const auto place = place_of(step, body);
+    if (!place || step.problem.blocks[*place].size() == 0)
+        return std::nullopt;
+    const BodyBlock& block = step.problem.blocks[*place];
+    const std::vector<int>& vertices = step.vertices[*place];
+    const std::size_t index = *place_among(vertices, vertex);
+    VertexMotion motion = world.bodies[static_cast<std::size_t>(body)]->contact_motion(vertices, index, tau);
+    if (block.whole) {
+        const int node = step.nodes[*place][index];
+        if (node < 0)
+            return std::nullopt;
+        motion.first = 3 * node;
+    }
+    motion.first += block.first;
+    return motion;
 }
 
 void add_element_row(StepProblem& step, ElementLaw law, std::span<const VertexMotion> parts,
@@ -333,8 +356,11 @@ void apply_impulses(World& world, StepProblem& step, const Eigen::VectorXd& impu
         const Vec3 impulse = impulses.segment<3>(static_cast<Eigen::Index>(3 * i));
         row.add_impulse(impulse - row.acting, momentum);
         step.problem.rows[i].acting = impulse;
-        if (i >= step.of_row.size())  // of an element
+        if (i >= step.of_row.size()) {  // of an element
+            if (const int pair = step.problem.element_of(row).pair; pair >= 0)
+                step.of_row[static_cast<std::size_t>(pair)]->turning = impulse;
             continue;
+        }
         Contact& contact = *step.of_row[i];
         contact.impulse = row.law.normal.dot(impulse) * row.law.normal;
         contact.friction = impulse - contact.impulse;

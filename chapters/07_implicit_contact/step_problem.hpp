@@ -36,8 +36,14 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
                    const FrictionCoefficients& friction, const StepLaw& step, bool first,
                    double sparse_operation = std::numeric_limits<double>::infinity());
 
+/// How a vertex in touch, or that an element reads, moves with the coordinates of all.
+/// @param tau  moment of the step whose lever counts
+/// @return     none where nothing moves it: on a body without coordinates, and at a held node of one with all its nodes
+std::optional<VertexMotion> motion_of_vertex(const World& world, const StepProblem& step, int body,
+                                             int vertex, double tau);
+
 /// Appends a row of an element, which acts already with this impulse.
-/// @param parts  the motion of each body that moves, by first_coordinate()
+/// @param parts  the motion of each body that moves, by first_coordinate() or motion_of_vertex(); six at most
 void add_element_row(StepProblem& step, ElementLaw law, std::span<const VertexMotion> parts,
                      const Vec3& acting);
 

@@ -45,20 +45,17 @@ std::shared_ptr<const WholeMatrix> whole_of(const World& world, const StepProble
     return matrix_now(soft, step);
 }
 
-Mat3 response_of_whole(const World& world, const Contact& contact, const StepProblem& step)
+Mat3 response_of_whole(const World& world, std::span<const VertexShare> shares, const StepProblem& step)
 {
     Mat3 sum = Mat3::Zero();
-    for (int i = 0; i < contact.vertex_count(); ++i) {
-        const auto place = place_of(step, static_cast<int>(body_index(contact, i)));
+    for (const VertexShare& one : shares) {
+        const auto place = place_of(step, one.body);
         if (!place || !step.problem.blocks[*place].whole)
             continue;
         const DeformableBody& soft = soft_body(world, step, *place);
-        for (int j = 0; j < contact.vertex_count(); ++j)
-            if (body_index(contact, j) == body_index(contact, i))
-                sum += contact.weights[static_cast<std::size_t>(i)] *
-                       contact.weights[static_cast<std::size_t>(j)] *
-                       soft.learned_response(contact.vertices[static_cast<std::size_t>(i)],
-                                             contact.vertices[static_cast<std::size_t>(j)]);
+        for (const VertexShare& other : shares)
+            if (other.body == one.body)
+                sum += one.weight * other.weight * soft.learned_response(one.vertex, other.vertex);
     }
     return sum;
 }

@@ -13,8 +13,8 @@ std::vector<int> nodes_if_whole(const Body& body, std::span<const int> vertices,
 /// A such body's matrix; it learns what impulses at its vertices in touch do.
 std::shared_ptr<const WholeMatrix> whole_of(const World& world, const StepProblem& step, std::size_t place);
 
-/// What these bodies add to PairRow::response() of a pair: it is learned, as that of other soft bodies is.
-Mat3 response_of_whole(const World& world, const Contact& contact, const StepProblem& step);
+/// What these bodies add to PairRow::response() of a row that is the sum of these shares: it is learned, as that of other soft bodies is.
+Mat3 response_of_whole(const World& world, std::span<const VertexShare> shares, const StepProblem& step);
 
 /// Brings A of these bodies to where their elements are now.
 /// @return  whether there is any; then what was factored does not hold

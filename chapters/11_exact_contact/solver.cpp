@@ -13,6 +13,7 @@ Solver chapter11_solver(const ContactParameters& parameters, ImplicitSettings se
     Solver solver = chapter10_solver(parameters, std::move(settings));
     solver.name = "chapter 11";
     solver.exact = true;
+    solver.has_surface_laws = false;  // the passes remember Coulomb's friction alone
     solver.wrap(
         "solve contacts", "solve contacts in passes",
         [exact = std::move(exact)](const Pass::Function& solve, World& world, Contacts& contacts, double dt) {

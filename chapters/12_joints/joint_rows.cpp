@@ -1,5 +1,7 @@
 #include "chapters/12_joints/joint_rows.hpp"
 
+#include "chapters/07_implicit_contact/whole_bodies.hpp"
+#include "chapters/12_joints/joint_motion.hpp"
 #include "common/simulation/joint_body.hpp"
 
 #include <algorithm>
@@ -8,66 +10,11 @@
 namespace enduring {
 namespace {
 
-using Motion = Eigen::Matrix<double, 3, 6>;
-
-bool is_turn(int part)
-{
-    return part == static_cast<int>(JointPart::lock_about) ||
-           part == static_cast<int>(JointPart::drive_about);
-}
-
-bool is_drive(int part) { return part >= static_cast<int>(JointPart::drive_along); }
-
-const JointDrive& drive_of(const Joint& joint, int part) { return is_turn(part) ? joint.turn : joint.way; }
-
-/// Where among the three numbers of a row the free one is; -1 where there is none.
-int free_place(const Joint& joint, int part)
-{
-    return is_turn(part) ? free_turn(joint.kind) : free_way(joint.kind);
-}
-
-bool is_locked(const Joint& joint, int part, int place)
-{
-    if (is_turn(part) ? locks_about(joint.kind, place) : locks_along(joint.kind, place))
-        return true;
-    const JointDrive& drive = drive_of(joint, part);
-    return place == free_place(joint, part) && drive.low == drive.high;  // a rod
-}
-
-bool is_limited(const Joint& joint, int part, int place)
-{
-    const JointDrive& drive = drive_of(joint, part);
-    return place == free_place(joint, part) && (std::isfinite(drive.low) || std::isfinite(drive.high));
-}
-
-//! [levers]
-/// How the velocity that a row sees follows from both bodies' coordinates: that of A's point against the point of B in the same place, but for a
-/// distance, which has two points; or that of the turn.
-std::vector<VertexMotion> parts_of(const World& world, const StepProblem& step, const Joint& joint,
-                                   const JointPose& pose, int part)
-{
-    std::vector<VertexMotion> parts;
-    const auto add = [&](const JointEnd& end, const Vec3& point, double sign) {
-        const RigidBody* const body = rigid_at(world, end);
-        const int first = body ? first_coordinate(step, end.body) : -1;
-        if (first < 0)
-            return;
-        VertexMotion motion;
-        motion.first = first;
-        motion.rate = sign * (is_turn(part) ? body->motion_of_turn()
-                                            : body->motion_of_point(point - body->motion().pose().position));
-        parts.push_back(motion);
-    };
-    add(joint.a, pose.point_a, 1);
-    add(joint.b, joint.kind == JointKind::distance ? pose.point_b : pose.point_a, -1);
-    return parts;
-}
-//! [levers]
-
 /// Of a row, the mass or inertia that each of its lines feels; 0 where nothing moves.
-Vec3 masses_of(const StepProblem& step, const PairRow& row, const Mat3& axes)
+Vec3 masses_of(const World& world, const StepProblem& step, const PairRow& row,
+               std::span<const VertexShare> soft, const Mat3& axes)
 {
-    const Mat3 response = row.response(step.problem.blocks);
+    const Mat3 response = row.response(step.problem.blocks) + response_of_whole(world, soft, step);
     Vec3 masses;
     for (int i = 0; i < 3; ++i)
         masses[i] = mass_along(axes.col(i), response);
@@ -81,26 +28,6 @@ double rounding_of(const JointPose& pose, int part)
     return is_turn(part) ? digits : digits * std::max(1e-3, pose.point_a.cwiseAbs().maxCoeff());
 }
 
-/// The slopes of a lock's lines, which the step keeps: k dt^2 with k for the mass that each of them feels.
-void set_lock(const Joint& joint, int part, const Vec3& masses, ElementLaw& law)
-{
-    for (int i = 0; i < 3; ++i)
-        if (is_locked(joint, part, i) || is_limited(joint, part, i))
-            law.lines[static_cast<std::size_t>(i)].slope = joint_choice.k_dt2_over_m * masses[i];
-}
-
-/// A spring with a damper is the first line of a drive, a motor the second, both along the free axis.
-void set_drive(const JointDrive& drive, double mass, double dt, ElementLaw& law)
-{
-    law.lines[0].slope = drive.stiffness * dt * dt + drive.damping * dt;
-    if (drive.motor_most > 0) {
-        law.lines[1].slope = joint_choice.motor * mass;
-        law.lines[1].bias = -law.lines[1].slope * drive.motor_speed;
-        law.lines[1].low = -drive.motor_most * dt;
-        law.lines[1].high = drive.motor_most * dt;
-    }
-}
-
 /// What a row has pushed in this step so far, along its axes.
 Vec3 pushed_so_far(const Joint& joint, int part, const Mat3& axes, double dt)
 {
@@ -112,92 +39,56 @@ Vec3 pushed_so_far(const Joint& joint, int part, const Mat3& axes, double dt)
     }
 }
 
-/// Whether a joint has this row at all.
-bool has_row(const Joint& joint, int part)
+Mat3 axes_of(const Joint& joint, const JointPose& pose, int part)
 {
-    if (is_drive(part))
-        return free_place(joint, part) >= 0 && drive_of(joint, part).pushes();
-    for (int i = 0; i < 3; ++i)
-        if (is_locked(joint, part, i) || is_limited(joint, part, i))
-            return true;
-    return false;
+    if (joint.kind == JointKind::gear)
+        return Vec3::UnitX() * Vec3::UnitX().transpose();
+    const JointAxes both = joint_axes(joint.kind, pose);
+    const Mat3& axes = is_turn(part) ? both.about : both.along;
+    return is_drive(part) ? Mat3(axes.col(free_place(joint, part)) * Vec3(1, 1, 0).transpose()) : axes;
 }
 
 void add_row(const World& world, StepProblem& step, int element, const JointPose& pose, int part)
 {
     const Joint& joint = world.joints[static_cast<std::size_t>(element)];
     const double dt = step.problem.step.dt;
-    const JointAxes both = joint_axes(joint.kind, pose);
     ElementLaw law;
     law.element = element;
     law.part = part;
-    law.axes = is_turn(part) ? both.about : both.along;
-    if (is_drive(part))
-        law.axes = law.axes.col(free_place(joint, part)) * Vec3(1, 1, 0).transpose();
+    law.axes = axes_of(joint, pose, part);
     // A step begins without forces: those of the last one that cancel each other then would not do so now, and grow from step to step.
     const Vec3 acting = joint.acts ? pushed_so_far(joint, part, law.axes, dt) : Vec3(Vec3::Zero());
     law.begin = acting;
-    add_element_row(step, law, parts_of(world, step, joint, pose, part), acting);
+    const RowMotion motion = joint.kind == JointKind::gear ? motion_of_gear(world, step, joint)
+                                                           : motion_of_row(world, step, joint, pose, part);
+    law.given = motion.given;
+    add_element_row(step, law, motion.parts, acting);
     ElementLaw& own = step.problem.elements.back();
-    const Vec3 masses = masses_of(step, step.problem.rows.back(), own.axes);
+    const std::vector<VertexShare> soft = is_turn(part) ? std::vector<VertexShare>{} : soft_shares(joint);
+    const Vec3 masses = masses_of(world, step, step.problem.rows.back(), soft, own.axes);
     if (is_drive(part)) {
-        set_drive(drive_of(joint, part), masses[0], dt, own);
+        const double coordinate = is_turn(part) ? turn_of(world, joint) : way_of(world, joint);
+        set_drive(drive_of(joint, part), masses[0], coordinate, dt, own);
         return;
     }
-    set_lock(joint, part, masses, own);
-    own.rounding = joint_choice.k_dt2_over_m * std::sqrt(masses.maxCoeff()) * rounding_of(pose, part) / dt;
+    const double stiffness = soft.empty() ? joint_choice.k_dt2_over_m : joint_choice.soft_k_dt2_over_m;
+    if (joint.kind == JointKind::gear)
+        own.lines[0].slope = stiffness * masses[0];
+    else
+        set_lock(joint, part, masses, stiffness, own);
+    own.rounding = stiffness * std::sqrt(masses.maxCoeff()) * rounding_of(pose, part) / dt;
 }
 
-//! [lock_line]
-/// A lock goes through its impulse at the velocity that acts now, less k dt times the error that is left at the end of the step. So its impulse is right where
-/// there is no error any more, however stiff k is. A limit is the same on one side.
-/// @param error  of what is locked at the predicted end [m, rad]
-/// @param acting impulse now [N s]
-void aim(LineLaw& line, double error, double acting, double velocity, double dt)
+/// What this does to a body by its own size [N], for what pairs may have to bear.
+double force_of_drives(const World& world, const Joint& joint)
 {
-    line.bias = -acting + line.slope / dt * error - line.slope * velocity;
+    double force = 0;
+    if (joint.way.pushes())
+        force += joint.way.most(way_of(world, joint));
+    if (joint.turn.pushes() && answers_at(world, joint.a))  // with a lever of the body's size
+        force += joint.turn.most(turn_of(world, joint)) / body_at(world, joint.a)->size();
+    return force;
 }
-
-void aim_at_limit(LineLaw& line, const JointDrive& drive, double coordinate, double acting, double velocity,
-                  double dt)
-{
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    const double above = coordinate - drive.low, below = drive.high - coordinate;
-    const bool at_low = acting > 0 || (acting == 0 && above < below);
-    line.low = at_low ? 0 : -infinite;
-    line.high = at_low ? infinite : 0;
-    aim(line, at_low ? above : -below, acting, velocity, dt);
-}
-//! [lock_line]
-
-void follow_lock(const Joint& joint, const JointMeasure& measure, double dt, const PairRow& row,
-                 ElementLaw& law)
-{
-    const Vec3& numbers = is_turn(law.part) ? measure.about : measure.along;
-    for (int i = 0; i < 3; ++i) {
-        LineLaw& line = law.lines[static_cast<std::size_t>(i)];
-        const double acting = law.axes.col(i).dot(row.acting), velocity = law.axes.col(i).dot(row.velocity);
-        if (is_locked(joint, law.part, i)) {
-            const bool is_rod = joint.kind == JointKind::distance;
-            aim(line, numbers[i] - (is_rod ? joint.way.low : 0), acting, velocity, dt);
-        } else if (is_limited(joint, law.part, i)) {
-            aim_at_limit(line, drive_of(joint, law.part), numbers[i], acting, velocity, dt);
-        }
-    }
-}
-
-//! [spring_line]
-/// A spring pushes by its stretch at the end of the step, a damper by the velocity of the step.
-void follow_spring(const Joint& joint, const JointMeasure& measure, double dt, const PairRow& row,
-                   ElementLaw& law)
-{
-    const JointDrive& drive = drive_of(joint, law.part);
-    const Vec3& numbers = is_turn(law.part) ? measure.about : measure.along;
-    const double stretch = numbers[free_place(joint, law.part)] - drive.rest,
-                 velocity = law.axes.col(0).dot(row.velocity);
-    law.lines[0].bias = drive.stiffness * dt * (stretch - dt * velocity);
-}
-//! [spring_line]
 
 }  // namespace
 
@@ -207,14 +98,12 @@ std::vector<ElementBodies> joined_bodies(const World& world)
     all.reserve(world.joints.size());
     for (const Joint& joint : world.joints) {
         ElementBodies& of = all.emplace_back();
-        if (joint.broken)
+        if (!holds(world, joint))
             continue;
-        of.a = rigid_at(world, joint.a) ? joint.a.body : -1;
-        of.b = rigid_at(world, joint.b) ? joint.b.body : -1;
-        if (joint.way.pushes())
-            of.force += joint.way.most(way_of(world, joint));
-        if (joint.turn.pushes() && of.a >= 0)  // with a lever of the body's size
-            of.force += joint.turn.most(turn_of(world, joint)) / rigid_at(world, joint.a)->size();
+        of.a = answers_at(world, joint.a) ? joint.a.body : -1;
+        of.b = answers_at(world, joint.b) ? joint.b.body : -1;
+        of.force = force_of_drives(world, joint);
+        of.vertices = soft_shares(joint);
     }
     return all;
 }
@@ -238,16 +127,22 @@ void follow_joints(const World& world, StepProblem& step)
     int measured = -1;
     for (std::size_t i = 0; i < step.problem.elements.size(); ++i) {
         ElementLaw& law = step.problem.elements[i];
+        if (law.element < 0)  // of another kind
+            continue;
         PairRow& row = step.problem.rows[step.of_row.size() + i];
         const Joint& joint = world.joints[static_cast<std::size_t>(law.element)];
+        row.velocity = row.rate_of(velocities) + law.given;
+        if (joint.kind == JointKind::gear) {
+            aim(law.lines[0], gear_error(world, joint, dt), row.acting.x(), row.velocity.x(), dt);
+            continue;
+        }
         if (law.element != measured)
             measure = joint_measure(joint.kind, predicted_pose(world, joint, dt), joint.angle);
         measured = law.element;
-        row.velocity = row.rate_of(velocities);
         if (is_drive(law.part))
-            follow_spring(joint, measure, dt, row, law);
+            follow_spring(joint, numbers_of(measure, law.part), row.velocity, dt, law);
         else
-            follow_lock(joint, measure, dt, row, law);
+            follow_lock(joint, numbers_of(measure, law.part), row.acting, row.velocity, dt, law);
     }
 }
 
@@ -262,10 +157,15 @@ void remember_joints(World& world, const StepProblem& step)
     }
     for (std::size_t i = 0; i < step.problem.elements.size(); ++i) {
         const ElementLaw& law = step.problem.elements[i];
+        if (law.element < 0)
+            continue;
         const Vec3 force = step.problem.rows[step.of_row.size() + i].acting / dt,
                    along = law.axes.transpose() * force;
         Joint& joint = world.joints[static_cast<std::size_t>(law.element)];
-        (is_turn(law.part) ? joint.torque : joint.force) += force;
+        if (joint.kind == JointKind::gear)
+            joint.torque = force.x() * gear_axis(world, joint);
+        else
+            (is_turn(law.part) ? joint.torque : joint.force) += force;
         switch (static_cast<JointPart>(law.part)) {
             case JointPart::lock_along: joint.lock_force = along; break;
             case JointPart::lock_about: joint.lock_torque = along; break;

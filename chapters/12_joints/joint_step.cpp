@@ -1,53 +1,52 @@
 #include "chapters/12_joints/joint_step.hpp"
 
+#include "chapters/12_joints/joint_laws.hpp"
 #include "common/simulation/joint_body.hpp"
 
 namespace enduring {
 namespace {
 
-/// Of a body's point in the world, and its angular velocity that belongs to its momentum: within a step a free body turns by another
-/// one.
-JointRates rates_of(const RigidBody* body, const Vec3& point)
+EndRates operator-(const EndRates& one, const EndRates& other)
 {
-    if (!body)
-        return {};
-    const RigidMotion& motion = body->motion();
-    const RigidMotion::State state = motion.state();
-    const Vec3 turning = motion.inverse_inertia() * state.spin_momentum;
-    return {state.velocity + turning.cross(point - state.pose.position), turning};
+    return {one.along - other.along, one.about - other.about};
 }
 
-JointRates rates_of(const World& world, const Joint& joint)
+JointRates gear_rates(const World& world, const Joint& joint, double dt)
 {
+    const auto turn_rate = [&](int number) {
+        const Joint& hinge = world.joints[static_cast<std::size_t>(number)];
+        const JointPose pose = committed_pose(world, hinge);
+        const EndRates turn = end_rates(world, hinge.a, pose.point_a, dt) -
+                              end_rates(world, hinge.b, pose.point_a, dt);
+        return pose.axes_b.col(2).dot(turn.about);
+    };
+    JointRates rates;
+    rates[0].about = (turn_rate(joint.hinges[1]) - joint.ratio * turn_rate(joint.hinges[0])) *
+                     gear_axis(world, joint);
+    return rates;
+}
+
+JointRates rates_of(const World& world, const Joint& joint, double dt)
+{
+    if (joint.kind == JointKind::gear)
+        return gear_rates(world, joint, dt);
     const JointPose pose = committed_pose(world, joint);
     const Vec3& other = joint.kind == JointKind::distance ? pose.point_b : pose.point_a;
-    const JointRates a = rates_of(rigid_at(world, joint.a), pose.point_a),
-                     b = rates_of(rigid_at(world, joint.b), other);
-    return {a.along - b.along, a.about - b.about};
+    return {end_rates(world, joint.a, pose.point_a, dt), end_rates(world, joint.b, other, dt)};
 }
 
-/// What gravity does in a step to the relative velocity of a joint's points [m/s].
-Vec3 relative_fall(const World& world, const Joint& joint, double dt)
+/// The rates that tell the work of an impulse. Of a rigid body the mean of those at both ends of the step: a step of a fall keeps E + dt / 2 g . p, and the
+/// other half is its. A soft body's implicit step gains the impulse times the velocity behind it, at most.
+/// @param fall  part of what gravity does in the step that is taken off: 1 for the change of E, 1/2 for that of E + dt / 2 g . p
+EndRates working_rates(const World& world, const JointEnd& end, const EndRates& before, const EndRates& after,
+                       double fall, double dt)
 {
-    const auto fall = [&](const JointEnd& end) {
-        const RigidBody* const body = rigid_at(world, end);
-        return body ? Vec3(dt * body->gravity_on(world.gravity)) : Vec3(Vec3::Zero());
-    };
-    return fall(joint.a) - fall(joint.b);
+    const RigidBody* const rigid = rigid_at(world, end);
+    if (!rigid)
+        return after;
+    return {(before.along + after.along) / 2 - fall * dt * rigid->gravity_on(world.gravity),
+            (before.about + after.about) / 2};
 }
-
-}  // namespace
-
-std::vector<JointRates> joint_rates(const World& world)
-{
-    std::vector<JointRates> all;
-    all.reserve(world.joints.size());
-    for (const Joint& joint : world.joints)
-        all.push_back(rates_of(world, joint));
-    return all;
-}
-
-namespace {
 
 /// The work of springs and dampers of a joint, whose energy is held or lost, by the velocities of the step [J].
 double spring_work(const JointDrive& drive, double coordinate, double rate, double dt)
@@ -55,43 +54,90 @@ double spring_work(const JointDrive& drive, double coordinate, double rate, doub
     return -dt * (drive.stiffness * (coordinate - drive.rest) + drive.damping * rate) * rate;
 }
 
+double work_on(const Joint& joint, const EndRates& rates, double dt)
+{
+    return dt * (joint.force.dot(rates.along) + joint.torque.dot(rates.about));
+}
+
+/// What a joint's drives have done in a step [J].
+struct DriveWork {
+    double springs = 0, motors = 0;
+};
+
+/// @param working, after  of A against B, see working_rates(), and behind the step
+DriveWork work_of_drives(const World& world, const Joint& joint, const EndRates& working,
+                         const EndRates& after, double dt)
+{
+    const JointAxes axes = joint_axes(joint.kind, committed_pose(world, joint));
+    const JointMeasure measure = joint_measure(joint.kind, predicted_pose(world, joint, dt), joint.angle);
+    DriveWork sum;
+    const auto add = [&](const JointDrive& drive, double coordinate, double rate, double mean, double push) {
+        const double of_spring = spring_work(drive, coordinate, rate, dt);
+        sum.springs += of_spring;
+        if (drive.motor_most > 0)
+            sum.motors += dt * push * mean - of_spring;
+    };
+    if (const int place = free_way(joint.kind); place >= 0) {
+        const Vec3 along = axes.along.col(place);
+        add(joint.way, measure.along[place], along.dot(after.along), along.dot(working.along),
+            joint.way_force);
+    }
+    if (const int place = free_turn(joint.kind); place >= 0) {
+        const Vec3 about = axes.about.col(place);
+        add(joint.turn, measure.about[place], about.dot(after.about), about.dot(working.about),
+            joint.turn_torque);
+    }
+    return sum;
+}
+
+//! [note_rebounds]
+void note_rebounds(const World& world, Joint& joint, const EndRates& before, double dt)
+{
+    const JointAxes axes = joint_axes(joint.kind, committed_pose(world, joint));
+    const double least = joint_choice.least_bounce * world.gravity.norm() * dt;
+    joint.way_rebound = joint.turn_rebound = 0;
+    if (const int place = free_way(joint.kind); place >= 0 && joint.way.bounce > 0)
+        joint.way_rebound = rebound_of(joint.way, axes.along.col(place).dot(before.along),
+                                       joint.lock_force[place], least);
+    if (const int place = free_turn(joint.kind); place >= 0 && joint.turn.bounce > 0)
+        joint.turn_rebound = rebound_of(joint.turn, axes.about.col(place).dot(before.about),
+                                        joint.lock_torque[place], least / body_at(world, joint.a)->size());
+}
+//! [note_rebounds]
+
 }  // namespace
+
+std::vector<JointRates> joint_rates(const World& world, double dt)
+{
+    std::vector<JointRates> all;
+    all.reserve(world.joints.size());
+    for (const Joint& joint : world.joints)
+        all.push_back(rates_of(world, joint, dt));
+    return all;
+}
 
 //! [book]
 void book_joints(World& world, const std::vector<JointRates>& before, double dt)
 {
     for (std::size_t i = 0; i < world.joints.size(); ++i) {
-        const Joint& joint = world.joints[i];
+        Joint& joint = world.joints[i];
         if (!joint.acts)
             continue;
-        const JointRates after = rates_of(world, joint);
-        const Vec3 fall = relative_fall(world, joint, dt);
-        // of the mean of the velocities at both ends of the step; a step of a fall keeps E + dt / 2 g . p, and the other half is its
-        const double all = dt * (joint.force.dot((before[i].along + after.along) / 2 - fall) +
-                                 joint.torque.dot((before[i].about + after.about) / 2));
-        const JointPose start = committed_pose(world, joint), end = predicted_pose(world, joint, dt);
-        const JointAxes axes = joint_axes(joint.kind, start);
-        const JointMeasure measure = joint_measure(joint.kind, end, joint.angle);
-        double springs = 0, motors = 0;
-        const auto add = [&](const JointDrive& drive, double coordinate, double rate, double mean,
-                             double push) {
-            const double of_spring = spring_work(drive, coordinate, rate, dt);
-            springs += of_spring;
-            if (drive.motor_most > 0)
-                motors += dt * push * mean - of_spring;
+        const JointRates after = rates_of(world, joint, dt);
+        const auto working = [&](std::size_t end, double fall) {
+            return working_rates(world, end == 0 ? joint.a : joint.b, before[i][end], after[end], fall, dt);
         };
-        if (const int place = free_way(joint.kind); place >= 0) {
-            const Vec3 along = axes.along.col(place);
-            add(joint.way, measure.along[place], along.dot(after.along),
-                along.dot(before[i].along + after.along - fall) / 2, joint.way_force);
-        }
-        if (const int place = free_turn(joint.kind); place >= 0) {
-            const Vec3 about = axes.about.col(place);
-            add(joint.turn, measure.about[place], about.dot(after.about),
-                about.dot(before[i].about + after.about) / 2, joint.turn_torque);
-        }
-        world.driven += motors;
-        world.attempt.put_in += all - springs;
+        const EndRates of_a = working(0, 1), of_b = working(1, 1);
+        double given = 0;  // by what moves as given
+        if (const Body* const body = body_at(world, joint.a); body && body->is_static())
+            given -= work_on(joint, of_a, dt);
+        if (const Body* const body = body_at(world, joint.b); body && body->is_static())
+            given += work_on(joint, of_b, dt);
+        const DriveWork drives = work_of_drives(world, joint, working(0, 0.5) - working(1, 0.5),
+                                                after[0] - after[1], dt);
+        world.driven += drives.motors + given;
+        world.attempt.put_in += work_on(joint, of_a - of_b, dt) + given - drives.springs;
+        note_rebounds(world, joint, before[i][0] - before[i][1], dt);
     }
 }
 //! [book]

@@ -18,7 +18,7 @@ Solver chapter12_solver(const ContactParameters& parameters, ImplicitSettings se
     solver.has_joints = true;
     const auto before = std::make_shared<std::vector<JointRates>>();
     solver.insert_before(solver.passes(StepStage::refresh).front().name, "note joints",
-                         [before](World& world, Contacts&, double) { *before = joint_rates(world); });
+                         [before](World& world, Contacts&, double dt) { *before = joint_rates(world, dt); });
     solver.append(StepStage::finish, "book joints",
                   [before](World& world, Contacts&, double dt) { book_joints(world, *before, dt); });
     solver.append(StepStage::settle, "end joints",

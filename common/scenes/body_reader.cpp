@@ -4,6 +4,7 @@
 #include "common/input/input_error.hpp"
 #include "common/rigid/mass_properties.hpp"
 #include "common/scenes/deformable_reader.hpp"
+#include "common/scenes/friction_reader.hpp"
 #include "common/scenes/motion_reader.hpp"
 #include "common/scenes/placement.hpp"
 #include "common/simulation/driven_body.hpp"
@@ -46,7 +47,7 @@ SurfaceMesh on_both_sides(SurfaceMesh mesh)
 std::unique_ptr<Body> read_static(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     value.require_keys({"name", "type", "shape", "position", "rotation", "look", "material", "motion",
-                        "surface_velocity", "sheet"});
+                        "surface_velocity", "sheet", "grain"});
     SurfaceMesh mesh = placed_surface(value, surroundings, Border::allowed);
     if (value.flag_or("sheet", false))
         mesh = on_both_sides(std::move(mesh));
@@ -81,7 +82,8 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
                                  const SceneMaterials& materials)
 {
     value.require_keys({"name", "type", "shape", "density", "mass", "position", "rotation", "velocity",
-                        "angular_velocity", "look", "material", "gravity", "forces", "locked", "sheet"});
+                        "angular_velocity", "look", "material", "gravity", "forces", "locked", "sheet",
+                        "grain"});
     const bool is_sheet = value.flag_or("sheet", false);
     const SurfaceMesh mesh = placed_surface(value, surroundings,
                                             is_sheet ? Border::allowed : Border::refused);
@@ -105,16 +107,31 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
     }
 }
 
+/// The grain's direction is that of the shape before it is placed. A body that moves as given has the axes of its place.
+void give_grain(const JsonValue& value, const JsonValue& grain, Body& body)
+{
+    const Grain read = read_grain(grain);
+    const Vec3 placed = read_placement(value).rotation * read.direction;
+    const auto* const rigid = dynamic_cast<const RigidBody*>(&body);
+    body.set_grain(
+        {rigid ? Vec3(rigid->motion().pose().orientation.conjugate() * placed) : placed, read.across});
+}
+
 }  // namespace
 
 std::unique_ptr<Body> read_body(const JsonValue& value, const SceneSurroundings& surroundings,
                                 const SceneMaterials& materials)
 {
     const std::size_t type = value.at("type").choice({"static", "rigid", "deformable"});
+    const std::optional<JsonValue> grain = value.find("grain");
+    if (grain && type == 2)
+        grain->complain("a soft body's parts turn against each other, so it has no direction of a grain");
     std::unique_ptr<Body> body = type == 0   ? read_static(value, surroundings)
                                  : type == 1 ? read_rigid(value, surroundings, materials)
                                              : read_deformable(value, surroundings, materials);
     body->set_material(material_of(value, materials));
+    if (grain)
+        give_grain(value, *grain, *body);
     if (!value.flag_or("gravity", true))
         body->switch_gravity_off();
     return body;

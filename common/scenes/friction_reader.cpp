@@ -84,12 +84,27 @@ FrictionParameters read_friction(const JsonValue& value, double stiffness)
     Mistakes mistakes;
     mistakes.gather([&] {
         friction = read_model(value, stiffness);
-        value.require_keys({"model", "mu_s", "mu_d", "spring", "damper", "damping_ratio", "weighting"});
+        value.require_keys({"model", "mu_s", "mu_d", "spring", "damper", "damping_ratio", "weighting",
+                            "viscous", "rolling", "patch"});
         std::visit([&](const auto& model) { refuse_foreign_keys(value, model); }, friction);
     });
     std::visit([&](auto& model) { read_constants(value, model, mistakes); }, friction);
     mistakes.complain();
     return friction;
+}
+
+SurfaceLaws read_surface_laws(const JsonValue& value, const SurfaceLaws& otherwise)
+{
+    const NumberRange length{0, 1e3, true, true, "m"};
+    return {value.number_or("viscous", {0, 1e4, true, true, "s/m"}, otherwise.viscous),
+            value.number_or("rolling", length, otherwise.rolling),
+            value.number_or("patch", length, otherwise.patch)};
+}
+
+Grain read_grain(const JsonValue& value)
+{
+    value.require_keys({"along", "across"});
+    return {value.at("along").direction(), value.at("across").number({0, 100, false, true})};
 }
 
 }  // namespace enduring

@@ -1,9 +1,9 @@
 #include "common/scenes/joint_reader.hpp"
 
 #include "common/input/number_text.hpp"
+#include "common/simulation/driven_body.hpp"
+#include "common/simulation/joint_body.hpp"
 #include "common/simulation/make_joint.hpp"
-#include "common/simulation/rigid_body.hpp"
-#include "common/simulation/static_body.hpp"
 
 #include <array>
 #include <cmath>
@@ -17,23 +17,26 @@ constexpr double strongest = 1e9;
 const NumberRange joint_point_range{-1e4, 1e4, true, true, "m"}, joint_length_range{0, 1e4, false, true, "m"};
 
 /// The words of "type", and what they are.
-constexpr std::array<std::string_view, 9> joint_words{"ball",  "hinge", "slider", "cylinder", "universal",
-                                                      "fixed", "rod",   "rope",   "spring"};
-constexpr std::size_t rod_word = 6, rope_word = 7, spring_word = 8;
+constexpr std::array<std::string_view, 10> joint_words{"ball",  "hinge", "slider", "cylinder", "universal",
+                                                       "fixed", "rod",   "rope",   "spring",   "gear"};
+constexpr std::size_t rod_word = 6, rope_word = 7, spring_word = 8, gear_word = 9;
 
 JointKind kind_of(std::size_t word)
 {
+    if (word == gear_word)
+        return JointKind::gear;
     return word < rod_word ? static_cast<JointKind>(word) : JointKind::distance;
 }
 
 /// The names of numbers, and their units, along a way and about a turn.
 struct DriveWords {
-    const char *limits, *rest;
+    const char *limits, *rest, *target;
     NumberRange coordinate, speed, most, stiffness, damping;
     bool in_degrees;
 };
 const DriveWords of_way{"limits",
                         "rest",
+                        "to",
                         joint_point_range,
                         {-1e4, 1e4, true, true, "m/s"},
                         {0, strongest, false, true, "N"},
@@ -42,6 +45,7 @@ const DriveWords of_way{"limits",
                         false};
 const DriveWords of_turn{"limits_deg",
                          "rest_deg",
+                         "to_deg",
                          {-1e6, 1e6, true, true, "degrees"},
                          {-1e4, 1e4, true, true, "rad/s"},
                          {0, strongest, false, true, "N m"},
@@ -65,16 +69,32 @@ void read_limits(const JsonValue& value, const DriveWords& words, JointDrive& dr
         value.complain("both limits are the same; another type locks what is free here");
 }
 
-/// The keys "limits", "motor" and "spring" of a joint with one free coordinate.
+/// A motor keeps a speed, or goes to a place as fast as it can stop there, and no faster than its speed.
+void read_motor(const JsonValue& motor, const DriveWords& words, JointDrive& drive)
+{
+    motor.require_keys({"speed", "most", words.target});
+    drive.motor_most = motor.at("most").number(words.most);
+    if (const std::optional<JsonValue> target = motor.find(words.target)) {
+        drive.motor_target = read_coordinate(*target, words);
+        drive.motor_speed = motor.number_or("speed", {0, 1e4, false, true, words.speed.unit},
+                                            std::numeric_limits<double>::infinity());
+    } else {
+        drive.motor_speed = motor.at("speed").number(words.speed);
+    }
+}
+
+/// The keys "limits", "restitution", "motor" and "spring" of a joint with one free coordinate.
 void read_drive(const JsonValue& value, const DriveWords& words, JointDrive& drive)
 {
     if (const std::optional<JsonValue> limits = value.find(words.limits))
         read_limits(*limits, words, drive);
-    if (const std::optional<JsonValue> motor = value.find("motor")) {
-        motor->require_keys({"speed", "most"});
-        drive.motor_speed = motor->at("speed").number(words.speed);
-        drive.motor_most = motor->at("most").number(words.most);
+    if (const std::optional<JsonValue> bounce = value.find("restitution")) {
+        if (!value.find(words.limits))
+            bounce->complain("stands without limits, at which alone a joint bounces");
+        drive.bounce = bounce->number({0, 1});
     }
+    if (const std::optional<JsonValue> motor = value.find("motor"))
+        read_motor(*motor, words, drive);
     if (const std::optional<JsonValue> held = value.find("spring")) {
         held->require_keys({"stiffness", "damping", words.rest});
         drive.stiffness = held->at("stiffness").number(words.stiffness);
@@ -84,21 +104,49 @@ void read_drive(const JsonValue& value, const DriveWords& words, JointDrive& dri
     }
 }
 
-/// Index of the body that stands here by name; it may be one that stands, but none that is driven or soft.
-int read_body_name(const JsonValue& value, const World& world)
+/// Index of the body that stands here by name.
+/// @param kind  of the joint: those that read turns hold no soft body
+int read_body_name(const JsonValue& value, const World& world, JointKind kind)
 {
     const std::string name = value.text();
     for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-        const Body& body = *world.bodies[i];
-        if (body.name() != name)
+        if (world.bodies[i]->name() != name)
             continue;
-        if (dynamic_cast<const RigidBody*>(&body) == nullptr &&
-            dynamic_cast<const StaticBody*>(&body) == nullptr)
-            value.complain("a joint holds rigid bodies and those that stand; \"" + name +
-                           "\" is soft or moves as given");
+        if (is_soft(world, static_cast<int>(i)) && !leaves_turns(kind))
+            value.complain(
+                "\"" + name +
+                "\" is soft, and a point of it has no axes that could be locked; a soft body takes "
+                "the types \"ball\", \"rod\", \"rope\" and \"spring\"");
         return static_cast<int>(i);
     }
     value.complain("there is no body \"" + name + "\"");
+}
+
+/// The farthest that a joint's point may be from the surface of a soft body that it holds, over the body's size.
+constexpr double farthest_from_surface = 0.05;
+
+/// A soft body is held at the point of its surface that is nearest to the one of the file.
+Vec3 read_held_point(const JsonValue& value, const World& world, int body)
+{
+    const Vec3 point = value.vector(joint_point_range), held = held_point(world, body, point);
+    if (const double away = (held - point).norm();
+        away > 0 && away > farthest_from_surface * world.bodies[static_cast<std::size_t>(body)]->size())
+        value.complain("is " + shortest(away) + " m from the surface of \"" +
+                       world.bodies[static_cast<std::size_t>(body)]->name() + "\", which it would hold");
+    return held;
+}
+
+/// The point at which a joint holds both bodies.
+Vec3 read_common_point(const JsonValue& value, const World& world, int a, int b)
+{
+    const Vec3 point = read_held_point(value, world, a), of_b = held_point(world, b, point);
+    if (!is_soft(world, a) && is_soft(world, b))
+        return read_held_point(value, world, b);
+    if (const double apart = (of_b - point).norm();
+        apart > 1e-9 * world.bodies[static_cast<std::size_t>(a)]->size())
+        value.complain("the surfaces of both soft bodies are " + shortest(apart) +
+                       " m apart there; a rod joins points that are apart");
+    return point;
 }
 
 Mat3 read_axes(const JsonValue& value, JointKind kind)
@@ -146,11 +194,11 @@ void require_keys_of(const JsonValue& value, std::size_t word)
     switch (word) {
         case 1:
             value.require_keys({"name", "type", "a", "b", "at", "touch", "breaks_at", "axis", "limits_deg",
-                                "motor", "spring"});
+                                "restitution", "motor", "spring"});
             break;
         case 2:
-            value.require_keys(
-                {"name", "type", "a", "b", "at", "touch", "breaks_at", "axis", "limits", "motor", "spring"});
+            value.require_keys({"name", "type", "a", "b", "at", "touch", "breaks_at", "axis", "limits",
+                                "restitution", "motor", "spring"});
             break;
         case 3: value.require_keys({"name", "type", "a", "b", "at", "touch", "breaks_at", "axis"}); break;
         case 4:
@@ -159,6 +207,7 @@ void require_keys_of(const JsonValue& value, std::size_t word)
         case rod_word:
             value.require_keys({"name", "type", "a", "b", "at", "to", "touch", "breaks_at"});
             break;
+        case gear_word: value.require_keys({"name", "type", "hinges", "ratio"}); break;
         case rope_word:
             value.require_keys({"name", "type", "a", "b", "at", "to", "touch", "breaks_at", "length"});
             break;
@@ -170,6 +219,37 @@ void require_keys_of(const JsonValue& value, std::size_t word)
     }
 }
 
+/// One of a gear's two hinges, which stand before it in the list.
+int read_hinge_name(const JsonValue& value, const World& world)
+{
+    const std::string name = value.text();
+    for (std::size_t i = 0; i < world.joints.size(); ++i) {
+        const Joint& joint = world.joints[i];
+        if (joint.name != name)
+            continue;
+        if (joint.kind != JointKind::hinge)
+            value.complain("\"" + name + "\" is no hinge, and a gear joins two of them");
+        const Body* const other = body_at(world, joint.b);
+        if (other && dynamic_cast<const DrivenBody*>(other) != nullptr)
+            value.complain("\"" + name + "\" stands on \"" + other->name() +
+                           "\", which moves as given; a gear's hinges stand on the world or on rigid bodies");
+        return static_cast<int>(i);
+    }
+    value.complain("there is no joint \"" + name + "\" before this one");
+}
+
+Joint read_gear(const JsonValue& value, const World& world)
+{
+    const std::vector<JsonValue> names = value.at("hinges").items(2, 2);
+    const int first = read_hinge_name(names[0], world), second = read_hinge_name(names[1], world);
+    if (first == second)
+        names[1].complain("is the first one itself");
+    const double ratio = value.at("ratio").number({-1e4, 1e4});
+    if (ratio == 0)
+        value.at("ratio").complain("is 0; a gear turns both");
+    return make_gear(value.at("name").text(), world, first, second, ratio);
+}
+
 }  // namespace
 
 Joint read_joint(const JsonValue& value, const World& world)
@@ -177,22 +257,26 @@ Joint read_joint(const JsonValue& value, const World& world)
     const std::size_t word = value.at("type").choice(joint_words);
     require_keys_of(value, word);
     const JointKind kind = kind_of(word);
-    const int a = read_body_name(value.at("a"), world);
+    if (kind == JointKind::gear)
+        return read_gear(value, world);
+    const int a = read_body_name(value.at("a"), world, kind);
     const std::optional<JsonValue> other = value.find("b");
-    const int b = other ? read_body_name(*other, world) : -1;
+    const int b = other ? read_body_name(*other, world, kind) : -1;
     if (world.bodies[static_cast<std::size_t>(a)]->is_static())
-        value.at("a").complain("stands; \"a\" is the one that moves, and what stands is \"b\"");
+        value.at("a").complain(
+            "stands or moves as given; \"a\" is the one that forces move, and the other one is \"b\"");
     if (a == b)
         value.at("b").complain("is \"a\" itself");
-    const Vec3 at = value.at("at").vector(joint_point_range);
     const std::string name = value.at("name").text();
     Joint joint;
     if (kind == JointKind::distance) {
-        const Vec3 to = value.at("to").vector(joint_point_range);
+        const Vec3 at = read_held_point(value.at("at"), world, a),
+                   to = read_held_point(value.at("to"), world, b);
         joint = make_rod(world, name, a, b, at, to);
         read_distance(value, word, (at - to).norm(), joint.way);
     } else {
-        joint = make_joint(world, name, kind, a, b, at, read_axes(value, kind));
+        joint = make_joint(world, name, kind, a, b, read_common_point(value.at("at"), world, a, b),
+                           read_axes(value, kind));
     }
     if (kind == JointKind::slider)
         read_drive(value, of_way, joint.way);

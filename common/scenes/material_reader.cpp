@@ -1,5 +1,7 @@
 #include "common/scenes/material_reader.hpp"
 
+#include "common/scenes/friction_reader.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,13 +20,14 @@ FrictionCoefficients read_coefficients(const JsonValue& value, const FrictionCoe
     if (friction.mu_d > friction.mu_s)
         value.complain(
             "\"mu_d\" is above \"mu_s\"; a body that slides is never held better than one at rest");
+    friction.laws = read_surface_laws(value, otherwise.laws);
     return friction;
 }
 
 SceneMaterial read_material(const JsonValue& value, const SceneMaterials& before,
                             const ContactOfAll& of_scene)
 {
-    value.require_keys({"name", "density", "mu_s", "mu_d", "restitution"});
+    value.require_keys({"name", "density", "mu_s", "mu_d", "restitution", "viscous", "rolling", "patch"});
     SceneMaterial material{value.at("name").text()};
     if (std::any_of(before.begin(), before.end(),
                     [&](const SceneMaterial& one) { return one.name == material.name; }))
@@ -49,6 +52,12 @@ int index_of(const JsonValue& name, const SceneMaterials& materials)
 //! [combined]
 /// Of two materials that no pair names: the geometric mean of what each has against itself.
 double combined(double one, double other) { return std::sqrt(one * other); }
+/// A film lies between both, and a patch or a torque against rolling comes from the one that gives more.
+SurfaceLaws combined(const SurfaceLaws& one, const SurfaceLaws& other)
+{
+    return {std::max(one.viscous, other.viscous), std::max(one.rolling, other.rolling),
+            std::max(one.patch, other.patch)};
+}
 //! [combined]
 
 /// The tables where no pair is named.
@@ -66,7 +75,8 @@ MaterialTables combined_tables(const SceneMaterials& materials, const ContactOfA
             tables.friction.between.push_back(
                 i == j ? one.friction
                        : FrictionCoefficients{combined(one.friction.mu_s, other.friction.mu_s),
-                                              combined(one.friction.mu_d, other.friction.mu_d)});
+                                              combined(one.friction.mu_d, other.friction.mu_d),
+                                              combined(one.friction.laws, other.friction.laws)});
             tables.restitution.between.push_back(i == j ? one.restitution
                                                         : combined(one.restitution, other.restitution));
         }
@@ -76,7 +86,7 @@ MaterialTables combined_tables(const SceneMaterials& materials, const ContactOfA
 void read_pair(const JsonValue& value, const SceneMaterials& materials, MaterialTables& tables,
                std::vector<std::pair<int, int>>& known)
 {
-    value.require_keys({"between", "mu_s", "mu_d", "restitution"});
+    value.require_keys({"between", "mu_s", "mu_d", "restitution", "viscous", "rolling", "patch"});
     const std::vector<JsonValue> names = value.at("between").items(2, 2);
     const auto [one, other] = std::minmax({index_of(names[0], materials), index_of(names[1], materials)});
     if (std::find(known.begin(), known.end(), std::pair(one, other)) != known.end())

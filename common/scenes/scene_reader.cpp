@@ -56,6 +56,10 @@ ContactParameters read_contact(const JsonValue& value, double& restitution, std:
         if (const std::optional<JsonValue> friction = value.find("friction"))
             contact.friction = read_friction(*friction, contact.stiffness);
     });
+    mistakes.gather([&] {
+        if (const std::optional<JsonValue> friction = value.find("friction"))
+            contact.surface_laws = read_surface_laws(*friction, {});
+    });
     mistakes.complain();
     return contact;
 }
@@ -85,7 +89,7 @@ BodyLook read_look(const JsonValue& value)
 
 Plane read_plane(const JsonValue& value, const SceneMaterials& materials)
 {
-    value.require_keys({"name", "point", "normal", "stiffness", "material"});
+    value.require_keys({"name", "point", "normal", "stiffness", "material", "grain"});
     Plane plane;
     plane.name = value.at("name").text();
     plane.point = value.vector_or("point", {-1e4, 1e4, true, true, "m"}, plane.point);
@@ -94,6 +98,8 @@ Plane read_plane(const JsonValue& value, const SceneMaterials& materials)
     if (const std::optional<JsonValue> stiffness = value.find("stiffness"))
         plane.stiffness = stiffness->number(stiffness_range);
     plane.material = material_of(value, materials);
+    if (const std::optional<JsonValue> grain = value.find("grain"))
+        plane.grain = read_grain(*grain);
     return plane;
 }
 
@@ -154,6 +160,24 @@ void read_joints(const JsonValue& root, Scene& scene, Mistakes& mistakes)
         scene.asks_joints = joints->file() + ": " + joints->path();
 }
 
+/// The first place with a law of surfaces or a grain; empty where there is none.
+std::string place_of_surface_laws(const JsonValue& root, const Scene& scene)
+{
+    const auto place = [&](const char* path) { return root.file() + ": " + path; };
+    if (scene.contact.surface_laws.any())
+        return place("/contact/friction");
+    const std::vector<FrictionCoefficients>& between = scene.world.friction.between;
+    if (std::any_of(between.begin(), between.end(), [](const auto& one) { return one.laws.any(); }))
+        return place("/materials");
+    const std::vector<Plane>& planes = scene.world.planes;
+    if (std::any_of(planes.begin(), planes.end(), [](const Plane& plane) { return plane.grain.any(); }))
+        return place("/planes");
+    const auto& bodies = scene.world.bodies;
+    return std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return body->grain().any(); })
+               ? place("/bodies")
+               : "";
+}
+
 Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
 {
     Scene scene;
@@ -182,7 +206,7 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
         scene.camera_given = root.find("camera").has_value();
         scene.camera = scene.camera_given ? read_camera(root.at("camera")) : scene.camera;
     });
-    const ContactOfAll of_scene{coefficients_of(scene.contact.friction), restitution};
+    const ContactOfAll of_scene{coefficients_of(scene.contact), restitution};
     SceneMaterials materials;
     mistakes.gather([&] { materials = read_materials(root, of_scene, mistakes); });
     mistakes.gather([&] {
@@ -192,6 +216,7 @@ Scene read_root(const JsonValue& root, const SceneSurroundings& surroundings)
     });
     mistakes.gather([&] { read_planes(root, materials, names, scene, mistakes); });
     mistakes.gather([&] { read_bodies(root, surroundings, materials, names, scene, mistakes); });
+    scene.asks_surface_laws = place_of_surface_laws(root, scene);
     mistakes.complain();  // a joint of a body that is not there is no mistake of its own
     mistakes.gather([&] { read_joints(root, scene, mistakes); });
     mistakes.complain();
@@ -237,6 +262,11 @@ void require_asked(const Scene& scene, const Solver& solver)
     if (!scene.asks_joints.empty() && !solver.has_joints)
         throw InputError(scene.asks_joints + ": " + solver.name +
                          " has no joints; choose the solver of chapter 12, or leave the key out");
+    if (!scene.asks_surface_laws.empty() && !solver.has_surface_laws)
+        throw InputError(
+            scene.asks_surface_laws + ": " + solver.name +
+            " knows no \"viscous\", \"rolling\", \"patch\" and \"grain\"; choose the solver of one of the "
+            "chapters 7 to 10 or 12, or leave the keys out");
 }
 
 std::filesystem::path scene_file(const std::string& name)

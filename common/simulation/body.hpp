@@ -183,6 +183,9 @@ public:
     /// By its place among the scene's materials, or MaterialFriction::none.
     void set_material(int material) { material_ = material; }
     int material() const { return material_; }
+    /// Of its whole surface; a soft body, whose parts turn against each other, has none.
+    void set_grain(const Grain& grain) { grain_ = grain; }
+    const Grain& grain() const { return grain_; }
     /// How its surface runs though the body stands, as a conveyor's belt does [m/s]; what is along the normal of a pair has no
     /// effect. For those solvers that read it.
     void set_surface_velocity(const Vec3& velocity) { surface_velocity_ = velocity; }
@@ -214,6 +217,7 @@ private:
     double size_ = 0;
     bool has_weight_ = true;
     int material_ = MaterialFriction::none;
+    Grain grain_;
     Vec3 surface_velocity_ = Vec3::Zero();
 };
 

@@ -39,6 +39,7 @@ struct Contact {
     Vec3 impulse = Vec3::Zero();  ///< along the normal, on A in this step [N s]; kept for probes and pictures
 
     Vec3 friction = Vec3::Zero();  ///< friction impulse on A in this step [N s]
+    Vec3 turning = Vec3::Zero();   ///< against rolling and spinning, on A in this step [N m s]
     Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m]
     double slip = 0;               ///< speed at which friction lets go in this step [m/s], 0 while it holds
     double stiffness = 0;          ///< k of a pair that is given its own [N/m]; 0 before that

@@ -73,6 +73,7 @@ struct ContactParameters {
     PenaltyMethod method = PenaltyMethod::continuous;
     double stiffness = 1000;  ///< k of one pair [N/m], positive
     FrictionParameters friction{};
+    SurfaceLaws surface_laws{};
     NormalLaw law{};  ///< a normal law of one's own, in place of the method's
     /// of what begins inside another body or a plane, under a solver that lets it out [m/s]; without it, a part
     /// of what is natural for bodies of their size (see ScaleParts)
@@ -80,5 +81,13 @@ struct ContactParameters {
     /// how deep the load of a pair may press it, under a solver that finds its stiffness [m]; the same without it
     std::optional<double> wanted_depth{};
 };
+
+/// What pairs have whose bodies name no material.
+inline FrictionCoefficients coefficients_of(const ContactParameters& contact)
+{
+    FrictionCoefficients of = coefficients_of(contact.friction);
+    of.laws = contact.surface_laws;
+    return of;
+}
 
 }  // namespace enduring

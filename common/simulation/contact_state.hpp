@@ -19,6 +19,7 @@ inline void visit_state(StateArchive& archive, Contact& contact)
     archive(contact.start);
     archive(contact.impulse);
     archive(contact.friction);
+    archive(contact.turning);
     archive(contact.stretch);
     archive(contact.slip);
     archive(contact.stiffness);
@@ -31,7 +32,7 @@ inline void visit_state(StateArchive& archive, Contact& contact)
     archive.whole(contact.category);
     archive.whole(contact.state);
     archive.whole(contact.resolved);
-    static_assert(sizeof(Contact) == 264, "a field that is new in Contact has its line here, too");
+    static_assert(sizeof(Contact) == 288, "a field that is new in Contact has its line here, too");
 }
 
 }  // namespace enduring

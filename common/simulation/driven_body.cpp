@@ -28,6 +28,13 @@ void DrivenBody::place(double time, const std::vector<Vec3>& placed, std::vector
 }
 //! [place]
 
+Pose DrivenBody::pose(double time) const
+{
+    const GivenPlace now = motion_.at(time);
+    const Quaternion turned = now.rotation();
+    return {centre_ + now.displacement - turned * centre_, turned};
+}
+
 void DrivenBody::predict(const Vec3&, double dt) { update_prediction(dt); }
 
 void DrivenBody::update_prediction(double dt)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/geometry/meshes.hpp"
+#include "common/rigid/rigid_motion.hpp"
 #include "common/simulation/body.hpp"
 #include "common/simulation/given_motion.hpp"
 
@@ -39,6 +40,8 @@ public:
     Vec3 linear_momentum() const override { return Vec3::Zero(); }
     Vec3 angular_momentum(const Vec3&) const override { return Vec3::Zero(); }
 
+    /// From where it was placed to where the motion has brought it at a time [s].
+    Pose pose(double time) const;
     /// Where a point of the world [m] would lie if it had moved along since the body was placed, and now came back.
     Vec3 brought_back(const Vec3& point) const;
 

@@ -1,5 +1,6 @@
 #include "common/simulation/joint.hpp"
 
+#include "common/simulation/body_pose.hpp"
 #include "common/simulation/joint_body.hpp"
 
 #include <Eigen/Geometry>
@@ -11,14 +12,25 @@
 namespace enduring {
 namespace {
 
-/// @param pose_of  Pose(body)
+Vec3 on_face(std::span<const Vec3> vertices, const JointEnd& end)
+{
+    Vec3 point = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i)
+        point += end.weights[static_cast<Eigen::Index>(i)] *
+                 vertices[static_cast<std::size_t>(end.vertices[i])];
+    return point;
+}
+
+/// @param pose_of   Pose(body)
+/// @param vertices  of a soft body
 template <class PoseOf>
-JointPose pose_by(const World& world, const Joint& joint, const PoseOf& pose_of)
+JointPose pose_by(const World& world, const Joint& joint, const PoseOf& pose_of,
+                  std::span<const Vec3> (Body::*vertices)() const)
 {
     const auto placed = [&](const JointEnd& end, Vec3& point, Mat3& axes) {
-        const RigidBody* const body = rigid_at(world, end);
+        const Body* const body = body_at(world, end);
         const Pose pose = body ? pose_of(*body) : Pose{};
-        point = pose.to_world(end.point);
+        point = end.is_soft() ? on_face((body->*vertices)(), end) : pose.to_world(end.point);
         axes = (pose.orientation * end.frame).toRotationMatrix();
     };
     JointPose pose;
@@ -50,31 +62,41 @@ void visit_state(StateArchive& archive, Joint& joint)
     archive.whole(joint.acts);
     for (Vec3* vector : {&joint.lock_force, &joint.lock_torque, &joint.force, &joint.torque})
         archive(*vector);
-    for (double* number : {&joint.way_force, &joint.turn_torque, &joint.angle})
+    for (double* number :
+         {&joint.way_force, &joint.turn_torque, &joint.way_rebound, &joint.turn_rebound, &joint.angle})
         archive(*number);
 }
 
 JointPose committed_pose(const World& world, const Joint& joint)
 {
-    return pose_by(world, joint, [](const RigidBody& body) { return body.motion().pose(); });
+    return pose_by(
+        world, joint, [](const Body& body) { return committed_pose(body); }, &Body::positions_t0);
 }
 
 JointPose predicted_pose(const World& world, const Joint& joint, double dt)
 {
-    return pose_by(world, joint, [dt](const RigidBody& body) { return body.motion().predicted_pose(dt); });
+    return pose_by(
+        world, joint, [dt](const Body& body) { return predicted_pose(body, dt); }, &Body::positions_t1);
+}
+
+bool leaves_turns(JointKind kind)
+{
+    return kind == JointKind::ball || kind == JointKind::distance || kind == JointKind::gear;
 }
 
 //! [joint_axes]
 JointAxes joint_axes(JointKind kind, const JointPose& pose)
 {
     JointAxes axes;
+    if (kind == JointKind::gear)
+        return axes;
     if (kind == JointKind::distance)
         axes.along.col(0) = (pose.point_a - pose.point_b).stableNormalized();
     else
         axes.along = pose.axes_b;
     if (kind == JointKind::universal)
         axes.about.col(0) = pose.axes_a.col(0).cross(pose.axes_b.col(1)).stableNormalized();
-    else if (kind != JointKind::ball && kind != JointKind::distance)
+    else if (!leaves_turns(kind))
         axes.about = pose.axes_b;
     return axes;
 }
@@ -99,7 +121,8 @@ JointMeasure joint_measure(JointKind kind, const JointPose& pose, double angle)
         case JointKind::slider:
         case JointKind::fixed: of.about = turn_between(pose.axes_b, pose.axes_a); break;
         case JointKind::ball:
-        case JointKind::distance: break;
+        case JointKind::distance:
+        case JointKind::gear: break;
     }
     return of;
 }
@@ -114,13 +137,16 @@ int free_way(JointKind kind)
 
 int free_turn(JointKind kind) { return kind == JointKind::hinge || kind == JointKind::cylinder ? 2 : -1; }
 
-bool locks_along(JointKind kind, int place) { return kind != JointKind::distance && place != free_way(kind); }
+bool locks_along(JointKind kind, int place)
+{
+    return kind != JointKind::distance && kind != JointKind::gear && place != free_way(kind);
+}
 
 bool locks_about(JointKind kind, int place)
 {
     if (kind == JointKind::universal)
         return place == 0;
-    return kind != JointKind::ball && kind != JointKind::distance && place != free_turn(kind);
+    return !leaves_turns(kind) && place != free_turn(kind);
 }
 
 double way_of(const World& world, const Joint& joint)

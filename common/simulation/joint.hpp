@@ -5,9 +5,11 @@
 #include "common/simulation/state_archive.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,24 +25,34 @@ struct World;
 ///   universal  turns about the first axis of A's frame and the second of B's, which stay at right angles (Cardan's joint)
 ///   fixed      nothing
 ///   distance   all but the length between its two points, which is its way: a rod, a rope, a spring
-enum class JointKind : std::uint8_t { ball, hinge, slider, cylinder, universal, fixed, distance };
+///   gear       all but that the turns of two hinges keep a ratio
+enum class JointKind : std::uint8_t { ball, hinge, slider, cylinder, universal, fixed, distance, gear };
 
-/// Where a joint holds a body. Without a body, or on one that stands, it is the world.
+/// Where a joint holds a body. Without a body, or on one that stands, it is the world. On a soft body it is a point of a face of its surface,
+/// which moves with the face's vertices and has no axes of its own: a joint there may lock ways, and no turns.
 struct JointEnd {
-    int body = -1;              ///< index into World::bodies, -1 for the world
-    Vec3 point = Vec3::Zero();  ///< in body coordinates, or in the world [m]
+    int body = -1;  ///< index into World::bodies, -1 for the world
+    Vec3 point =
+        Vec3::Zero();  ///< in the coordinates of the body's pose, or in the world [m]; unused on a soft body
     Quaternion frame =
-        Quaternion::Identity();  ///< from the joint's axes to those of the body, or of the world
+        Quaternion::Identity();               ///< from the joint's axes to those of the body, or of the world
+    std::array<int, 3> vertices{-1, -1, -1};  ///< of a soft body
+    Vec3 weights = Vec3::Zero();              ///< of these, together 1
+
+    bool is_soft() const { return vertices[0] >= 0; }
 };
 
 /// What limits, drives or springs do with one free coordinate: a way [m, N] or a turn [rad, N m].
 struct JointDrive {
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
-    double motor_speed = 0;  ///< that the motor wants [m/s, rad/s]
-    double motor_most = 0;   ///< the most that it pushes [N, N m]; 0 for no motor
-    double stiffness = 0;    ///< of a spring [N/m, N m/rad]
-    double damping = 0;      ///< [N s/m, N m s/rad]
-    double rest = 0;         ///< where the spring pushes nothing [m, rad]
+    double bounce = 0;  ///< coefficient of restitution at both limits, from 0 to 1
+    double motor_speed =
+        0;  ///< that the motor wants [m/s, rad/s]; with a target, the fastest that it goes there
+    double motor_most = 0;                 ///< the most that it pushes [N, N m]; 0 for no motor
+    std::optional<double> motor_target{};  ///< where the motor wants to stand [m, rad]
+    double stiffness = 0;                  ///< of a spring [N/m, N m/rad]
+    double damping = 0;                    ///< [N s/m, N m s/rad]
+    double rest = 0;                       ///< where the spring pushes nothing [m, rad]
 
     bool pushes() const { return motor_most > 0 || stiffness > 0 || damping > 0; }
     /// Of what a motor of this strength or a spring stretched by its coordinate pushes, whichever is more [N, N m].
@@ -56,6 +68,9 @@ struct Joint {
     JointKind kind = JointKind::ball;
     JointEnd a, b;
     JointDrive way, turn;
+    std::array<int, 2> hinges{-1, -1};  ///< of a gear: two hinges by their places in World::joints
+    double ratio =
+        1;  ///< of a gear: turn of the second hinge over that of the first; negative for teeth that mesh
     double breaks_at = std::numeric_limits<double>::infinity();  ///< force at which it gives way for good [N]
     bool bodies_touch = false;  ///< whether its two bodies push each other as others do
 
@@ -64,7 +79,9 @@ struct Joint {
     bool acts = false;                                           ///< its force acts in this step already
     Vec3 lock_force = Vec3::Zero(), lock_torque = Vec3::Zero();  ///< on A, along its axes [N, N m]
     double way_force = 0, turn_torque = 0;                       ///< of its springs and motors [N, N m]
-    double angle = 0;  ///< about the axis, whole turns counted [rad]
+    double way_rebound = 0,
+           turn_rebound = 0;  ///< speed with which it leaves a limit that it has struck [m/s, rad/s]
+    double angle = 0;         ///< about the axis, whole turns counted [rad]
     Vec3 force = Vec3::Zero(),
          torque = Vec3::Zero();  ///< all of it on A, in world axes [N, N m]; torque about the joint's point
 };
@@ -99,6 +116,8 @@ JointMeasure joint_measure(JointKind kind, const JointPose& pose, double angle);
 /// Which of these numbers is free; -1 where none is.
 int free_way(JointKind kind);
 int free_turn(JointKind kind);
+/// Whether it reads no turn of its two ends against each other: of a soft body's point there is none.
+bool leaves_turns(JointKind kind);
 /// Whether it locks one of them.
 bool locks_along(JointKind kind, int place);
 bool locks_about(JointKind kind, int place);

@@ -17,6 +17,16 @@ Mat3 turning_stiffness(const Vec3& force, const Vec3& lever)
     return force.dot(lever) * Mat3::Identity() - (both + both.transpose()) / 2;
 }
 
+/// Of a soft body's point, no less than the change of its velocity per impulse in any direction [1/kg]; 0 for what is not soft.
+double soft_response(const World& world, const JointEnd& end)
+{
+    double sum = 0;
+    for (std::size_t i = 0; end.is_soft() && i < 3; ++i)
+        if (const double weight = end.weights[static_cast<Eigen::Index>(i)]; weight > 0)
+            sum += weight * body_at(world, end)->inverse_mass(end.vertices[i]).norm();
+    return sum;
+}
+
 }  // namespace
 
 //! [joint_swing]
@@ -36,6 +46,7 @@ double joint_swing(const World& world, double dt)
         double response = 0;
         const auto pull = [&](const JointEnd& at, const Vec3& point, const Vec3& force) {
             const RigidBody* const body = rigid_at(world, at);
+            response += soft_response(world, at);
             if (!body)
                 return;
             const Vec3 lever = point - body->motion().pose().position;

@@ -30,6 +30,7 @@ void begin_step(Contacts& contacts)
         contact.hold(contact.held());
         contact.impulse.setZero();
         contact.friction.setZero();
+        contact.turning.setZero();
     }
 }
 

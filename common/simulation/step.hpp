@@ -25,6 +25,7 @@ struct Plane {
     /// k of one vertex on it [N/m], positive; without it, that of all pairs
     std::optional<double> stiffness{};
     int material = MaterialFriction::none;  ///< by its place among the scene's
+    Grain grain{};
 };
 
 /// Why a step is thrown away.
@@ -111,10 +112,11 @@ public:
     int max_responses = 5;
     /// The furthest that a body may turn in a step that may be halved [rad].
     double max_turn = 0.5;
-    bool finds_stiffness = false;  ///< of each pair: a scene's has no effect
-    bool can_resume = false;       ///< all that lasts from step to step stands in the world and its pairs
-    bool has_joints = false;       ///< it holds the world's joints
-    bool exact = false;            ///< its springs give nothing: a load is held at no depth
+    bool finds_stiffness = false;   ///< of each pair: a scene's has no effect
+    bool can_resume = false;        ///< all that lasts from step to step stands in the world and its pairs
+    bool has_joints = false;        ///< it holds the world's joints
+    bool has_surface_laws = false;  ///< it knows SurfaceLaws and Grain
+    bool exact = false;             ///< its springs give nothing: a load is held at no depth
 
     Solver() = default;
     Solver(std::string of_solver, const std::vector<Pass>& refresh, const std::vector<Pass>& detect,

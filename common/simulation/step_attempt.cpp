@@ -1,5 +1,6 @@
 #include "common/simulation/step_attempt.hpp"
 
+#include "common/simulation/body_pose.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 #include "common/simulation/natural_units.hpp"
@@ -36,6 +37,25 @@ HeldEnergy held_energy(const World& world, const Contacts& contacts)
     return {energy.total() + springs, energy.kinetic + springs, springs};
 }
 
+namespace {
+
+/// What bodies that move as given do through a pair by their turns [J].
+double turning_work(const World& world, const Contact& contact, double dt)
+{
+    const auto turn = [&](int number) -> Vec3 {
+        const Body& body = *world.bodies[static_cast<std::size_t>(number)];
+        if (!body.is_static())
+            return Vec3::Zero();
+        const Eigen::AngleAxisd turned(predicted_pose(body, dt).orientation *
+                                       committed_pose(body).orientation.conjugate());
+        return turned.angle() / dt * turned.axis();
+    };
+    const bool on_plane = contact.kind == ContactKind::vertex_plane;
+    return contact.turning.dot((on_plane ? Vec3(Vec3::Zero()) : turn(contact.body_b)) - turn(contact.body_a));
+}
+
+}  // namespace
+
 double driven_work(const World& world, const Contacts& contacts, double dt)
 {
     double work = 0;
@@ -48,6 +68,9 @@ double driven_work(const World& world, const Contacts& contacts, double dt)
     }
     const bool any_stands = std::any_of(world.bodies.begin(), world.bodies.end(),
                                         [](const auto& body) { return body->is_static(); });
+    for (const Contact& contact : contacts)
+        if (any_stands && contact.answered() && !contact.turning.isZero(0))
+            work += turning_work(world, contact, dt);
     for (const Contact& contact : contacts)
         for (int i = 0; any_stands && contact.answered() && i < contact.vertex_count(); ++i) {
             const Body& body = *world.bodies[body_index(contact, i)];
