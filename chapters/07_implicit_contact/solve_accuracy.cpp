@@ -59,10 +59,14 @@ double rounding_residual(const World& world, const StepProblem& step, double lea
     Eigen::VectorXd total = Eigen::VectorXd::Zero(step.problem.size);
     for (const PairRow& row : step.problem.rows)
         row.add_impulse(row.acting, total);
-    // where nothing acts yet, what pairs answer is no rounding
+    const double rounding = rounding_speed(world, step),
+                 acting = std::max(least_speed, speed_of(step.problem, total));
+    constexpr double small = 1e-2;  // with such a residual, what acts is as large as what pairs answer
+    if (rounding <= small * acting)
+        return rounding / acting;
+    // where nothing acts yet, the answer is no rounding
     const Answers answers = answers_to(step.problem, Eigen::VectorXd::Zero(step.problem.size));
-    return rounding_speed(world, step) /
-           std::max({least_speed, speed_of(step.problem, total), speed_of(step.problem, answers.total)});
+    return rounding / std::max(acting, speed_of(step.problem, answers.total));
 }
 //! [rounding_residual]
 
