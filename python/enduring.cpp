@@ -43,6 +43,23 @@ py::array energies(const Run& run)
     return copy(rows);
 }
 
+/// A dictionary of each joint, by name.
+py::dict joints(const Run& run)
+{
+    const auto array = [](const Vec3& vector) { return py::array_t<double>(3, vector.data()); };
+    py::dict all;
+    for (const Joint& joint : run.scene.world.joints) {
+        py::dict one;
+        one["force"] = array(joint.force);
+        one["torque"] = array(joint.torque);
+        one["turn"] = turn_of(run.scene.world, joint);
+        one["way"] = way_of(run.scene.world, joint);
+        one["broken"] = joint.broken;
+        all[py::str(joint.name)] = one;
+    }
+    return all;
+}
+
 void declare_scene(py::module_& module)
 {
     const auto inside = py::return_value_policy::reference_internal;
@@ -101,6 +118,10 @@ void declare_scene(py::module_& module)
                 return numbers;
             },
             "what the last step cost, by name: counts, and the worst residual; attempts that were thrown away are counted")
+        .def_property_readonly(
+            "joints", joints,
+            "by name, in the scene's order: what each of them does on its body a (force [N], torque [N m] "
+            "about its point), turn [rad], way [m], and whether it is broken")
         .def_property_readonly("energies", energies, "of each body: kinetic, gravitational, elastic [J]")
         .def_property_readonly(
             "spring_energy", [](const Run& run) { return spring_energy(*run.contacts); },

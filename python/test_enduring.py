@@ -37,8 +37,21 @@ class Scenes(unittest.TestCase):
                 self.assertEqual(scene.time, 0.005)
         with self.assertRaisesRegex(enduring.SceneError, "before the first step"):
             scene.chapter = 3
-        with self.assertRaisesRegex(enduring.SceneError, "chapter 12 has no solver"):
-            ball(chapter=12)
+        with self.assertRaisesRegex(enduring.SceneError, "chapter 13 has no solver"):
+            ball(chapter=13)
+
+    def test_joints_tell_what_they_carry_and_need_a_solver_that_has_them(self):
+        box = {"name": "box", "type": "rigid", "shape": {"box": {"size": [0.1, 0.1, 0.1]}}, "mass": 2, "position": [0, -0.5, 0]}
+        machine = {"name": "machine", "dt": 0.01, "duration": 1, "bodies": [box],
+                   "joints": [{"name": "rod", "type": "rod", "a": "box", "at": [0, -0.5, 0], "to": [0, 0, 0]}]}
+        with self.assertRaisesRegex(enduring.SceneError, "/joints: chapter 10 has no joints"):
+            enduring.read(machine, chapter=10)
+        scene = enduring.read(machine, chapter=12)
+        scene.step(10)
+        rod = scene.joints["rod"]
+        np.testing.assert_allclose(rod["force"], [0, 2 * 9.81, 0], atol=1e-6)
+        self.assertAlmostEqual(rod["way"], 0.5, 12)
+        self.assertFalse(rod["broken"])
 
     def test_a_scene_that_asks_for_exact_contact_refuses_a_solver_whose_springs_give(self):
         patch = {"contact": {"exact": True}}

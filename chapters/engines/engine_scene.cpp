@@ -76,6 +76,10 @@ json numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 EngineScene describe(const Scene& scene)
 {
+    Solver engine;
+    engine.name = "another engine";
+    engine.exact = true;
+    require_asked(scene, engine);
     EngineScene taken{scene.name,          scene.dt,
                       scene.world.gravity, coefficients_of(scene.contact.friction).mu_s,
                       scene.world.planes,  {}};

@@ -11,6 +11,7 @@
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "chapters/10_self_contact/solver.hpp"
 #include "chapters/11_exact_contact/solver.hpp"
+#include "chapters/12_joints/solver.hpp"
 #include "common/input/input_error.hpp"
 
 namespace enduring::solvers {
@@ -28,9 +29,10 @@ Solver chapter_solver(int chapter, const ContactParameters& parameters, const Im
         case 9: return chapter09_solver(parameters, settings);
         case 10: return chapter10_solver(parameters, settings);
         case 11: return chapter11_solver(parameters, settings);
+        case 12: return chapter12_solver(parameters, settings);
         default:
             throw InputError("chapter " + std::to_string(chapter) + " has no solver; 1 to " +
-                             std::to_string(chapters) + " have");
+                             std::to_string(last_chapter) + " have");
     }
 }
 

@@ -6,9 +6,12 @@
 
 namespace enduring::solvers {
 
+/// Those that run the same scenes side by side.
 constexpr int chapters = 11;
+/// The last one with a solver: chapter 12's also has joints.
+constexpr int last_chapter = 12;
 
-/// The solver of a chapter by its number, 1 to `chapters`.
+/// The solver of a chapter by its number, 1 to `last_chapter`.
 /// @param settings     from chapter 7 on
 /// @throws InputError  there is no such chapter
 Solver chapter_solver(int chapter, const ContactParameters& parameters,

@@ -28,7 +28,7 @@ int main(int argc, char** argv)
     };
     program.add_options = [chapter](CLI::App& app) {
         app.add_option("--solver", *chapter, "the chapter whose solver runs a scene of your own")
-            ->check(CLI::Range(1, solvers::chapters))
+            ->check(CLI::Range(1, solvers::last_chapter))
             ->capture_default_str()
             ->needs(app.get_option("--scene"))
             ->excludes(app.get_option("experiments"));

@@ -95,7 +95,8 @@ def all_scenes():
     yield from ledger_scenes()
     for path in sorted((ROOT / "common/scenes").glob("*.json")):
         if path.stem not in {star["key"] for star in stars}:
-            yield {"key": path.stem, "group": "Scenes of the course", "title": path.stem.replace("_", " "), "text": path.read_text(encoding="utf-8"), "note": "", "solver": 10, "beside": 0}
+            yield {"key": path.stem, "group": "Scenes of the course", "title": path.stem.replace("_", " "), "text": (text := path.read_text(encoding="utf-8")), "note": "",
+                   "solver": solver_of(text), "beside": 0}
 
 
 def meshes():
@@ -104,8 +105,10 @@ def meshes():
 
 
 def solver_of(text):
-    """The chapter whose solver a scene begins with: springs give, unless it asks for exact contact."""
+    """The chapter whose solver a scene begins with: springs give, unless it asks for exact contact; joints are chapter 12's."""
     try:
+        if json.loads(text).get("joints"):
+            return 12
         return 11 if json.loads(text).get("contact", {}).get("exact") is True else 10
     except (ValueError, AttributeError):  # the page tells the mistake
         return 10

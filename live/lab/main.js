@@ -12,7 +12,7 @@ import { View } from "./view.js";
 
 const CHAPTERS = [[1, "1: particle and plane"], [2, "2: collision detection"], [3, "3: penalty impulses"], [4, "4: friction"], [5, "5: categorisation"], [6, "6: redefinition"],
                   [7, "7: implicit contact"], [8, "8: contact by distance"], [9, "9: deep contacts"], [10, "10: self-contact"],
-                  [11, "11: exact contact"]];
+                  [11, "11: exact contact"], [12, "12: joints"]];
 const SPEEDS = [[1, "as the clock"], [0.25, "4 times slower"], [0.0625, "16 times slower"], [0, "step by step"]];
 const OWN = "own", RUN = "run", MOST_BYTES = 3e8, MOST_STEPS_A_FRAME = 20, FRAME = 1 / 60;
 

@@ -34,6 +34,10 @@ BulletWorld::BulletWorld(Scene& scene, int iterations)
     : scene_(scene.name), friction_(std::sqrt(coefficients_of(scene.contact.friction).mu_s)),
       broad_phase_(std::make_unique<btDbvtBroadphase>())
 {
+    Solver bullet;
+    bullet.name = "Bullet";
+    bullet.exact = true;  // it has impulses in place of springs
+    require_asked(scene, bullet);
     std::vector<std::unique_ptr<Body>>& bodies = scene.world.bodies;
     soft_ = std::any_of(bodies.begin(), bodies.end(), [](const auto& body) { return is_deformable(*body); });
     if (soft_) {
