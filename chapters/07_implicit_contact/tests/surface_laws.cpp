@@ -31,7 +31,7 @@ Scene cube_on_slope(double slope, const Vec3& towards, const std::string& fricti
     Scene scene = read_scene(R"({"name": "slope", "dt": 0.01, "duration": 1, "contact": {"friction": )" +
                                  friction + R"(}, "planes": [{"name": "ground")" + of_ground +
                                  R"(}], "bodies": [
-      {"name": "cube", "type": "rigid", "shape": {"box": {"size": [0.4, 0.1, 0.4]}}, "mass": 2, "position": [0, 0.05, 0])" +
+      {"name": "cube", "type": "rigid", "shape": {"box": {"size": [0.5, 0.1, 0.3]}}, "mass": 2, "position": [0, 0.05, 0])" +
                                  of_cube + "}]}",
                              "", "slope.json", {{"/nowhere"}});
     scene.world.gravity = gravity / std::hypot(1, slope) * (slope * towards - Vec3::UnitY());
