@@ -1,6 +1,7 @@
 #include "live/laboratory.hpp"
 
 #include "chapters/solvers/chapter_solver.hpp"
+#include "common/scenes/drawn_body.hpp"
 #include "common/scenes/scene_reader.hpp"
 
 #include <utility>
@@ -43,17 +44,18 @@ void Laboratory::pull(World& world, double dt) const
     if (hand_.body < 0)
         return;
     Body& body = *world.bodies[static_cast<std::size_t>(hand_.body)];
-    const Face& corners = body.surface().faces()[static_cast<std::size_t>(hand_.face)];
+    const std::vector<int> corners = vertices_of_drawn_face(body, hand_.face);
+    const auto count = static_cast<double>(corners.size());
     Vec3 place = Vec3::Zero(), velocity = Vec3::Zero();
     for (const int vertex : corners) {
-        place += body.position(vertex, 0) / 3;
-        velocity += body.velocity(vertex) / 3;
+        place += body.position(vertex, 0) / count;
+        velocity += body.velocity(vertex) / count;
     }
     const double k = Hand::stiffness * body.mass(), c = Hand::damping * body.mass();
     const Vec3 force = (k * (hand_.target - place - dt * velocity) - c * velocity) /
                        (1 + dt * Hand::damping + dt * dt * Hand::stiffness);
     for (const int vertex : corners)
-        push_from_outside(world, static_cast<std::size_t>(hand_.body), vertex, dt / 3 * force);
+        push_from_outside(world, static_cast<std::size_t>(hand_.body), vertex, dt / count * force);
     body.update_prediction(dt);
 }
 

@@ -59,16 +59,18 @@ void visit_boxed_pairs(const SurfaceStep& a, const FaceTree& boxes_a, const Surf
 }
 
 //! [owned_pairs]
-/// The pairs of features for which two faces with overlapping boxes speak.
+/// The pairs of features for which two faces with overlapping boxes speak. Edges without faces speak for themselves and their ends.
 template <class Visit>
 void visit_owned_pairs(const FaceTree& a, int face_a, const FaceTree& b, int face_b, Visit& visit)
 {
-    for (int v : a.owned_vertices(face_a))
-        if (a.vertex_box(v).overlaps(b.face_box(face_b)))
-            visit.vertex_face(v, face_b);
-    for (int v : b.owned_vertices(face_b))
-        if (a.face_box(face_a).overlaps(b.vertex_box(v)))
-            visit.face_vertex(face_a, v);
+    if (b.has_faces())
+        for (int v : a.owned_vertices(face_a))
+            if (a.vertex_box(v).overlaps(b.face_box(face_b)))
+                visit.vertex_face(v, face_b);
+    if (a.has_faces())
+        for (int v : b.owned_vertices(face_b))
+            if (a.face_box(face_a).overlaps(b.vertex_box(v)))
+                visit.face_vertex(face_a, v);
     for (int e : a.owned_edges(face_a))
         for (int g : b.owned_edges(face_b))
             if (a.edge_box(e).overlaps(b.edge_box(g)))
@@ -80,7 +82,7 @@ void visit_owned_pairs(const FaceTree& a, int face_a, const FaceTree& b, int fac
 template <class Visit>
 void visit_tree_pairs(const FaceTree& a, const FaceTree& b, Visit&& visit)
 {
-    FaceTree::overlapping_faces(
+    FaceTree::overlapping_leaves(
         a, b, [&](int face_a, int face_b) { visit_owned_pairs(a, face_a, b, face_b, visit); });
 }
 //! [owned_pairs]

@@ -24,40 +24,58 @@ struct Still {
     }
     const Vec3& corner(int face, std::size_t i) const
     {
-        return positions[static_cast<std::size_t>(topology.faces()[static_cast<std::size_t>(face)][i % 3])];
+        return positions[static_cast<std::size_t>(topology.faces()[static_cast<std::size_t>(face)][i])];
     }
 };
 
-/// Whether an edge of one face has its ends on both sides of the other face, by more than rounding, and goes through it.
-bool any_edge_through(const Still& a, int face_a, const Still& b, int face_b)
+/// Whether a stretch has its ends on both sides of a face, by more than rounding, and goes through it.
+bool goes_through(const Vec3& p, const Vec3& q, const Still& b, int face_b)
 {
     const std::array<Vec3, 3> f{b.corner(face_b, 0), b.corner(face_b, 1), b.corner(face_b, 2)};
     const Vec3 normal = (f[1] - f[0]).cross(f[2] - f[0]).stableNormalized();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 &p = a.corner(face_a, i), &q = a.corner(face_a, i + 1);
-        const double above_p = normal.dot(p - f[0]), above_q = normal.dot(q - f[0]),
-                     least = distance_parts.touching * (q - p).norm();
-        if (std::min(above_p, above_q) < -least && std::max(above_p, above_q) > least &&
-            find_edge_triangle_hit(p, q, f[0], f[1], f[2]))
-            return true;
-    }
-    return false;
+    const double above_p = normal.dot(p - f[0]), above_q = normal.dot(q - f[0]),
+                 least = distance_parts.touching * (q - p).norm();
+    return std::min(above_p, above_q) < -least && std::max(above_p, above_q) > least &&
+           find_edge_triangle_hit(p, q, f[0], f[1], f[2]);
+}
+
+/// Whether an edge of one leaf goes through the other, which is a face.
+bool any_edge_through(const Still& a, int leaf_a, const Still& b, int face_b)
+{
+    if (!b.tree.has_faces())
+        return false;
+    if (a.tree.has_faces())
+        return goes_through(a.corner(leaf_a, 0), a.corner(leaf_a, 1), b, face_b) ||
+               goes_through(a.corner(leaf_a, 1), a.corner(leaf_a, 2), b, face_b) ||
+               goes_through(a.corner(leaf_a, 2), a.corner(leaf_a, 0), b, face_b);
+    const std::span<const int> own = a.tree.owned_edges(leaf_a);
+    return std::any_of(own.begin(), own.end(), [&](int edge) {
+        const auto [p, q] = a.topology.edges()[static_cast<std::size_t>(edge)];
+        return goes_through(a.positions[static_cast<std::size_t>(p)],
+                            a.positions[static_cast<std::size_t>(q)], b, face_b);
+    });
 }
 
 bool cross(const Still& a, const Still& b)
 {
     bool any = false;
-    FaceTree::overlapping_faces(a.tree, b.tree, [&](int face_a, int face_b) {
-        any = any || any_edge_through(a, face_a, b, face_b) || any_edge_through(b, face_b, a, face_a);
+    FaceTree::overlapping_leaves(a.tree, b.tree, [&](int leaf_a, int leaf_b) {
+        any = any || any_edge_through(a, leaf_a, b, leaf_b) || any_edge_through(b, leaf_b, a, leaf_a);
     });
     return any;
 }
 
-/// For surfaces that do not cross.
+/// For surfaces that do not cross: of a surface one vertex tells, of points and edges each for itself.
 bool lies_in(const Still& inner, const Still& outer)
 {
-    return outer.topology.is_closed() && !inner.positions.empty() &&
-           winding_number(outer.topology.faces(), outer.positions, inner.positions.front()) > 0.5;
+    if (!outer.topology.is_closed())
+        return false;
+    const auto asked = inner.tree.has_faces() ? std::min<std::size_t>(1, inner.positions.size())
+                                              : inner.positions.size();
+    const std::span<const Vec3> points = inner.positions.first(asked);
+    return std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
+        return winding_number(outer.topology.faces(), outer.positions, point) > 0.5;
+    });
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ bool is_foremost(const SurfaceMoment& surface, int vertex, const Vec3& direction
 bool in_cone_of_edge(const SurfaceMoment& surface, int edge, const Vec3& direction, double sine,
                      double least_fold)
 {
-    if (!any_faces(surface, surface.step.topology.faces_at_edge(edge), direction))
+    const auto& faces = surface.step.topology.faces_at_edge(edge);
+    if (faces[0] >= 0 && !any_faces(surface, faces, direction))  // a wire has no inner side
         return false;
     const auto [into, into_other] = into_faces(surface, edge);
     return into.dot(direction) <= sine && into_other.dot(direction) <= sine &&

@@ -118,7 +118,7 @@ private:
             !has_own_directions(*world_.bodies[static_cast<std::size_t>(body_b_)], feature.vertex))
             return false;
         const auto around = a_.topology.faces_around_vertex(vertex_);
-        return std::all_of(around.begin(), around.end(), [&](int face) {
+        return !around.empty() && std::all_of(around.begin(), around.end(), [&](int face) {
             return closest_on_face(closest.point, a_, face).distance >= closest.distance - touching_;
         });
     }

@@ -33,6 +33,7 @@ Solver chapter08_solver(const ContactParameters& parameters, ImplicitSettings se
     Solver solver;
     solver.name = "chapter 8";
     solver.can_resume = true;
+    solver.has_frames = true;
     solver.max_responses = distance_parts.most_answers;
     solver.append(StepStage::refresh, "put skins",
                   [search](World& world, Contacts&, double dt) { search->begin(world, dt); });

@@ -8,11 +8,21 @@
 
 namespace enduring {
 
-/// A triangle surface as read or generated: positions [m] and faces, counter-clockwise seen from outside.
+/// A triangle surface as read or generated: positions [m] and faces, counter-clockwise seen from outside. Without faces it is a wire
+/// frame, or without edges, too, a cloud of points.
 struct SurfaceMesh {
     std::vector<Vec3> vertices;
     std::vector<Face> faces;
+    std::vector<Edge> wires{};  ///< only where there are no faces
 };
+
+/// @throws InputError  as SurfaceTopology does
+inline SurfaceTopology topology_of(const SurfaceMesh& mesh)
+{
+    const auto vertices = static_cast<int>(mesh.vertices.size());
+    return mesh.faces.empty() ? SurfaceTopology::of_edges(vertices, mesh.wires)
+                              : SurfaceTopology(vertices, mesh.faces);
+}
 
 /// A tetrahedral mesh with 4 nodes an element: positions [m]; the first three nodes of a tetrahedron run
 /// counter-clockwise seen from the fourth, so that det(x1-x0, x2-x0, x3-x0) > 0.

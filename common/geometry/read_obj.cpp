@@ -6,6 +6,7 @@
 #include "common/input/input_file.hpp"
 #include "common/input/text_lines.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 namespace enduring {
@@ -86,7 +87,54 @@ std::vector<Face> triangles(const ObjContent& content, const TextLines& lines)
     return faces;
 }
 
+/// A line through its vertices, one after the other, as edges.
+void read_line(TextLines& lines, SurfaceMesh& frame, std::vector<int>& line_of_edge)
+{
+    std::vector<int> vertices;
+    for (std::string_view word = lines.next_word(); !word.empty(); word = lines.next_word())
+        vertices.push_back(static_cast<int>(vertex_of_corner(word, lines, frame.vertices.size())) - 1);
+    if (vertices.size() < 2)
+        lines.fail("a line with " + std::to_string(vertices.size()) + " vertices; two are needed");
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+        frame.wires.push_back({vertices[i], vertices[i + 1]});
+        line_of_edge.push_back(lines.number());
+    }
+}
+
 }  // namespace
+
+SurfaceMesh read_obj_frame(std::istream& stream, const std::string& name, int most)
+{
+    TextLines lines(stream, name);
+    SurfaceMesh frame;
+    std::vector<int> line_of_edge;
+    while (lines.next()) {
+        const std::string_view keyword = lines.next_word();
+        if (keyword == "v")
+            frame.vertices.push_back(read_vertex(lines));
+        else if (keyword == "l")
+            read_line(lines, frame, line_of_edge);
+        else if (keyword == "f")
+            lines.fail("a face; points and edges alone are wanted here");
+        if (static_cast<int>(std::max(frame.vertices.size(), frame.wires.size())) > most)
+            lines.fail("more than " + std::to_string(most) + " vertices or edges");
+    }
+    if (frame.vertices.empty())
+        lines.fail("the file ends without a vertex");
+    const auto vertices = static_cast<int>(frame.vertices.size());
+    for (std::size_t e = 0; e < frame.wires.size(); ++e)
+        for (const int vertex : frame.wires[e])
+            if (vertex < 0 || vertex >= vertices)
+                lines.fail_at(line_of_edge[e], "the line names vertex " + std::to_string(vertex + 1) +
+                                                   "; the file has 1 to " + std::to_string(vertices));
+    return frame;
+}
+
+SurfaceMesh read_obj_frame(const std::filesystem::path& file, int most)
+{
+    std::ifstream stream = open_file(file);
+    return read_obj_frame(stream, file.string(), most);
+}
 
 SurfaceMesh read_obj(std::istream& stream, const std::string& name)
 {

@@ -95,6 +95,28 @@ SurfaceTopology::SurfaceTopology(int vertex_count, std::vector<Face> faces)
         manifold_ = has_one_fan(v);
 }
 
+SurfaceTopology SurfaceTopology::of_edges(int vertex_count, std::vector<Edge> edges)
+{
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        Edge& edge = edges[e];
+        std::sort(edge.begin(), edge.end());
+        if (edge[0] < 0 || edge[1] >= vertex_count)
+            throw InputError("edge " + std::to_string(e) + " names a vertex outside [0, " +
+                             std::to_string(vertex_count) + ")");
+        if (edge[0] == edge[1])
+            throw InputError("edge " + std::to_string(e) + " names a vertex twice");
+    }
+    std::sort(edges.begin(), edges.end());
+    if (const auto twice = std::adjacent_find(edges.begin(), edges.end()); twice != edges.end())
+        throw InputError("the edge between the vertices " + std::to_string((*twice)[0]) + " and " +
+                         std::to_string((*twice)[1]) + " is there twice");
+    SurfaceTopology frame(vertex_count, std::vector<Face>{});
+    frame.edges_ = std::move(edges);
+    frame.edge_faces_.assign(frame.edges_.size(), {-1, -1});
+    file_under_vertices(vertex_count, frame.edges_, frame.vertex_edge_offsets_, frame.vertex_edges_);
+    return frame;
+}
+
 /// Walks from the first face over common edges at the vertex; a bow tie leaves faces unvisited.
 bool SurfaceTopology::has_one_fan(int vertex) const
 {
@@ -130,8 +152,8 @@ const std::array<int, 3>& SurfaceTopology::edges_of_face(int face) const { retur
 
 bool SurfaceTopology::is_closed() const
 {
-    return std::all_of(edge_faces_.begin(), edge_faces_.end(),
-                       [](const auto& faces) { return faces[1] >= 0; });
+    return !faces_.empty() && std::all_of(edge_faces_.begin(), edge_faces_.end(),
+                                          [](const auto& faces) { return faces[1] >= 0; });
 }
 
 bool SurfaceTopology::is_manifold() const { return manifold_; }

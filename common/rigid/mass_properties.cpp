@@ -4,7 +4,10 @@
 #include "common/geometry/tolerances.hpp"
 #include "common/input/input_error.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace enduring {
@@ -109,6 +112,56 @@ MassProperties sheet_properties(const SurfaceMesh& mesh, double area_density)
     return {area_density * area, origin + centre, area_density * inertia};
 }
 //! [sheet_properties]
+
+std::optional<Vec3> common_line(std::span<const Vec3> points)
+{
+    const Vec3 mean = std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) /
+                      static_cast<double>(points.size());
+    Mat3 spread = Mat3::Zero();
+    for (const Vec3& x : points)
+        spread += (x - mean) * (x - mean).transpose();
+    const Eigen::SelfAdjointEigenSolver<Mat3> along(spread);  // ascending
+    if (along.eigenvalues()[1] > tolerance::least_inertia * along.eigenvalues()[2])
+        return std::nullopt;
+    return along.eigenvectors().col(2);
+}
+
+//! [frame_properties]
+MassProperties frame_properties(const SurfaceMesh& mesh, double mass)
+{
+    check_positive("mass", mass);
+    const Vec3 origin = mesh.vertices.front();
+    double shares = 0;
+    Vec3 first = Vec3::Zero();
+    Mat3 second = Mat3::Zero();
+    const auto add = [&](double share, const Vec3& mean, const Mat3& square) {
+        shares += share;
+        first += share * mean;
+        second += share * square;
+    };
+    if (mesh.wires.empty())
+        for (const Vec3& vertex : mesh.vertices) {
+            const Vec3 x = vertex - origin;
+            add(1, x, x * x.transpose());
+        }
+    for (const auto& [i, j] : mesh.wires) {
+        const Vec3 a = mesh.vertices[static_cast<std::size_t>(i)] - origin,
+                   b = mesh.vertices[static_cast<std::size_t>(j)] - origin, s = a + b;
+        if (a == b)
+            throw InputError("the edge between the vertices " + std::to_string(i) + " and " +
+                             std::to_string(j) + " has no length");
+        add((b - a).norm(), s / 2, (a * a.transpose() + b * b.transpose() + s * s.transpose()) / 6);
+    }
+    const Vec3 centre = first / shares;
+    second = second / shares - centre * centre.transpose();
+    if (!(second.trace() > 0))
+        throw InputError("all points are at one place; a body of points and edges needs two or more");
+    const double largest = second.trace();  // about a line, across it
+    const Mat3 inertia = common_line(mesh.vertices) ? Mat3(largest * Mat3::Identity())
+                                                    : Mat3(largest * Mat3::Identity() - second);
+    return {mass, origin + centre, mass * inertia};
+}
+//! [frame_properties]
 
 MassProperties with_mass(MassProperties properties, double mass)
 {

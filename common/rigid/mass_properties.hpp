@@ -3,6 +3,9 @@
 #include "common/geometry/meshes.hpp"
 #include "common/geometry/vector.hpp"
 
+#include <optional>
+#include <span>
+
 namespace enduring {
 
 /// Everything a rigid body's motion knows of its shape.
@@ -27,6 +30,19 @@ MassProperties mass_properties(const SurfaceMesh& mesh, double density);
 /// @param area_density  [kg/m^2], positive
 /// @throws InputError   density not positive and finite
 MassProperties sheet_properties(const SurfaceMesh& mesh, double area_density);
+
+/// The same of points and edges alone, as of threads and pins. The mass lies on the edges, shared by their lengths, if there are any;
+/// else each point has an equal share. Exact.
+///
+/// About a line on which all points lie they have no inertia, and no force on one of them turns them about it. There the largest
+/// moment stands in place of none, so that an inverse exists: nothing that moves the points depends on it.
+/// @param mesh  without faces; two or more points
+/// @param mass  [kg], positive
+/// @throws InputError  mass not positive and finite; all points at one place; an edge without length
+MassProperties frame_properties(const SurfaceMesh& mesh, double mass);
+
+/// The direction of the line on which all points lie, unit length; none where they do not.
+std::optional<Vec3> common_line(std::span<const Vec3> points);
 
 /// The same shape with another mass [kg], positive; the inertia scales along.
 /// @throws InputError  mass not positive and finite

@@ -16,14 +16,10 @@ constexpr double least_gap = 1e-6;  ///< between rows [s]: the shortest step
 const NumberRange time_range{-3600, 3600, true, true, "s"}, place_range{-1e4, 1e4, true, true, "m"},
     speed_range{-1e4, 1e4, true, true, "m/s"}, spin_range{-1e4, 1e4, true, true, "rad/s"};
 
-/// The time of a row, which is a microsecond or more later than that of the row before.
 template <class Row>
 double read_time(const JsonValue& row, const std::vector<Row>& before)
 {
-    const double time = row.at("time").number(time_range);
-    if (!before.empty() && !(time >= before.back().time + least_gap))
-        row.at("time").complain("is not a microsecond or more later than that of the row before");
-    return time;
+    return enduring::read_time(row, before.empty() ? nullptr : &before.back().time);
 }
 
 /// Axis times angle; zero if left out.
@@ -142,6 +138,14 @@ Vec3 read_free_axes(const JsonValue& locked, const std::string& key)
 }
 
 }  // namespace
+
+double read_time(const JsonValue& row, const double* before)
+{
+    const double time = row.at("time").number(time_range);
+    if (before && !(time >= *before + least_gap))
+        row.at("time").complain("is not a microsecond or more later than that of the row before");
+    return time;
+}
 
 double read_until(const JsonValue& value)
 {

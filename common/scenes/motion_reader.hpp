@@ -19,6 +19,10 @@ struct ReadMotion {
 };
 ReadMotion read_given_motion(const JsonValue& value, const Placement& placement);
 
+/// The key "time" of a row of a table [s], a microsecond or more later than that of the row before.
+/// @param before  none for the first row
+double read_time(const JsonValue& row, const double* before);
+
 /// Until when nodes are held, or a motion lasts [s]: the key "until", or for ever.
 double read_until(const JsonValue& value);
 

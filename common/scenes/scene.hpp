@@ -38,6 +38,7 @@ struct Scene {
     bool gives_stiffness = false;           ///< in its file; else that of `contact` is the default
     std::string asks_exact = {};            ///< where its file asks for exact contact, or empty
     std::string asks_joints = {};           ///< where its file has joints, or empty
+    std::string asks_frames = {};           ///< where its file has a body of points and edges alone, or empty
     std::string asks_surface_laws = {};     ///< where its file has one of SurfaceLaws or a grain, or empty
     /// what will probably go wrong, a sentence each (see scene_warnings()); run() tells them
     std::vector<std::string> warnings;
@@ -52,8 +53,8 @@ struct Scene {
 ///     what was expected and what stands there
 Scene load_scene(const std::filesystem::path& path, const std::string& patch = "");
 
-/// @throws InputError  the scene asks for exact contact, and the springs of this solver give, or for joints or a law of surfaces that it does
-///     not have: names the place
+/// @throws InputError  the scene asks for exact contact, and the springs of this solver give, or for joints, for bodies of points and
+///     edges alone, or for a law of surfaces that it does not have: names the place
 void require_asked(const Scene& scene, const Solver& solver);
 
 /// A scene that ships with the course: common/scenes/NAME.json.

@@ -132,6 +132,8 @@ void read_bodies(const JsonValue& root, const SceneSurroundings& surroundings,
         mistakes.gather([&] {
             require_new_name(entry, names);
             scene.world.bodies.push_back(read_body(entry, surroundings, materials));
+            if (scene.asks_frames.empty() && scene.world.bodies.back()->surface().faces().empty())
+                scene.asks_frames = entry.file() + ": " + entry.path() + "/shape";
             if (const auto* rigid = dynamic_cast<const RigidBody*>(scene.world.bodies.back().get()))
                 require_slow_springs(entry, *rigid, scene.dt);
         });
@@ -259,6 +261,10 @@ void require_asked(const Scene& scene, const Solver& solver)
     if (!scene.asks_exact.empty() && !solver.exact)
         throw InputError(scene.asks_exact + ": the springs of " + solver.name +
                          " give under a load; choose a solver of exact contact, or leave the key out");
+    if (!scene.asks_frames.empty() && !solver.has_frames)
+        throw InputError(
+            scene.asks_frames + ": " + solver.name +
+            " asks on which side of a face a body is, and points and edges have no inside; choose the solver of chapter 8 or a later one");
     if (!scene.asks_joints.empty() && !solver.has_joints)
         throw InputError(scene.asks_joints + ": " + solver.name +
                          " has no joints; choose the solver of chapter 12, or leave the key out");

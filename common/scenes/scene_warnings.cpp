@@ -24,7 +24,7 @@ std::string sentence(const StartOverlap& overlap, double max_depenetration_veloc
                "one that does not throws it out, since all weight of the scene would not press it so far";
     if (!overlap.closed)
         return place +
-               ": a surface with a border has no inside to separate from, so the body falls through; move one of them";
+               ": a surface with a border has no inside to separate from, nor have points and edges, so the body falls through; move one of them";
     return place + separates + "one that waits for surfaces to cross lets it fall through";
 }
 

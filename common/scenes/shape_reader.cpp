@@ -10,6 +10,7 @@
 #include "common/geometry/weld.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/number_text.hpp"
+#include "common/scenes/frame_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -132,20 +133,6 @@ Shape read_bowl(const JsonValue& value, const SceneLimits& limits)
     return surface_only(bowl(shape));
 }
 
-std::filesystem::path find_mesh(const JsonValue& value, const std::vector<std::filesystem::path>& folders)
-{
-    const std::string name = value.text();
-    std::string searched;
-    for (const std::filesystem::path& folder : folders) {
-        std::error_code ignored;
-        std::filesystem::path path = folder / name;
-        if (std::filesystem::is_regular_file(path, ignored))
-            return path;
-        searched += (searched.empty() ? "" : " and ") + folder.string();
-    }
-    value.complain("there is no mesh file \"" + name + "\" (searched in " + searched + ")");
-}
-
 Shape read_file(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     const std::filesystem::path path = find_mesh(value, surroundings.mesh_folders);
@@ -218,8 +205,8 @@ constexpr std::array<NamedReader, 7> generated{{{"bar", read_bar},
 /// The one entry of the object that says which shape it is; "scale", "transform", "weld" and "mend" may stand beside it.
 Shape read_unscaled(const JsonValue& value, const SceneSurroundings& surroundings)
 {
-    value.require_keys({"bar", "bowl", "box", "file", "plane_grid", "slope", "sphere", "tetrahedron", "scale",
-                        "transform", "weld", "mend"});
+    value.require_keys({"bar", "bowl", "box", "file", "plane_grid", "points", "slope", "sphere",
+                        "tetrahedron", "wire", "scale", "transform", "weld", "mend"});
     std::vector<std::pair<std::string, JsonValue>> kinds = value.members();
     kinds.erase(std::remove_if(kinds.begin(), kinds.end(),
                                [](const auto& member) {
@@ -229,11 +216,13 @@ Shape read_unscaled(const JsonValue& value, const SceneSurroundings& surrounding
                 kinds.end());
     if (kinds.size() != 1)
         value.fail(
-            "an object with exactly one of \"bar\", \"bowl\", \"box\", \"file\", \"plane_grid\", \"slope\", \"sphere\", \"tetrahedron\"");
+            "an object with exactly one of \"bar\", \"bowl\", \"box\", \"file\", \"plane_grid\", \"points\", \"slope\", \"sphere\", \"tetrahedron\", \"wire\"");
     const auto& [kind, description] = kinds.front();
     try {
         if (kind == "file")
             return read_file(description, surroundings);
+        if (kind == "points" || kind == "wire")
+            return surface_only((kind == "wire" ? read_wire : read_points)(description, surroundings));
         const auto reader = std::find_if(generated.begin(), generated.end(),
                                          [&k = kind](const NamedReader& r) { return r.name == k; });
         return reader->read(description, surroundings.limits);
@@ -243,6 +232,20 @@ Shape read_unscaled(const JsonValue& value, const SceneSurroundings& surrounding
 }
 
 }  // namespace
+
+std::filesystem::path find_mesh(const JsonValue& value, const std::vector<std::filesystem::path>& folders)
+{
+    const std::string name = value.text();
+    std::string searched;
+    for (const std::filesystem::path& folder : folders) {
+        std::error_code ignored;
+        std::filesystem::path path = folder / name;
+        if (std::filesystem::is_regular_file(path, ignored))
+            return path;
+        searched += (searched.empty() ? "" : " and ") + folder.string();
+    }
+    value.complain("there is no mesh file \"" + name + "\" (searched in " + searched + ")");
+}
 
 Shape read_shape(const JsonValue& value, const SceneSurroundings& surroundings)
 {

@@ -27,7 +27,7 @@ struct SceneSurroundings {
 };
 
 /// A shape in its own coordinates, scaled and transformed, not yet placed: a surface,
-/// and the solid inside it where there is one.
+/// and the solid inside it where there is one. Points and edges alone are a surface without faces.
 struct Shape {
     SurfaceMesh surface;
     std::optional<TetrahedralMesh> solid;
@@ -38,6 +38,10 @@ struct Shape {
 /// The one who knows whether it may have a border mends it (mend_if_asked()).
 /// @throws InputError  anything the format does not allow, with the JSON path
 Shape read_shape(const JsonValue& value, const SceneSurroundings& surroundings);
+
+/// A mesh file that a scene names.
+/// @throws InputError  there is none in these folders
+std::filesystem::path find_mesh(const JsonValue& value, const std::vector<std::filesystem::path>& folders);
 
 /// "mend": true, beside a "file" that is a surface.
 SurfaceMesh mend_if_asked(const JsonValue& shape, SurfaceMesh mesh, Border border,

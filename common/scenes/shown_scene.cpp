@@ -1,5 +1,6 @@
 #include "common/scenes/shown_scene.hpp"
 
+#include "common/scenes/drawn_body.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
 #include "common/simulation/rigid_body.hpp"
@@ -18,7 +19,7 @@ nlohmann::json shown_body(const Scene& scene, const Body& body)
     const auto look = scene.looks.find(body.name());
     const BodyLook shown = look == scene.looks.end() ? BodyLook{} : look->second;
     nlohmann::json faces = nlohmann::json::array();
-    for (const Face& face : body.surface().faces())
+    for (const Face& face : drawn_faces(body))
         for (const int corner : face)
             faces.push_back(corner);
     const bool rigid = dynamic_cast<const RigidBody*>(&body) != nullptr;
@@ -29,7 +30,7 @@ nlohmann::json shown_body(const Scene& scene, const Body& body)
             {"still", body.is_static()},
             {"mass", body.mass()},
             {"faces", faces},
-            {"vertices", body.positions_t0().size()},
+            {"vertices", drawn_points(body).size()},
             {"colour", coordinates(shown.color)},
             {"smooth", shown.smooth}};
 }

@@ -69,6 +69,8 @@ double depth_in_closed(const Placed& inner, Placed& outer)
 double depth_in_open(const Placed& inner, Placed& outer)
 {
     double deepest = 0;
+    if (outer.body().surface().faces().empty())
+        return deepest;
     const auto look = [&](int from, int to) {
         if (outer.tree().is_passed(inner.position(from), inner.position(to)))
             deepest = std::max(deepest, outer.tree().distance(inner.position(to)));

@@ -6,8 +6,8 @@ namespace enduring {
 
 DrivenBody::DrivenBody(std::string name, const SurfaceMesh& mesh, const Vec3& centre, GivenMotion motion,
                        double time)
-    : Body(std::move(name), SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces)),
-      centre_(centre), motion_(std::move(motion)), placed_(mesh.vertices)
+    : Body(std::move(name), topology_of(mesh)), centre_(centre), motion_(std::move(motion)),
+      placed_(mesh.vertices)
 {
     set_time(time);
     positions_t0_ = mesh.vertices;

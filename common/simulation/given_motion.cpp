@@ -24,6 +24,8 @@ double slope_between(double first, double middle, double last, double before, do
 }
 //! [slopes]
 
+}  // namespace
+
 Vec3 slope_between(const Vec3& first, const Vec3& middle, const Vec3& last, double before, double after)
 {
     Vec3 slope;
@@ -32,12 +34,7 @@ Vec3 slope_between(const Vec3& first, const Vec3& middle, const Vec3& last, doub
     return slope;
 }
 
-struct ValueAndSlope {
-    Vec3 value, slope;
-};
-
 //! [hermite]
-/// The cubic with these values and slopes at the ends of an interval, at s in [0, 1] of its length.
 ValueAndSlope hermite(const Vec3& from, const Vec3& slope_from, const Vec3& to, const Vec3& slope_to,
                       double length, double s)
 {
@@ -47,6 +44,8 @@ ValueAndSlope hermite(const Vec3& from, const Vec3& slope_from, const Vec3& to, 
             6 * s * t / length * way + t * (1 - 3 * s) * slope_from + s * (3 * s - 2) * slope_to};
 }
 //! [hermite]
+
+namespace {
 
 /// Angular velocity of a body whose turn is the vector v, which changes at this rate.
 Vec3 angular_velocity_of(const Vec3& v, const Vec3& rate)

@@ -69,6 +69,21 @@ private:
     double until_ = std::numeric_limits<double>::infinity();
 };
 
+/// Of the parabola through three values, at the middle one, and for each coordinate no steeper than three times the rise to either
+/// neighbour: the cubics through such rows go one way from row to row.
+/// @param before, after  from one value to the next [s]
+/// @return               over time [1/s]
+Vec3 slope_between(const Vec3& first, const Vec3& middle, const Vec3& last, double before, double after);
+
+struct ValueAndSlope {
+    Vec3 value, slope;
+};
+/// The cubic with these values and slopes at the ends of an interval.
+/// @param length  of the interval [s]
+/// @param s       where on it, in [0, 1]
+ValueAndSlope hermite(const Vec3& from, const Vec3& slope_from, const Vec3& to, const Vec3& slope_to,
+                      double length, double s);
+
 /// How fast the vector axis times angle of a body changes that has turned by it and has an angular velocity [rad/s].
 /// @return  none after about a whole turn, or several, for a body that turns about another axis: the vector cannot follow
 std::optional<Vec3> turn_rate(const Vec3& turn, const Vec3& angular_velocity);

@@ -43,8 +43,7 @@ void place(const Pose& pose, const std::vector<Vec3>& points, std::vector<Vec3>&
 
 RigidBody::RigidBody(std::string name, const SurfaceMesh& mesh, const MassProperties& properties,
                      const Vec3& velocity, const Vec3& angular_velocity)
-    : Body(std::move(name), SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces)),
-      motion_(properties, velocity, angular_velocity)
+    : Body(std::move(name), topology_of(mesh)), motion_(properties, velocity, angular_velocity)
 {
     positions_t0_ = mesh.vertices;
     positions_t1_ = mesh.vertices;

@@ -12,7 +12,7 @@ namespace enduring {
 /// them moves them all, and the inverse mass at a point is a full 3x3 matrix.
 class RigidBody final : public Body {
 public:
-    /// @param mesh              closed surface where it starts in the world [m]
+    /// @param mesh              closed surface where it starts in the world [m], or points and edges alone
     /// @param properties        of that mesh, in the same coordinates
     /// @param velocity          of the centre of mass [m/s]
     /// @param angular_velocity  in world axes [rad/s]

@@ -115,6 +115,7 @@ public:
     bool finds_stiffness = false;   ///< of each pair: a scene's has no effect
     bool can_resume = false;        ///< all that lasts from step to step stands in the world and its pairs
     bool has_joints = false;        ///< it holds the world's joints
+    bool has_frames = false;        ///< its pairs need no inside: bodies may be points and edges alone
     bool has_surface_laws = false;  ///< it knows SurfaceLaws and Grain
     bool exact = false;             ///< its springs give nothing: a load is held at no depth
 

@@ -53,7 +53,7 @@ val positions_of(const Laboratory& lab)
 {
     std::vector<double> list;
     for (const auto& body : lab.scene().world.bodies)
-        for (const Vec3& x : body->positions_t0())
+        for (const Vec3& x : drawn_points(*body))
             list.insert(list.end(), x.begin(), x.end());
     return array_of("Float64Array", list);
 }

@@ -19,7 +19,7 @@ struct Thrown {
     FaceTree tree;
 
     Thrown(const SurfaceMesh& mesh, const Vec3& place, double speed, double unrest, std::mt19937_64& engine)
-        : topology(static_cast<int>(mesh.vertices.size()), mesh.faces), tree(topology, mesh.vertices)
+        : topology(topology_of(mesh)), tree(topology, mesh.vertices)
     {
         std::uniform_real_distribution<double> in(-1, 1);
         const auto random = [&] { return Vec3(in(engine), in(engine), in(engine)); };
@@ -72,7 +72,18 @@ struct CollectTouching {
     }
 };
 
-/// Shapes near each other, with open borders, slivers, resting and violently deformed surfaces among them.
+/// The edges of a surface, with some vertices that have lost theirs.
+SurfaceMesh wires_of(const SurfaceMesh& mesh)
+{
+    SurfaceMesh frame{mesh.vertices, {}, {}};
+    const SurfaceTopology topology = topology_of(mesh);
+    for (const Edge& edge : topology.edges())
+        if (edge[0] % 5 != 0)
+            frame.wires.push_back(edge);
+    return frame;
+}
+
+/// Shapes near each other, also points and edges alone, with open borders, slivers, resting and violently deformed surfaces among them.
 template <class Test>
 void for_random_pairs(int count, const Test& test)
 {
@@ -83,7 +94,9 @@ void for_random_pairs(int count, const Test& test)
                                           tetrahedron(2),
                                           bowl({.segments_around = 7, .segments_along = 3}),
                                           plane_grid(3, 3, {3, 4}, GridDiagonals::crossed),
-                                          box({3, 1e-6, 1e-3})};
+                                          box({3, 1e-6, 1e-3}),
+                                          wires_of(sphere(1, 1)),
+                                          {sphere(1, 1).vertices, {}, {}}};
     for (int i = 0; i < count; ++i) {
         const auto& first = shapes[engine() % shapes.size()];
         const auto& second = shapes[engine() % shapes.size()];

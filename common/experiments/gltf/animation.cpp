@@ -4,7 +4,9 @@
 #include "common/experiments/render/scene_view.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/pending_file.hpp"
+#include "common/scenes/drawn_body.hpp"
 #include "common/simulation/deformable_body.hpp"
+#include "common/simulation/deforming_body.hpp"
 #include "common/simulation/rigid_body.hpp"
 
 #include <Eigen/Geometry>
@@ -15,13 +17,13 @@
 namespace enduring {
 namespace {
 
-/// What takes the points of a track to where the body is: a rigid body's own pose, else the turn and shift that fit best.
-Pose pose_of(const Body& body, const std::vector<Vec3>& points)
+/// What takes a body from where its vertices were to where it is: a rigid body's own pose, else the turn and shift that fit best.
+Pose pose_of(const Body& body, const std::vector<Vec3>& vertices)
 {
     if (const auto* const rigid = dynamic_cast<const RigidBody*>(&body))
         return rigid->motion().pose();
-    const auto count = static_cast<Eigen::Index>(points.size());
-    const Eigen::Map<const Eigen::Matrix3Xd> from(points.front().data(), 3, count),
+    const auto count = static_cast<Eigen::Index>(vertices.size());
+    const Eigen::Map<const Eigen::Matrix3Xd> from(vertices.front().data(), 3, count),
         to(body.positions_t0().front().data(), 3, count);
     const Eigen::Matrix4d found = Eigen::umeyama(from, to, false);
     return {found.topRightCorner<3, 1>(), Quaternion(Mat3(found.topLeftCorner<3, 3>()))};
@@ -54,7 +56,7 @@ void append_surface(GltfAnimation::Track& track, const Body& body, double time, 
         track.times.pop_back();
     }
     track.newest = frame;
-    track.surfaces.emplace_back(body.positions_t0().begin(), body.positions_t0().end());
+    track.surfaces.push_back(drawn_points(body));
     track.times.push_back(time);
     if (track.surfaces.size() > most) {
         thin_out(track.surfaces);
@@ -81,9 +83,11 @@ void GltfAnimation::begin(const World& world)
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
         const Body& body = *world.bodies[b];
         Track track{.faces = stage.bodies[b].faces, .color = stage.bodies[b].color, .name = body.name()};
-        track.points.assign(body.positions_t0().begin(), body.positions_t0().end());
-        track.closed = body.surface().is_closed();
-        track.soft = dynamic_cast<const DeformableBody*>(&body) != nullptr;
+        track.points = drawn_points(body);
+        track.vertices.assign(body.positions_t0().begin(), body.positions_t0().end());
+        track.closed = body.surface().is_closed() || body.surface().faces().empty();
+        track.soft = dynamic_cast<const DeformableBody*>(&body) != nullptr ||
+                     dynamic_cast<const DeformingBody*>(&body) != nullptr;
         track.moves = !body.is_static() || body.is_driven();
         if (const auto* const rigid = dynamic_cast<const RigidBody*>(&body))
             for (Vec3& point : track.points)
@@ -105,7 +109,7 @@ void GltfAnimation::observe(const World& world, const Contacts&, double dt)
             append_surface(track, body, world.time, frames_, limits_.soft_frames);
         } else {
             track.times.push_back(world.time);
-            append_pose(track.poses, pose_of(body, track.points));
+            append_pose(track.poses, pose_of(body, track.vertices));
         }
     }
     ++frames_;

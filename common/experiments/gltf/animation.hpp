@@ -33,10 +33,11 @@ public:
     /// @throws InputError  it cannot be written
     void finish() const;
 
-    /// One body's frames: poses, or the surfaces of a soft body.
+    /// One body's frames: poses, or the surfaces of what changes its shape.
     struct Track {
         std::vector<Vec3>
-            points{};  ///< of the first frame; of what moves as a whole in its own coordinates [m]
+            points{};  ///< drawn, of the first frame; of what moves as a whole in its own coordinates [m]
+        std::vector<Vec3> vertices{};  ///< the body's own, of the first frame [m]
         std::vector<Face> faces{};
         Vec3 color = Vec3::Zero();
         bool closed = true, soft = false, moves = false;

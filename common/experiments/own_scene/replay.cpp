@@ -1,6 +1,7 @@
 #include "common/experiments/own_scene/replay.hpp"
 
 #include "common/experiments/report/report.hpp"
+#include "common/scenes/drawn_body.hpp"
 #include "common/scenes/shown_scene.hpp"
 #include "common/simulation/rigid_body.hpp"
 
@@ -38,7 +39,7 @@ std::string points_of(const Body& body)
 {
     Floats points;
     const auto* const rigid = dynamic_cast<const RigidBody*>(&body);
-    for (const Vec3& point : body.positions_t0())
+    for (const Vec3& point : drawn_points(body))
         append(points, rigid ? rigid->motion().pose().to_body(point) : point);
     return base64(std::move(points));
 }
@@ -55,7 +56,7 @@ std::string motion_of(const World& world)
             append(list, pose.orientation.vec());
             list.push_back(static_cast<float>(pose.orientation.w()));
         } else {
-            for (const Vec3& x : body->positions_t0())
+            for (const Vec3& x : drawn_points(*body))
                 append(list, x);
         }
     }

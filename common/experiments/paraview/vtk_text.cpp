@@ -7,6 +7,7 @@
 #include "common/simulation/deformable_body.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace enduring {
 namespace {
@@ -59,12 +60,27 @@ void append(ElementArrays& arrays, const ElasticBody& elastic, long body)
     }
 }
 
+/// Faces, edges or points of all bodies, by the places of their vertices among those of all.
+struct Cells {
+    std::vector<long> corners, ends, bodies;
+
+    template <class Corners>
+    void add(const Corners& of_body, long first, std::size_t body)
+    {
+        for (const int corner : of_body)
+            corners.push_back(first + corner);
+        ends.push_back(static_cast<long>(corners.size()));
+        bodies.push_back(static_cast<long>(body));
+    }
+};
+
 }  // namespace
 
 std::string surfaces_vtp(const World& world, const Contacts& contacts, double dt)
 {
     std::vector<Vec3> points, velocities, forces;
-    std::vector<long> point_bodies, face_bodies, corners, ends;
+    std::vector<long> point_bodies;
+    Cells polygons, wires, lonely;
     const std::vector<std::vector<Vec3>> forces_of = vertex_forces(world, contacts, dt);
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
         const Body& body = *world.bodies[b];
@@ -74,21 +90,32 @@ std::string surfaces_vtp(const World& world, const Contacts& contacts, double dt
             velocities.push_back(body.velocity(v));
         forces.insert(forces.end(), forces_of[b].begin(), forces_of[b].end());
         point_bodies.resize(points.size(), static_cast<long>(b));
-        for (const Face& face : body.surface().faces()) {
-            for (const int corner : face)
-                corners.push_back(first + corner);
-            ends.push_back(static_cast<long>(corners.size()));
-        }
-        face_bodies.resize(ends.size(), static_cast<long>(b));
+        const SurfaceTopology& surface = body.surface();
+        for (const Face& face : surface.faces())
+            polygons.add(face, first, b);
+        for (std::size_t e = 0; surface.faces().empty() && e < surface.edges().size(); ++e)
+            wires.add(surface.edges()[e], first, b);
+        for (int v = 0; surface.faces().empty() && v < surface.vertex_count(); ++v)
+            if (surface.edges_around_vertex(v).empty())
+                lonely.add(std::array{v}, first, b);
     }
-    VtkDocument document("PolyData", {{"NumberOfPoints", points.size()}, {"NumberOfPolys", ends.size()}});
+    // VTK's order of cells, and of what they carry
+    std::vector<long> cell_bodies = lonely.bodies;
+    for (const Cells* more : {&wires, &polygons})
+        cell_bodies.insert(cell_bodies.end(), more->bodies.begin(), more->bodies.end());
+    VtkDocument document("PolyData", {{"NumberOfPoints", points.size()},
+                                      {"NumberOfVerts", lonely.ends.size()},
+                                      {"NumberOfLines", wires.ends.size()},
+                                      {"NumberOfPolys", polygons.ends.size()}});
     document.section("Points").add("points", points);
-    document.section("Polys").add("connectivity", corners).add("offsets", ends);
+    for (const auto& [name, cells] :
+         {std::pair{"Verts", &lonely}, std::pair{"Lines", &wires}, std::pair{"Polys", &polygons}})
+        document.section(name).add("connectivity", cells->corners).add("offsets", cells->ends);
     document.section("PointData")
         .add("velocity", velocities)
         .add("contact_force", forces)
         .add("body", point_bodies);
-    document.section("CellData").add("body", face_bodies);
+    document.section("CellData").add("body", cell_bodies);
     return document.text();
 }
 

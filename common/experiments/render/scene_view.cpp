@@ -1,5 +1,6 @@
 #include "common/experiments/render/scene_view.hpp"
 
+#include "common/scenes/drawn_body.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <algorithm>
@@ -11,11 +12,11 @@ namespace {
 Drawable drawable_of(const Body& body, const Vec3& own_color, const Scene& scene)
 {
     Drawable drawable;
-    drawable.positions.assign(body.positions_t0().begin(), body.positions_t0().end());
-    drawable.faces.assign(body.surface().faces().begin(), body.surface().faces().end());
+    drawable.positions = drawn_points(body);
+    drawable.faces = drawn_faces(body);
     drawable.color = own_color;
     // An open static surface is a piece of ground: it would stretch the shadow maps and shade nothing.
-    drawable.casts_shadow = !body.is_static() || body.surface().is_closed();
+    drawable.casts_shadow = !body.is_static() || body.surface().is_closed() || body.surface().faces().empty();
     drawable.wireframe = !drawable.casts_shadow;
     if (const auto look = scene.looks.find(body.name()); look != scene.looks.end()) {
         drawable.color = look->second.color;

@@ -44,3 +44,10 @@ TEST_CASE("surface size: what has a border is as large as the cube with its area
     CHECK(size_of(plane_grid(6, 4, {3, 2}, GridDiagonals::alternating)) == doctest::Approx(2).epsilon(1e-14));
     CHECK(surface_size(SurfaceTopology(1, {}), std::vector<Vec3>{Vec3::Zero()}) == 0);
 }
+
+TEST_CASE("surface size: points and edges alone are as large as the ball about their mean that holds them")
+{
+    const std::vector<Vec3> ends{{1, 1, 0}, {1, 4, 4}};
+    CHECK(surface_size(SurfaceTopology::of_edges(2, {{0, 1}}), ends) == doctest::Approx(5));
+    CHECK(surface_size(SurfaceTopology::of_edges(2, {}), ends) == doctest::Approx(5));
+}

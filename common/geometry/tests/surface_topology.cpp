@@ -11,11 +11,6 @@ using namespace enduring;
 
 namespace {
 
-SurfaceTopology topology_of(const SurfaceMesh& mesh)
-{
-    return {static_cast<int>(mesh.vertices.size()), mesh.faces};
-}
-
 bool same(std::span<const int> a, const std::vector<int>& b)
 {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
@@ -111,4 +106,22 @@ TEST_CASE("topology: faces with a vertex out of range or named twice are refused
     CHECK_THROWS_AS(SurfaceTopology(3, {{0, 1, 3}}), InputError);
     CHECK_THROWS_AS(SurfaceTopology(3, {{0, -1, 2}}), InputError);
     CHECK_THROWS_AS(SurfaceTopology(3, {{0, 1, 1}}), InputError);
+}
+
+TEST_CASE("surface topology: points and edges alone know their neighbours, and are not closed")
+{
+    const SurfaceTopology frame = SurfaceTopology::of_edges(5, {{3, 1}, {0, 1}, {1, 2}});
+    CHECK(frame.faces().empty());
+    REQUIRE(frame.edges().size() == 3);
+    CHECK(frame.edges()[0] == Edge{0, 1});
+    CHECK(frame.edges()[2] == Edge{1, 3});
+    CHECK(frame.edges_around_vertex(1).size() == 3);
+    CHECK(frame.edges_around_vertex(4).empty());
+    CHECK(frame.faces_around_vertex(1).empty());
+    CHECK(frame.faces_at_edge(1) == std::array{-1, -1});
+    CHECK_FALSE(frame.is_closed());
+    CHECK_FALSE(SurfaceTopology::of_edges(3, {}).is_closed());
+    CHECK_THROWS_AS(SurfaceTopology::of_edges(2, {{0, 2}}), InputError);
+    CHECK_THROWS_AS(SurfaceTopology::of_edges(2, {{1, 1}}), InputError);
+    CHECK_THROWS_AS(SurfaceTopology::of_edges(2, {{0, 1}, {1, 0}}), InputError);
 }

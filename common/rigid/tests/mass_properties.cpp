@@ -118,3 +118,42 @@ TEST_CASE("mass properties: the mass of a sheet lies on its faces, and an open b
     CHECK((cube.inertia - (4 * (1.0 / 12 + 0.25) + 2.0 / 6) * Mat3::Identity()).norm() < 1e-13);
     CHECK_THROWS_AS(sheet_properties(plate, 0), InputError);
 }
+
+TEST_CASE("mass properties: of a cloud each point has an equal share, of a wire each edge by its length")
+{
+    // eight corners of a cube of side 2: each is sqrt(2) away from an axis
+    SurfaceMesh cloud;
+    for (int i = 0; i < 8; ++i)
+        cloud.vertices.emplace_back(i & 1 ? 3 : 1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    const MassProperties of_cloud = frame_properties(cloud, 5);
+    CHECK((of_cloud.centre - Vec3(2, 0, 0)).norm() <= 1e-14);
+    CHECK((of_cloud.inertia - 5 * 2 * Mat3(Mat3::Identity())).norm() <= 1e-13);
+    CHECK(of_cloud.mass == 5);
+
+    // an L of 2 m and 1 m, against many points along it
+    const SurfaceMesh wire{{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}}, {}, {{0, 1}, {1, 2}}};
+    SurfaceMesh dense;
+    for (int i = 0; i < 3000; ++i) {
+        const double along = (i + 0.5) / 1000;
+        dense.vertices.push_back(along < 2 ? Vec3(along, 0, 0) : Vec3(2, along - 2, 0));
+    }
+    const MassProperties one = frame_properties(wire, 3), other = frame_properties(dense, 3);
+    CHECK((one.centre - other.centre).norm() <= 1e-9);
+    CHECK((one.inertia - other.inertia).norm() <= 1e-6);
+}
+
+TEST_CASE(
+    "mass properties: about a line on which all points lie stands the largest moment, so an inverse exists")
+{
+    const Vec3 along = Vec3(1, 2, 2) / 3;
+    const SurfaceMesh rod{{Vec3::Zero(), 1.5 * along, 3 * along}, {}, {{0, 1}, {1, 2}}};
+    const MassProperties of_rod = frame_properties(rod, 4);
+    CHECK((of_rod.inertia - 4 * 9.0 / 12 * Mat3(Mat3::Identity())).norm() <= 1e-12);  // m l^2 / 12
+    REQUIRE(common_line(rod.vertices));
+    CHECK(std::abs(common_line(rod.vertices)->dot(along)) == doctest::Approx(1));
+    const SurfaceMesh bent{
+        {Vec3::Zero(), 1.5 * along + 1e-3 * Vec3::UnitZ(), 3 * along}, {}, {{0, 1}, {1, 2}}};
+    CHECK_FALSE(common_line(bent.vertices));
+    CHECK_THROWS_AS(frame_properties({{Vec3::Ones(), Vec3::Ones()}, {}, {}}, 1), InputError);
+    CHECK_THROWS_AS(frame_properties(rod, 0), InputError);
+}

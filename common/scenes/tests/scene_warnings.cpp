@@ -238,7 +238,7 @@ TEST_CASE("scene: warnings name the file, the bodies and the numbers, and a scen
         read(R"("bodies": [)" + sheet + ", " + cube("cube", "[0.1, 0.47, 0.2]") + "]").warnings ==
         std::vector<std::string>{
             "trial.json: 'cube' begins inside 'floor', 0.03 m deep: a surface with a border has no inside to separate "
-            "from, so the body falls through; move one of them"});
+            "from, nor have points and edges, so the body falls through; move one of them"});
 }
 
 TEST_CASE("scene: a soft body that its own weight presses flat is told, and no other")
