@@ -1,11 +1,14 @@
 #include "chapters/11_exact_contact/force_memory.hpp"
 
+#include "chapters/11_exact_contact/contact_sweeps.hpp"
 #include "chapters/11_exact_contact/natural_map.hpp"
 #include "chapters/11_exact_contact/spring_pass.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <new>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -38,9 +41,16 @@ private:
 };
 //! [next_springs]
 
-bool has_budget(const ExactSolution& best, const ExactSettings& settings)
+/// Steps of Newton's method that so many operations are enough for.
+int affordable_steps(const FrictionProblem& problem, const ExactSettings& settings)
 {
-    return best.error > settings.tolerance && best.newton_steps < settings.max_newton_steps &&
+    const double of_step = operations_of_newton_step(problem, problem.response.rows());
+    return static_cast<int>(std::min<double>(settings.max_newton_steps, settings.max_operations / of_step));
+}
+
+bool has_budget(const ExactSolution& best, int most_steps, const ExactSettings& settings)
+{
+    return best.error > settings.tolerance && best.newton_steps < most_steps &&
            static_cast<int>(best.errors.size()) < settings.max_passes;
 }
 
@@ -51,11 +61,12 @@ void improve(const FrictionProblem& problem, const ExactSettings& settings, doub
     SpringChoice springs(h);
     SpringPass pass{problem, felt_masses(problem), h, best.impulses};
     double before = best.error;
-    for (int idle = 0; idle < settings.max_idle_passes && has_budget(best, settings);) {
+    const int most_steps = affordable_steps(problem, settings);
+    for (int idle = 0; idle < settings.max_idle_passes && has_budget(best, most_steps, settings);) {
         if (!settings.keeps_h)
             pass.h = springs.h();
         const PassAnswer answer = solve_pass(
-            pass, std::min(settings.max_steps_of_pass, settings.max_newton_steps - best.newton_steps));
+            pass, std::min(settings.max_steps_of_pass, most_steps - best.newton_steps));
         const double error = natural_map_error(problem, answer.impulses);
         idle = error < nothing * best.error ? 0 : idle + 1;
         if (settings.keeps_h || answer.reached || idle == 0)
@@ -73,20 +84,70 @@ void improve(const FrictionProblem& problem, const ExactSettings& settings, doub
 }
 //! [passes]
 
+//! [begin_again]
+/// Passes from these impulses on, and again with another h where they bring nothing any more. Where there is not enough memory for
+/// them, the impulses stay as they are.
+void improve_with_each_h(const FrictionProblem& problem, const ExactSettings& settings, ExactSolution& best)
+{
+    try {
+        improve(problem, settings,
+                settings.keeps_h ? settings.h : std::clamp(settings.h, softest_h, stiffest_h), best);
+        for (const double h : other_h)
+            if (!settings.keeps_h)
+                improve(problem, settings, h, best);
+    } catch (const std::bad_alloc&) {  // a factor that does not fit: what there is stays
+    }
+}
+//! [begin_again]
+
+/// From where sweeps end, with a part of all passes and steps: what is hard takes another path from there, not a shorter one.
+ExactSolution from_sweeps(const FrictionProblem& problem, ExactSettings settings)
+{
+    constexpr int part = 4;
+    settings.max_passes /= part;
+    settings.max_newton_steps /= part;
+    SweepAnswer swept = sweep_contacts(problem, settings.tolerance);
+    ExactSolution best;
+    best.impulses = std::move(swept.impulses);
+    best.error = swept.error;
+    best.sweeps = swept.sweeps;
+    improve_with_each_h(problem, settings, best);
+    return best;
+}
+
+ExactSolution from_nothing(const FrictionProblem& problem, const ExactSettings& settings)
+{
+    ExactSolution best;
+    best.impulses = Eigen::VectorXd::Zero(problem.free_velocity.size());
+    best.error = natural_map_error(problem, best.impulses);
+    improve_with_each_h(problem, settings, best);
+    return best;
+}
+
+/// The better one of two, with what both have cost.
+ExactSolution better(ExactSolution first, ExactSolution second)
+{
+    first.errors.insert(first.errors.end(), second.errors.begin(), second.errors.end());
+    first.steps.insert(first.steps.end(), second.steps.begin(), second.steps.end());
+    first.newton_steps += second.newton_steps;
+    if (second.error < first.error) {
+        first.error = second.error;
+        first.impulses = std::move(second.impulses);
+    }
+    return first;
+}
+
 }  // namespace
 
 //! [solve_exactly]
 ExactSolution solve_exactly(const FrictionProblem& problem, const ExactSettings& settings)
 {
-    ExactSolution best;
-    best.impulses = Eigen::VectorXd::Zero(problem.free_velocity.size());
-    best.error = natural_map_error(problem, best.impulses);
-    improve(problem, settings, settings.keeps_h ? settings.h : std::clamp(settings.h, softest_h, stiffest_h),
-            best);
-    for (const double h : other_h)
-        if (!settings.keeps_h)
-            improve(problem, settings, h, best);
-    return best;
+    if (!settings.sweeps || settings.keeps_h)
+        return from_nothing(problem, settings);
+    ExactSolution swept = from_sweeps(problem, settings);
+    if (swept.error <= settings.tolerance)
+        return swept;
+    return better(std::move(swept), from_nothing(problem, settings));
 }
 //! [solve_exactly]
 

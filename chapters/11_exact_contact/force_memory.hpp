@@ -13,12 +13,17 @@ struct ExactSettings {
     double h = 1e6;
     /// All passes have this h, whatever they bring: to measure springs.
     bool keeps_h = false;
+    /// Begins with Gauss-Seidel over contacts (sweep_contacts()) as long as it is worth it. Where a quarter of all passes and steps does
+    /// not solve the problem from there, passes begin once more from nothing. Not where all passes keep their h.
+    bool sweeps = true;
     /// of the natural map; the collections count 1e-8 as solved
     double tolerance = 1e-9;
     /// Of Newton's method in a pass: one that needs more has springs that are too stiff.
     int max_steps_of_pass = 100;
     /// The same over all passes. Nearly all problems of the collections need less than 100.
     int max_newton_steps = 2000;
+    /// of all these steps, counted as operations_of_newton_step(): about two minutes. Only problems of some thousand contacts reach it.
+    double max_operations = 2e11;
     int max_passes = 200;
     /// So many passes that bring nothing, and the problem is begun again from the best answer with another h. Passes may lead
     /// away from a place where they stand before they bring anything: with six, four of the 54 generated problems end unsolved.
@@ -35,7 +40,8 @@ inline constexpr double solved_error = 1e-8;
 struct ExactSolution {
     Eigen::VectorXd impulses;    ///< r of the best pass, as the problem has it
     double error = 0;            ///< of the natural map
-    std::vector<double> errors;  ///< after each pass; the first one is that of springs alone
+    int sweeps = 0;              ///< before the passes
+    std::vector<double> errors;  ///< after each pass; without sweeps the first one is that of springs alone
     std::vector<int> steps;      ///< of Newton's method, in each pass
     int newton_steps = 0;
     bool solved() const { return error <= solved_error; }

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <memory>
 
 int main(int argc, char** argv)
@@ -13,6 +14,7 @@ int main(int argc, char** argv)
     const auto more = std::make_shared<std::filesystem::path>();
     const auto written = std::make_shared<std::filesystem::path>();
     const auto as_fclib = std::make_shared<bool>(false);
+    const auto seed = std::make_shared<unsigned>(0);
     ChapterProgram program{
         "11_exact_contact",
         "Chapter 11: exact contact",
@@ -26,8 +28,16 @@ int main(int argc, char** argv)
              }},
             {"own_problems", "problems of our own scenes for others, written with our answers",
              chapter11::own_problems},
-            {"generated", "54 problems that rules make, written with our answers: towers, packings, graphs",
-             chapter11::generated},
+            {"generated",
+             "54 problems that rules make (others with --seed), written with our answers: towers, packings, graphs",
+             [seed](const RunOptions& options, Report& report) {
+                 chapter11::generated(options, report, *seed);
+             }},
+            {"score_sets",
+             "solved problems and times beside Siconos: public, our scenes', of rules, and held out (--seed)",
+             [more, seed](const RunOptions& options, Report& report) {
+                 chapter11::score_sets(options, report, *more, std::max(1U, *seed));
+             }},
             {"stack_exact", "a stack at rest on springs that remember their force: how deep it is pressed",
              chapter11::stack_exact},
             {"exact_scenes", "scenes at rest on springs and on springs that remember: depth, drift and time",
@@ -37,9 +47,12 @@ int main(int argc, char** argv)
              chapter11::relaxation},
         },
     };
-    program.add_options = [more, written, as_fclib](CLI::App& app) {
-        app.add_option("--problems", *more, "a folder of FCLIB's or Siconos' problems for scoreboard")
+    program.add_options = [more, written, as_fclib, seed](CLI::App& app) {
+        app.add_option("--problems", *more,
+                       "a folder of FCLIB's or Siconos' problems for scoreboard and score_sets")
             ->type_name("DIR");
+        app.add_option("--seed", *seed, "of the problems that rules make, for generated and score_sets")
+            ->check(CLI::Range(0U, 1'000'000U));
         CLI::Option* const writes = app.add_option(
             "--write-problems", *written,
             "folder for the problem of each step of your scene and its answer, as Siconos' text");

@@ -10,8 +10,12 @@ namespace enduring::chapter11 {
 void spring_error(const RunOptions& options, Report& report);
 /// @param more  a folder of the reader's; nothing if empty
 void scoreboard(const RunOptions& options, Report& report, const std::filesystem::path& more);
+/// @param more  as above
+/// @param set   of generated_problems(): those on which the solver was not tried
+void score_sets(const RunOptions& options, Report& report, const std::filesystem::path& more, unsigned set);
 void own_problems(const RunOptions& options, Report& report);
-void generated(const RunOptions& options, Report& report);
+/// @param set  of generated_problems()
+void generated(const RunOptions& options, Report& report, unsigned set);
 void stack_exact(const RunOptions& options, Report& report);
 void exact_scenes(const RunOptions& options, Report& report);
 void relaxation(const RunOptions& options, Report& report);

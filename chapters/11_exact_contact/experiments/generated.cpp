@@ -7,20 +7,14 @@
 #include <algorithm>
 
 namespace enduring::chapter11 {
-namespace {
-
-/// The small version leaves out what has more contacts than this.
-constexpr int most_quick_contacts = 30;
-
-}  // namespace
 
 /// Problems that rules make, written for `scoreboard --problems` and for others, each with our answer, and how they are solved.
-void generated(const RunOptions& options, Report& report)
+void generated(const RunOptions& options, Report& report, unsigned set)
 {
     GrowingTable table(report, "generated", {"problem", "contacts", "natural_map", "passes", "newton_steps"});
     long solved = 0, count = 0;
     std::string unsolved;
-    for (const auto& [kind, named] : generated_problems()) {
+    for (const auto& [kind, named] : generated_problems(set)) {
         if (options.quick && named.problem.contacts() > most_quick_contacts)
             continue;
         const ExactSolution solution = solve_exactly(named.problem);

@@ -3,6 +3,7 @@
 #include "chapters/11_exact_contact/problem_of_step.hpp"
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <string>
 
@@ -10,6 +11,7 @@ namespace enduring::chapter11 {
 namespace {
 
 using Eigen::MatrixXd;
+using Matrix = Eigen::SparseMatrix<double>;
 using Eigen::VectorXd;
 
 /// Numbers that are the same on every machine: the distributions of the standard library are not.
@@ -50,10 +52,10 @@ struct Touch {
 };
 
 /// W and q, with the root of M in the levers, so that no mass is divided by.
-FrictionProblem problem_from(const MatrixXd& levers, const VectorXd& motion, double mu)
+FrictionProblem problem_from(const Matrix& levers, const VectorXd& motion, double mu)
 {
     FrictionProblem problem;
-    problem.response = MatrixXd(levers.transpose() * levers).sparseView();
+    problem.response = levers.transpose() * levers;
     problem.free_velocity = levers.transpose() * motion;
     problem.mu = VectorXd::Constant(levers.cols() / 3, mu);
     return problem;
@@ -64,7 +66,7 @@ FrictionProblem problem_of(const std::vector<Ball>& bodies, const std::vector<To
 {
     const auto count = static_cast<Eigen::Index>(bodies.size()),
                contacts = static_cast<Eigen::Index>(touches.size());
-    MatrixXd levers = MatrixXd::Zero(6 * count, 3 * contacts);
+    std::vector<Eigen::Triplet<double>> levers;
     VectorXd motion(6 * count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const Ball& body = bodies[static_cast<std::size_t>(i)];
@@ -74,6 +76,7 @@ FrictionProblem problem_of(const std::vector<Ball>& bodies, const std::vector<To
     for (Eigen::Index i = 0; i < contacts; ++i) {
         const Touch& touch = touches[static_cast<std::size_t>(i)];
         const Mat3 frame = contact_frame(touch.normal);
+        const auto column = static_cast<int>(3 * i);
         for (const auto& [number, sign] : {std::pair{touch.body, 1.0}, std::pair{touch.other, -1.0}}) {
             if (number < 0)
                 continue;
@@ -81,22 +84,29 @@ FrictionProblem problem_of(const std::vector<Ball>& bodies, const std::vector<To
             const Vec3 arm = touch.point - body.centre;
             for (int k = 0; k < 3; ++k) {
                 const Vec3 axis = sign * frame.row(k).transpose();
-                levers.block<3, 1>(6 * number, 3 * i + k) += axis / std::sqrt(body.mass);
-                levers.block<3, 1>(6 * number + 3, 3 * i + k) += arm.cross(axis) / std::sqrt(body.inertia);
+                const Vec3 shift = axis / std::sqrt(body.mass),
+                           turn = arm.cross(axis) / std::sqrt(body.inertia);
+                for (int j = 0; j < 3; ++j) {
+                    levers.emplace_back(6 * number + j, column + k, shift[j]);
+                    levers.emplace_back(6 * number + 3 + j, column + k, turn[j]);
+                }
             }
         }
     }
-    return problem_from(levers, motion, mu);
+    Matrix all(6 * count, 3 * contacts);
+    all.setFromTriplets(levers.begin(), levers.end());
+    return problem_from(all, motion, mu);
 }
 //! [problem_of]
 
-FrictionProblem tower(const std::vector<double>& masses)
+/// @param shift  of each second cube to the side [m]
+FrictionProblem tower(const std::vector<double>& masses, double shift = 0.03)
 {
     std::vector<Ball> cubes;
     std::vector<Touch> touches;
     for (int i = 0; i < static_cast<int>(masses.size()); ++i) {
         const double mass = masses[static_cast<std::size_t>(i)];
-        cubes.push_back({Vec3(i % 2 == 0 ? -0.03 * i : 0.03 * i, 0.5 + i, 0.02 * i), mass, mass / 6,
+        cubes.push_back({Vec3(i % 2 == 0 ? -shift * i : shift * i, 0.5 + i, 0.02 * i), mass, mass / 6,
                          Vec3(0.001 * i, -0.0981, 0), Vec3::Zero()});
         for (int corner = 0; corner < 4; ++corner)
             touches.push_back(
@@ -165,7 +175,7 @@ FrictionProblem dense(int contacts, int rank, double mu, unsigned seed)
     VectorXd motion(rank);
     for (double& x : motion)
         x = numbers.normal();
-    return problem_from(levers, motion, mu);
+    return problem_from(levers.sparseView(), motion, mu);
 }
 
 FrictionProblem scaled(FrictionProblem problem, unsigned seed)
@@ -194,10 +204,13 @@ public:
 };
 
 /// One heavy cube on top, heavy and light by turns, or each heavier than the one below it.
-void add_towers(List& list)
+/// @param others  gives other ratios and other towers; none: 1e4 and 1e6
+void add_towers(List& list, std::optional<Numbers> others)
 {
     for (const int count : {2, 5, 10})
-        for (const double ratio : {1e4, 1e6}) {
+        for (const double exponent : {4.0, 6.0}) {
+            const double ratio = std::pow(10, others ? exponent + others->from_to(-1, 0.3) : exponent),
+                         shift = others ? others->from_to(0, 0.04) : 0.03;
             const auto size = static_cast<std::size_t>(count);
             std::vector<double> top(size, 1), turns(size, 1), rising(size);
             top.back() = ratio;
@@ -205,20 +218,20 @@ void add_towers(List& list)
                 turns[i] = i % 2 == 0 ? ratio : 1;
                 rising[i] = std::pow(ratio, static_cast<double>(i) / (count - 1));
             }
-            list.add("tower", tower(top));
-            list.add("tower", tower(turns));
+            list.add("tower", tower(top, shift));
+            list.add("tower", tower(turns, shift));
             if (count > 2)
-                list.add("tower", tower(rising));
+                list.add("tower", tower(rising, shift));
         }
 }
 
 }  // namespace
 
-std::vector<GeneratedProblem> generated_problems()
+std::vector<GeneratedProblem> generated_problems(unsigned set)
 {
     List list;
-    add_towers(list);
-    unsigned seed = 0;
+    add_towers(list, set == 0 ? std::nullopt : std::optional(Numbers(1000 * set)));
+    unsigned seed = 1000 * set;
     for (const int side : {2, 3, 4})
         for (const double mu : {0.3, 0.8})
             for (const double spread : {0.0, 1.5})
@@ -230,11 +243,12 @@ std::vector<GeneratedProblem> generated_problems()
     for (const int contacts : {10, 30, 60})
         for (const double part : {0.5, 1.5, 3.2})
             list.add("dense", dense(contacts, static_cast<int>(part * contacts), 0.6, ++seed));
-    list.add("scaled", scaled(dense(10, 20, 0.5, 101), 1));
-    list.add("scaled", scaled(dense(20, 70, 0.5, 102), 2));
-    list.add("scaled", scaled(graph(10, 30, 0, 0.5, 103), 3));
-    list.add("scaled", scaled(packing(3, 0, 0.5, 104), 4));
-    list.add("scaled", scaled(tower({1, 100}), 5));
+    const unsigned of_set = 1000 * set;
+    list.add("scaled", scaled(dense(10, 20, 0.5, of_set + 101), of_set + 1));
+    list.add("scaled", scaled(dense(20, 70, 0.5, of_set + 102), of_set + 2));
+    list.add("scaled", scaled(graph(10, 30, 0, 0.5, of_set + 103), of_set + 3));
+    list.add("scaled", scaled(packing(3, 0, 0.5, of_set + 104), of_set + 4));
+    list.add("scaled", scaled(tower({1, 100}), of_set + 5));
     return list.all;
 }
 

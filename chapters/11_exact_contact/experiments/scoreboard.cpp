@@ -1,5 +1,5 @@
 #include "chapters/11_exact_contact/experiments/experiments.hpp"
-#include "chapters/11_exact_contact/experiments/siconos_scores.hpp"
+#include "chapters/11_exact_contact/experiments/solver_outcomes.hpp"
 #include "chapters/11_exact_contact/force_memory.hpp"
 #include "chapters/11_exact_contact/natural_map.hpp"
 #include "common/experiments/report/progress.hpp"
@@ -20,64 +20,7 @@
 namespace enduring::chapter11 {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
-/// Of a threshold, what every solver is asked for: each measures its error in another way, and ends just below.
-constexpr double asked = 0.1;
 const std::array<std::string, 3> thresholds{"1e-4", "1e-6", "1e-8"};
-
-/// What a solver makes of a problem, asked for a part of a threshold.
-struct Outcome {
-    double error = never, seconds = never;
-};
-/// By solver; a place for each problem.
-using Outcomes = std::map<std::string, std::vector<Outcome>>;
-
-/// The answer to a problem; none where it needs more memory than there is.
-ExactSolution solution_of(const FrictionProblem& problem, const ExactSettings& settings = {})
-{
-    try {
-        return solve_exactly(problem, settings);
-    } catch (const std::bad_alloc&) {
-        ExactSolution none;
-        none.error = never;
-        return none;
-    }
-}
-
-/// The least of three runs, unless they are long.
-Outcome timed(const FrictionProblem& problem, const ExactSettings& settings)
-{
-    Outcome outcome;
-    for (int run = 0; run < 3; ++run) {
-        const double begin = processor_seconds();
-        outcome.error = solution_of(problem, settings).error;
-        const double seconds = processor_seconds() - begin;
-        outcome.seconds = std::min(outcome.seconds, seconds);
-        if (seconds > 0.05)
-            break;
-    }
-    return outcome;
-}
-
-/// Ours and, where it is installed, those of Siconos.
-Outcomes outcomes_for(const std::vector<NamedProblem>& problems, double threshold)
-{
-    Outcomes all;
-    std::vector<Outcome>& ours = all["ours"];
-    ours.reserve(problems.size());
-    Progress progress("", static_cast<long>(problems.size()), " problems to " + shortest(threshold));
-    for (const auto& [name, problem] : problems) {
-        ours.push_back(timed(problem, {.tolerance = asked * threshold}));
-        progress.update(static_cast<long>(ours.size()));
-    }
-    for (const SiconosAnswer& answer : solve_by_siconos(problems, asked * threshold)) {
-        std::vector<Outcome>& theirs = all[answer.solver];
-        theirs.resize(problems.size());
-        const double error = natural_map_error(problems[answer.problem].problem, answer.impulses);
-        theirs[answer.problem] = {std::isfinite(error) ? error : never, answer.seconds};
-    }
-    return all;
-}
 
 //! [kept]
 std::filesystem::path kept_file() { return public_problems() / "siconos.txt"; }
@@ -224,8 +167,8 @@ void tell_siconos(Report& report, const std::vector<NamedProblem>& problems, con
 Table table_of(const std::vector<NamedProblem>& problems, const std::vector<ExactSolution>& solutions,
                const Outcomes& sharp)
 {
-    Table table({"problem", "contacts", "springs_alone", "remembered", "passes", "newton_steps", "NSGS",
-                 "Newton", "ADMM", "ours_ms", "NSGS_ms", "Newton_ms", "ADMM_ms"});
+    Table table({"problem", "contacts", "springs_alone", "remembered", "sweeps", "passes", "newton_steps",
+                 "NSGS", "Newton", "ADMM", "ours_ms", "NSGS_ms", "Newton_ms", "ADMM_ms"});
     for (std::size_t i = 0; i < problems.size(); ++i) {
         const FrictionProblem& problem = problems[i].problem;
         const ExactSolution& solution = solutions[i];
@@ -233,6 +176,7 @@ Table table_of(const std::vector<NamedProblem>& problems, const std::vector<Exac
                               static_cast<long>(problem.contacts()),
                               error_of_springs(problem, 1e6),
                               solution.error,
+                              static_cast<long>(solution.sweeps),
                               static_cast<long>(solution.errors.size()),
                               static_cast<long>(solution.newton_steps)};
         for (const std::string& solver : siconos_solvers)
@@ -304,7 +248,7 @@ void scoreboard(const RunOptions&, Report& report, const std::filesystem::path& 
         of_thresholds.push_back(outcomes_for(all, std::stod(threshold)));
     if (of_thresholds.back().size() > 1 && is_ours)
         write_file(report.file("siconos.txt"), kept_text(all, of_thresholds));
-    else
+    else if (is_ours)
         add_kept(all, of_thresholds);
     const std::vector<ExactSolution> solutions = solutions_of(given);
     Table table = table_of(given, solutions, of_thresholds.back());

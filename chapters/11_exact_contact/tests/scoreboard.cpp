@@ -49,3 +49,29 @@ TEST_CASE(
                          doctest::Contains("none of its problems was solved"), InputError);
     CHECK(read_text_file(results.path / "yours.csv").find("impossible.dat") != std::string::npos);
 }
+
+TEST_CASE(
+    "scoreboard: a file of yours has no result of another one that was measured elsewhere under its name")
+{
+    const TemporaryFolder problems, results;
+    write_file(problems.path / "Rover1039.dat", siconos_text(hand_solved_blocks()[1].problem));
+    Report report(results.path);
+    chapter11::scoreboard({}, report, problems.path);
+    CHECK(read_text_file(results.path / "yours.csv").find("1.54603e-10") == std::string::npos);
+}
+
+TEST_CASE("score sets: each set has a row, with what our solver solves of it")
+{
+    const TemporaryFolder problems, results;
+    for (const int block : {0, 1})
+        write_file(problems.path / (std::to_string(block) + ".dat"),
+                   siconos_text(hand_solved_blocks()[static_cast<std::size_t>(block)].problem));
+    Report report(results.path);
+    RunOptions options;
+    options.quick = true;
+    chapter11::score_sets(options, report, problems.path, 1);
+    const std::string table = read_text_file(results.path / "score_sets.csv");
+    CHECK(table.find("\nyours,2,2,") != std::string::npos);
+    for (const char* set : {"\npublic,", "\nour_scenes,", "\nrules_tried,", "\nrules_held_out,"})
+        CHECK(table.find(set) != std::string::npos);
+}
