@@ -102,6 +102,13 @@ private:
 };
 
 //! [worth]
+double operations_of_sweep(const FrictionProblem& problem, const SweepSettings& settings)
+{
+    constexpr double of_projection = 60;
+    return 2 * static_cast<double>(problem.response.nonZeros()) +
+           of_projection * settings.projections * problem.contacts();
+}
+
 /// How many sweeps a step of Newton's method costs.
 double sweeps_of_newton_step(const FrictionProblem& problem, const VectorXd& impulses,
                              const SweepSettings& settings)
@@ -109,10 +116,7 @@ double sweeps_of_newton_step(const FrictionProblem& problem, const VectorXd& imp
     Eigen::Index unknowns = 0;
     for (int i = 0; i < problem.contacts(); ++i)
         unknowns += impulses[problem.dimension * i] > 0 ? problem.dimension : 0;
-    constexpr double of_projection = 60;
-    const double sweep = 2 * static_cast<double>(problem.response.nonZeros()) +
-                         of_projection * settings.projections * problem.contacts();
-    return operations_of_newton_step(problem, unknowns) / sweep;
+    return operations_of_newton_step(problem, unknowns) / operations_of_sweep(problem, settings);
 }
 
 /// Whether the sweeps that are left until the tolerance, if all bring as much as the last ones, cost less than passes.
@@ -143,7 +147,8 @@ SweepAnswer sweep_contacts(const FrictionProblem& problem, double tolerance, con
     SweepAnswer best{VectorXd::Zero(problem.free_velocity.size())};
     best.error = natural_map_error(problem, best.impulses);
     VectorXd impulses = best.impulses;
-    for (bool goes_on = true; goes_on && best.error > tolerance;) {
+    const double most = settings.max_operations / operations_of_sweep(problem, settings);
+    for (bool goes_on = true; goes_on && best.error > tolerance && best.sweeps < most;) {
         for (int i = 0; i < settings.between_looks; ++i)
             sweeper.sweep(impulses);
         best.sweeps += settings.between_looks;

@@ -11,6 +11,8 @@ struct SweepSettings {
     /// of the steps of Newton's method: sweeps go on while all that are still needed would cost less than so many. A tenth: sweeps end
     /// before they have found which contacts push; ten times: hard problems take hundreds of sweeps in vain.
     double newton_steps = 10;
+    /// of all sweeps: about two minutes. Only problems of some thousand contacts reach it.
+    double max_operations = 2e11;
     /// Projections for a contact that slips. One: twice as many sweeps; ten: sweeps cost twice as much.
     int projections = 5;
 };

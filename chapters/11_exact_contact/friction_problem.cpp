@@ -5,8 +5,10 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace enduring {
 namespace {
@@ -43,6 +45,24 @@ void require_entries(const Eigen::SparseMatrix<double>& matrix, const char* what
                                  ": expected at most 1e100, found " + shortest(entry.value()));
 }
 
+/// More numbers of W take more than a gigabyte, and minutes to multiply.
+constexpr double most_of_response = 1e8;
+
+/// W has a number for each two columns of H that move one coordinate, so at least as many as the fullest row of H has, squared.
+void require_sparse_response(const Eigen::SparseMatrix<double>& levers, const std::string& file)
+{
+    std::vector<double> of_coordinate(static_cast<std::size_t>(levers.rows()), 0);
+    for (int column = 0; column < levers.outerSize(); ++column)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(levers, column); entry; ++entry)
+            ++of_coordinate[static_cast<std::size_t>(entry.row())];
+    const double fullest = of_coordinate.empty()
+                               ? 0
+                               : *std::max_element(of_coordinate.begin(), of_coordinate.end());
+    if (fullest * fullest > most_of_response)
+        throw InputError(file + ": one coordinate is moved by " + readable(fullest, 6) +
+                         " numbers of r, so W has more than 100,000,000 numbers; at most these are taken");
+}
+
 void fill_from_bodies(FrictionProblem& problem, const std::string& file)
 {
     const BodyEquations& bodies = *problem.bodies;
@@ -54,6 +74,7 @@ void fill_from_bodies(FrictionProblem& problem, const std::string& file)
     require_size(bodies.given_velocity.size(), numbers, "numbers of the vector w", file);
     require_entries(bodies.mass, "the matrix M", file);
     require_entries(bodies.levers, "the matrix H", file);
+    require_sparse_response(bodies.levers, file);
     require_numbers(bodies.force, "the vector f", file);
     require_numbers(bodies.given_velocity, "the vector w", file);
     const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> mass(bodies.mass);

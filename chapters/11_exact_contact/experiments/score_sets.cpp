@@ -73,22 +73,11 @@ void tell(Report& report, const std::string& name, const Cell& cell)
 
 }  // namespace
 
-/// How many problems of each set the solvers bring to 1e-8, and our time over theirs: public ones, our scenes', those of rules on
-/// which the solver was tried, those of the same rules on which it was not, and those of a folder of yours.
-void score_sets(const RunOptions& options, Report& report, const std::filesystem::path& more, unsigned set)
+Table scores_of(const std::vector<NamedSet>& sets)
 {
-    const int most = options.quick ? most_quick_contacts : std::numeric_limits<int>::max();
-    std::vector<std::pair<std::string, std::vector<NamedProblem>>> sets{
-        {"public", read_problems(public_problems()).problems},
-        {"our_scenes", read_problems(own_problems()).problems},
-        {"rules_tried", of_rules(0)},
-        {"rules_held_out", of_rules(set)}};
-    if (!more.empty())
-        sets.emplace_back("yours", read_problems(more).problems);
     Table table({"set", "problems", "ours", "NSGS", "Newton", "ADMM", "time_over_NSGS", "time_over_Newton",
                  "time_over_NSGS_from_20", "time_over_Newton_from_20"});
-    for (auto& [name, all] : sets) {
-        const std::vector<NamedProblem> problems = in_space(std::move(all), most);
+    for (const auto& [name, problems] : sets) {
         const Outcomes outcomes = outcomes_for(problems, threshold);
         std::vector<Cell> row{name, static_cast<long>(problems.size())};
         for (const char* solver : {"ours", "NSGS", "Newton", "ADMM"})
@@ -96,10 +85,29 @@ void score_sets(const RunOptions& options, Report& report, const std::filesystem
         for (const int least : {1, many_contacts})
             for (const char* solver : {"NSGS", "Newton"})
                 row.push_back(our_time_over(problems, outcomes, solver, least));
-        for (std::size_t i = 1; i < row.size(); ++i)
-            tell(report, name + "_" + table.columns()[i], row[i]);
         table.add(std::move(row));
     }
+    return table;
+}
+
+/// How many problems of each set the solvers bring to 1e-8, and our time over theirs: public ones, our scenes', those of rules on
+/// which the solver was tried, those of the same rules on which it was not, and those of a folder of yours.
+void score_sets(const RunOptions& options, Report& report, const std::filesystem::path& more, unsigned set)
+{
+    constexpr int most_quick = 10;  // contacts
+    std::vector<NamedSet> sets{{"public", read_problems(public_problems()).problems},
+                               {"our_scenes", read_problems(own_problems()).problems},
+                               {"rules_tried", of_rules(0)},
+                               {"rules_held_out", of_rules(set)}};
+    if (!more.empty())
+        sets.emplace_back("yours", read_problems(more).problems);
+    for (auto& [name, problems] : sets)
+        problems = in_space(std::move(problems),
+                            options.quick ? most_quick : std::numeric_limits<int>::max());
+    const Table table = scores_of(sets);
+    for (const std::vector<Cell>& row : table.rows())
+        for (std::size_t i = 1; i < row.size(); ++i)
+            tell(report, std::get<std::string>(row[0]) + "_" + table.columns()[i], row[i]);
     report.table("score_sets", table);
     report.page_table("score_sets", table, 2);
 }

@@ -101,3 +101,11 @@ TEST_CASE("contact sweeps: two thousand contacts in the plane are solved, and se
         CHECK(solve_exactly(flat).solved());
     }
 }
+
+TEST_CASE("contact sweeps: they end after so many operations")
+{
+    const FrictionProblem problem = public_problem("OneObject-i100000-316.hdf5.dat");
+    const SweepAnswer answer = sweep_contacts(problem, 1e-12, {.newton_steps = 1e6, .max_operations = 1e5});
+    CHECK(answer.sweeps > 0);
+    CHECK(answer.sweeps <= 15);  // 1,860 numbers of W and 25 contacts: some 11,000 operations a sweep
+}

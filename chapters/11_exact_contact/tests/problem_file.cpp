@@ -215,3 +215,20 @@ TEST_CASE("problem file: what is wrong in an HDF5 file is told with its place")
           std::string::npos);
     CHECK(complaint_about_file("cut").find("cannot be read as an HDF5 file") != std::string::npos);
 }
+
+TEST_CASE(
+    "problem file: six thousand contacts of one body, whose W has more numbers than memory, are refused in a line")
+{
+    FrictionProblem problem;
+    BodyEquations body;
+    const int contacts = 6602;
+    body.mass = Eigen::MatrixXd(Eigen::MatrixXd::Identity(6, 6)).sparseView();
+    body.levers = Eigen::MatrixXd(Eigen::MatrixXd::Constant(6, 3 * contacts, 0.5)).sparseView();
+    body.force = Eigen::VectorXd::Ones(6);
+    body.given_velocity = Eigen::VectorXd::Zero(3 * contacts);
+    problem.bodies = body;
+    problem.mu = Eigen::VectorXd::Constant(contacts, 0.3);
+    CHECK_THROWS_WITH_AS(complete(problem, "island.dat"),
+                         doctest::Contains("island.dat: one coordinate is moved by 19806 numbers of r"),
+                         InputError);
+}
