@@ -28,8 +28,6 @@ namespace {
 /// Part of the product of both squared lengths from which on edges are not parallel [1]; Li 2020.
 constexpr double parallel = 1e-3;
 
-ContactKind kind_of(const ContactPoint& pair) { return std::get<0>(pair.key); }
-
 /// Above the plane of a pair, which lies lower by half of d^hat [m].
 double height(const ContactPoint& pair, const Vec3& vertex, double distance)
 {
@@ -63,17 +61,18 @@ bool boxes_overlap(const FourPoints& from, const FourPoints& to, int corners_of_
 
 }  // namespace
 
-int corners_of_a(const ContactPoint& pair) { return kind_of(pair) == ContactKind::edge_edge ? 2 : 1; }
-int corner_count(const ContactPoint& pair) { return kind_of(pair) == ContactKind::vertex_plane ? 1 : 4; }
-
-FourPoints corners_of(const ContactPoint& pair, const Poses& poses)
+FourPoints corners_of(const ContactPoint& pair, const Places& places)
 {
     FourPoints x;
     for (int i = 0; i < 4; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const int body = i < corners_of_a(pair) ? pair.a : pair.b;
-        x[k] = i < corner_count(pair) ? poses[static_cast<std::size_t>(body)].to_world(pair.corners[k])
-                                      : Vec3(Vec3::Zero());
+        const int body = i < pair.corners_of_a() ? pair.a : pair.b;
+        if (pair.nodes[k] >= 0)
+            x[k] = places.nodes[static_cast<std::size_t>(pair.nodes[k])];
+        else
+            x[k] = i < pair.corner_count()
+                       ? places.poses[static_cast<std::size_t>(body)].to_world(pair.corners[k])
+                       : Vec3(Vec3::Zero());
     }
     return x;
 }
@@ -81,7 +80,7 @@ FourPoints corners_of(const ContactPoint& pair, const Poses& poses)
 Derivatives BarrierTerm::potential(const ContactPoint& pair, double kappa, double distance) const
 {
     Derivatives squared;
-    if (kind_of(pair) == ContactKind::vertex_plane) {
+    if (pair.kind() == ContactKind::vertex_plane) {
         squared.gradient.head<3>() = 2 * nearest.difference;
         squared.hessian.topLeftCorner<3, 3>() = 2 * pair.normal * pair.normal.transpose();
     } else
@@ -99,14 +98,14 @@ Derivatives BarrierTerm::potential(const ContactPoint& pair, double kappa, doubl
 }
 
 //! [terms]
-std::vector<BarrierTerm> barrier_terms(const RigidStep& step, const Poses& poses, double distance)
+std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const Places& places, double distance)
 {
     std::vector<BarrierTerm> terms;
     std::map<FeatureKey, std::size_t> known;
     for (std::size_t n = 0; n < step.points.size(); ++n) {
         const ContactPoint& pair = step.points[n];
-        const ContactKind kind = kind_of(pair);
-        BarrierTerm term{n, corners_of(pair, poses), {}, {1, Vector12::Zero(), Matrix12::Zero()}, 1, {}};
+        const ContactKind kind = pair.kind();
+        BarrierTerm term{n, corners_of(pair, places), {}, {1, Vector12::Zero(), Matrix12::Zero()}, 1, {}};
         if (kind == ContactKind::vertex_plane)
             term.nearest = {{1, 0, 0, 0}, height(pair, term.x[0], distance) * pair.normal};
         else
@@ -132,19 +131,19 @@ std::vector<BarrierTerm> barrier_terms(const RigidStep& step, const Poses& poses
 //! [terms]
 
 //! [first_meeting]
-std::pair<double, bool> first_meeting(const RigidStep& step, const Poses& from, const Poses& to,
+std::pair<double, bool> first_meeting(const MethodStep& step, const Places& from, const Places& to,
                                       double distance)
 {
     std::pair<double, bool> first{1, false};
     for (const ContactPoint& pair : step.points) {
         const FourPoints p = corners_of(pair, from), q = corners_of(pair, to);
         std::optional<double> time;
-        if (kind_of(pair) == ContactKind::vertex_plane) {
+        if (pair.kind() == ContactKind::vertex_plane) {
             const double before = height(pair, p[0], distance), behind = height(pair, q[0], distance);
             if (behind <= 0)
                 time = before / (before - behind);
-        } else if (boxes_overlap(p, q, corners_of_a(pair)))
-            time = kind_of(pair) == ContactKind::edge_edge
+        } else if (boxes_overlap(p, q, pair.corners_of_a()))
+            time = pair.kind() == ContactKind::edge_edge
                        ? time_of_impact(EdgeEdgeStep{p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3]})
                        : time_of_impact(VertexFaceStep{p[0], p[1], p[2], p[3], q[0], q[1], q[2], q[3]});
         if (time)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "chapters/13_other_solvers/barrier_distances.hpp"
-#include "chapters/13_other_solvers/rigid_step.hpp"
+#include "chapters/13_other_solvers/method_step.hpp"
 
 #include <vector>
 
@@ -17,11 +17,15 @@ struct BarrierValue {
 BarrierValue log_barrier(double ratio);
 //! [log_barrier]
 
-using Poses = std::vector<Pose>;  ///< of all bodies of a step
+/// Of all bodies of a step, and of all nodes of soft ones.
+struct Places {
+    std::vector<Pose> poses;
+    std::vector<Vec3> nodes;
+};
 
 /// Two features within d^hat. Many pairs of features have the same nearest corners, as those around one edge: they count together.
 struct BarrierTerm {
-    std::size_t point;  ///< the first of them, in RigidStep::points
+    std::size_t point;  ///< the first of them, in MethodStep::points
     FourPoints x;
     NearestPoints nearest;
     Derivatives mollifier;  ///< 1 for all but edges that are nearly parallel
@@ -34,16 +38,14 @@ struct BarrierTerm {
 
 /// @param step      its points are the pairs that can meet
 /// @param distance  d^hat [m], positive
-std::vector<BarrierTerm> barrier_terms(const RigidStep& step, const Poses& poses, double distance);
+std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const Places& places, double distance);
 
-/// When the first pair meets, in (0, 1], if all vertices go straight from pose to pose; 1 too if none does. By chapter 2's certified query.
+/// When the first pair meets, in (0, 1], if all vertices go straight from place to place; 1 too if none does. By chapter 2's certified query.
 /// @return  and whether one meets
-std::pair<double, bool> first_meeting(const RigidStep& step, const Poses& from, const Poses& to,
+std::pair<double, bool> first_meeting(const MethodStep& step, const Places& from, const Places& to,
                                       double distance);
 
-int corners_of_a(const ContactPoint& pair);
-int corner_count(const ContactPoint& pair);
 /// In the world [m]; of a pair with a plane the first alone.
-FourPoints corners_of(const ContactPoint& pair, const Poses& poses);
+FourPoints corners_of(const ContactPoint& pair, const Places& places);
 
 }  // namespace enduring

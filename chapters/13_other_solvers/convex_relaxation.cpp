@@ -55,7 +55,7 @@ struct RelaxedRow {
 
 class RelaxedProblem {
 public:
-    RelaxedProblem(const RigidStep& step, const RelaxedSettings& settings) : step_(step), settings_(settings)
+    RelaxedProblem(const MethodStep& step, const RelaxedSettings& settings) : step_(step), settings_(settings)
     {
         int size = 0;
         for (const MovingBody& body : step.bodies)
@@ -178,7 +178,7 @@ private:
     }
     //! [row_of]
 
-    const RigidStep& step_;
+    const MethodStep& step_;
     const RelaxedSettings& settings_;
     std::vector<int> first_;  ///< coordinate of each body
     VectorXd free_;           ///< v*
@@ -188,7 +188,7 @@ private:
 }  // namespace
 
 //! [newton]
-RelaxedRecord convex_relaxation(RigidStep& step, const RelaxedSettings& settings)
+RelaxedRecord convex_relaxation(MethodStep& step, const RelaxedSettings& settings)
 {
     const RelaxedProblem problem(step, settings);
     VectorXd v = problem.free();
@@ -229,8 +229,8 @@ RelaxedRecord convex_relaxation(RigidStep& step, const RelaxedSettings& settings
 
 Solver chapter13_relaxation_solver(const ContactParameters& parameters, const RelaxedSettings& settings)
 {
-    return rigid_solver("convex relaxation", parameters,
-                        [settings](RigidStep& step) { convex_relaxation(step, settings); });
+    return method_solver("convex relaxation", parameters,
+                         [settings](MethodStep& step) { convex_relaxation(step, settings); });
 }
 
 }  // namespace enduring

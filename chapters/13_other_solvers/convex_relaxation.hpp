@@ -1,6 +1,6 @@
 #pragma once
 
-#include "chapters/13_other_solvers/rigid_step.hpp"
+#include "chapters/13_other_solvers/method_solver.hpp"
 
 namespace enduring {
 
@@ -32,7 +32,7 @@ struct RelaxedRecord {
 
 /// The convex relaxation: the velocities at the end of the step minimise kinetic energy of the change plus the potentials of all contacts.
 /// @param step  changed in place
-RelaxedRecord convex_relaxation(RigidStep& step, const RelaxedSettings& settings);
+RelaxedRecord convex_relaxation(MethodStep& step, const RelaxedSettings& settings);
 
 Solver chapter13_relaxation_solver(const ContactParameters& parameters, const RelaxedSettings& settings = {});
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "chapters/13_other_solvers/barrier_terms.hpp"
-#include "chapters/13_other_solvers/rigid_step.hpp"
-
-#include <Eigen/SparseCore>
+#include "chapters/13_other_solvers/potential_assembly.hpp"
+#include "chapters/13_other_solvers/settings.hpp"
+#include "chapters/13_other_solvers/soft_elements.hpp"
 
 #include <vector>
 
@@ -18,32 +17,30 @@ struct SmoothFriction {
 SmoothFriction smooth_friction(double slip, double full);
 //! [smooth_friction]
 
-/// The incremental potential of a step over the poses of all bodies [J]: inertia, a barrier for each pair of features, and friction with normal forces
-/// of poses before. Six coordinates a moving body: its displacement, and a rotation vector from the pose that there is.
+/// The incremental potential of a step over the places of all bodies and nodes [J]: inertia, what elements store, a barrier for each pair of features,
+/// and friction with normal forces of places before.
 /// @see Li et al. 2020, (5); Ferguson et al. 2021, "Intersection-free rigid body dynamics", section on rigid bodies: the inertia of all points
 class IncrementalPotential {
 public:
     /// @param step      its points are the pairs that can meet
     /// @param distance  d^hat [m], positive
-    IncrementalPotential(const RigidStep& step, const BarrierSettings& settings, double distance);
+    /// @param whole_dt  of the step of which this one may be a part [s]: barriers do not stiffen where it is halved
+    IncrementalPotential(const MethodStep& step, const BarrierSettings& settings, double distance,
+                         double whole_dt);
 
-    int coordinates() const { return size_; }
-    /// Poses behind a displacement of all coordinates.
-    Poses moved(const Poses& from, const Eigen::VectorXd& by) const;
-    double value(const Poses& poses) const;
-    struct Slopes {
-        Eigen::VectorXd gradient;
-        Eigen::SparseMatrix<double> hessian;  ///< of each pair its positive part
-    };
-    Slopes slopes(const Poses& poses) const;
-    /// Friction holds by the normal forces of these poses from now on.
-    void lag(const Poses& poses);
+    Places moved(const Places& from, const Eigen::VectorXd& by) const { return coordinates_.moved(from, by); }
+    double value(const Places& places) const;
+    /// What the barriers hold of it [J].
+    double held(const Places& places) const;
+    PotentialSlopes slopes(const Places& places) const;
+    /// Friction holds by the normal forces of these places from now on.
+    void lag(const Places& places);
     /// The impulse on A of each point, normal and friction [N s].
-    std::vector<Vec3> impulses(const Poses& poses) const;
+    std::vector<Vec3> impulses(const Places& places) const;
     /// The part of a displacement on which no pair meets and no body leaves the reach of the search: 1, or less; 0 if there is none.
     /// Paths of vertices are straight from pose to pose. So what is behind them can be reached without a crossing.
     /// @param reach  from the start of the step [m]
-    double free_part(const Poses& from, const Eigen::VectorXd& by, double reach) const;
+    double free_part(const Places& from, const Eigen::VectorXd& by, double reach) const;
 
 private:
     struct Holding {  ///< friction of a term, lagged
@@ -53,20 +50,20 @@ private:
         double most;  ///< mu times the normal force [N]
         Vec3 start;   ///< p - q when the step begins [m]
     };
-    struct Assembly;
+    double inertia(const Places& places) const;
+    void add_inertia(const Places& places, PotentialSlopes& slopes) const;
+    Derivatives friction(const Holding& holding, const Places& places) const;
+    Vec3 slip(const Holding& holding, const Places& places) const;
+    bool is_beyond(const Places& places, double reach) const;
 
-    void add_inertia(std::size_t body, const Pose& pose, Assembly& assembly) const;
-    Vec3 slip(const Holding& holding, const Poses& poses) const;
-    bool is_beyond(const Poses& poses, double reach) const;
-
-    const RigidStep& step_;
+    const MethodStep& step_;
     const BarrierSettings& settings_;
     double distance_;   ///< d^hat [m]
     double full_slip_;  ///< from which on friction is full [m]
     double kappa_ = 0;  ///< [J]
-    int size_ = 0;
-    std::vector<int> first_;  ///< coordinate of each body; -1 for what does not move
-    Poses inertial_;          ///< where each comes without contact
+    StepCoordinates coordinates_;
+    std::vector<SoftElements> soft_;
+    Places inertial_;  ///< where each comes without contact and elements
     std::vector<Holding> holdings_;
 };
 

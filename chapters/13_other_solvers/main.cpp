@@ -18,6 +18,8 @@ int main(int argc, char** argv)
              chapter13::same_scenes},
             {"over_iterations", "what is left of a step in a stack and on a slope, over iterations",
              chapter13::over_iterations},
+            {"soft_bodies", "soft scenes under the methods that have soft bodies, and under chapter 10",
+             chapter13::soft_bodies},
         },
     };
     program.add_options = [method](CLI::App& app) {

@@ -19,13 +19,13 @@ struct PointRows {
     std::array<Row, 2> tangents;
 };
 
-Row row_along(const RigidStep& step, const ContactPoint& point, const Vec3& direction)
+Row row_along(const MethodStep& step, const ContactPoint& point, const Vec3& direction)
 {
     const double response = step.response(point, direction);
     return {direction, response > 0 ? 1 / response : 0};
 }
 
-double depth_to_take_away(const RigidStep& step, const ContactPoint& point,
+double depth_to_take_away(const MethodStep& step, const ContactPoint& point,
                           const SequentialSettings& settings)
 {
     const double size = step.b(point).moves ? std::min(step.a(point).size, step.b(point).size)
@@ -35,7 +35,7 @@ double depth_to_take_away(const RigidStep& step, const ContactPoint& point,
 
 //! [target]
 /// What is apart may close in this step; a depth goes by a part of it each step (Baumgarte); an impact bounces.
-double normal_target(const RigidStep& step, const ContactPoint& point, const SequentialSettings& settings)
+double normal_target(const MethodStep& step, const ContactPoint& point, const SequentialSettings& settings)
 {
     double target = -std::max(0.0, point.separation) / step.dt;
     if (!settings.split)
@@ -49,7 +49,7 @@ double normal_target(const RigidStep& step, const ContactPoint& point, const Seq
 
 //! [solve_row]
 /// The impulse that makes one velocity right, within its bounds: the sum of impulses is clamped, and not each of them.
-void solve_row(RigidStep& step, const ContactPoint& point, Row& row, double least, double most)
+void solve_row(MethodStep& step, const ContactPoint& point, Row& row, double least, double most)
 {
     const double missing = row.target - row.direction.dot(step.relative_velocity(point));
     const double before = row.impulse;
@@ -62,7 +62,7 @@ constexpr double no_bound = 1e300;
 
 //! [sweep]
 /// Friction first, so that in the end no contact approaches.
-void sweep(RigidStep& step, std::vector<PointRows>& rows)
+void sweep(MethodStep& step, std::vector<PointRows>& rows)
 {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const ContactPoint& point = step.points[i];
@@ -74,7 +74,7 @@ void sweep(RigidStep& step, std::vector<PointRows>& rows)
 }
 //! [sweep]
 
-void warm_start(RigidStep& step, std::vector<PointRows>& rows)
+void warm_start(MethodStep& step, std::vector<PointRows>& rows)
 {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const ContactPoint& point = step.points[i];
@@ -87,9 +87,9 @@ void warm_start(RigidStep& step, std::vector<PointRows>& rows)
 
 //! [split]
 /// Depths are taken away by velocities that move bodies in this step and are forgotten: they bring no kinetic energy.
-std::vector<MovingBody> pushed_apart(const RigidStep& step, const SequentialSettings& settings)
+std::vector<MovingBody> pushed_apart(const MethodStep& step, const SequentialSettings& settings)
 {
-    RigidStep apart = step;
+    MethodStep apart = step;
     for (MovingBody& body : apart.bodies)
         body.velocity = body.angular_velocity = Vec3::Zero();
     for (ContactPoint& point : apart.points)
@@ -110,7 +110,7 @@ std::vector<MovingBody> pushed_apart(const RigidStep& step, const SequentialSett
 }  // namespace
 
 //! [sequential_impulses]
-void sequential_impulses(RigidStep& step, const SequentialSettings& settings)
+void sequential_impulses(MethodStep& step, const SequentialSettings& settings)
 {
     std::vector<PointRows> rows;
     for (ContactPoint& point : step.points) {
@@ -146,8 +146,8 @@ void sequential_impulses(RigidStep& step, const SequentialSettings& settings)
 
 Solver chapter13_sequential_solver(const ContactParameters& parameters, const SequentialSettings& settings)
 {
-    return rigid_solver("sequential impulses", parameters,
-                        [settings](RigidStep& step) { sequential_impulses(step, settings); });
+    return method_solver("sequential impulses", parameters,
+                         [settings](MethodStep& step) { sequential_impulses(step, settings); });
 }
 
 }  // namespace enduring

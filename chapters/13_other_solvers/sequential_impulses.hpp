@@ -1,6 +1,6 @@
 #pragma once
 
-#include "chapters/13_other_solvers/rigid_step.hpp"
+#include "chapters/13_other_solvers/method_solver.hpp"
 
 namespace enduring {
 
@@ -10,7 +10,7 @@ namespace enduring {
 /// by direction. Positions follow from velocities once, when the sweeps are over.
 /// @param step  changed in place
 /// @see Catto 2006, "Iterative dynamics with temporal coherence"; Bullet's btSequentialImpulseConstraintSolver
-void sequential_impulses(RigidStep& step, const SequentialSettings& settings);
+void sequential_impulses(MethodStep& step, const SequentialSettings& settings);
 
 Solver chapter13_sequential_solver(const ContactParameters& parameters,
                                    const SequentialSettings& settings = {});

@@ -103,6 +103,8 @@ struct BarrierSettings {
         4;  ///< of the longest way of a vertex as predicted [1]: how far bodies may go in a step. With 1, a light body is stopped that a heavy one hits.
     double least_reach =
         0.02;  ///< and this beside it [1]: what rests may rock. Ten times: ten times the pairs.
+    int max_halvings =
+        6;  ///< of a step that turns a body too far, gains energy or ends unsolved; not in the papers. With 0, what spins fast gains when it hits.
     double part_of_impact = 0.8;  ///< of the time of impact that a step may go [1]; Li 2020
 };
 //! [barrier_settings]

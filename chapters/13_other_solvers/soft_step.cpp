@@ -35,7 +35,7 @@ double inverse(double response) { return response > 0 ? 1 / response : 0; }
 
 class SoftStep {
 public:
-    SoftStep(RigidStep& step, const SoftStepSettings& settings)
+    SoftStep(MethodStep& step, const SoftStepSettings& settings)
         : step_(step), settings_(settings), h_(step.dt / settings.substeps)
     {
         for (const ContactPoint& point : step.points) {
@@ -146,7 +146,7 @@ private:
         }
     }
 
-    RigidStep& step_;
+    MethodStep& step_;
     const SoftStepSettings& settings_;
     double h_, elapsed_ = 0;
     std::vector<SoftPoint> points_;
@@ -154,11 +154,12 @@ private:
 
 }  // namespace
 
-void soft_step(RigidStep& step, const SoftStepSettings& settings) { SoftStep(step, settings).run(); }
+void soft_step(MethodStep& step, const SoftStepSettings& settings) { SoftStep(step, settings).run(); }
 
 Solver chapter13_soft_step_solver(const ContactParameters& parameters, const SoftStepSettings& settings)
 {
-    return rigid_solver("soft step", parameters, [settings](RigidStep& step) { soft_step(step, settings); });
+    return method_solver("soft step", parameters,
+                         [settings](MethodStep& step) { soft_step(step, settings); });
 }
 
 }  // namespace enduring

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "chapters/13_other_solvers/rigid_step.hpp"
+#include "chapters/13_other_solvers/method_solver.hpp"
 
 namespace enduring {
 
@@ -21,7 +21,7 @@ Softness softness(double hertz, double damping_ratio, double h);
 /// The soft step: substeps with one sweep of soft contacts each, and one without springs behind the move ("relax").
 /// @param step  changed in place
 /// @see Catto 2024, "Solver2D"; Box2D 3, src/contact_solver.c
-void soft_step(RigidStep& step, const SoftStepSettings& settings);
+void soft_step(MethodStep& step, const SoftStepSettings& settings);
 
 Solver chapter13_soft_step_solver(const ContactParameters& parameters, const SoftStepSettings& settings = {});
 

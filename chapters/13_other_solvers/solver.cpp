@@ -21,7 +21,8 @@ const std::vector<OtherMethod>& other_methods()
         {"avbd", "AVBD", [](const P& p) { return chapter13_avbd_solver(p); },
          [](const P& p, int n) { return chapter13_avbd_solver(p, {.iterations = n}); }, false},
         {"barrier", "barrier", [](const P& p) { return chapter13_barrier_solver(p); },
-         [](const P& p, int n) { return chapter13_barrier_solver(p, {.max_steps = n}); }, false},
+         [](const P& p, int n) { return chapter13_barrier_solver(p, {.max_steps = n, .max_halvings = 0}); },
+         false},
     };
     return methods;
 }

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "chapters/13_other_solvers/avbd.hpp"
+#include "chapters/13_other_solvers/barrier.hpp"
 #include "chapters/13_other_solvers/convex_relaxation.hpp"
-#include "chapters/13_other_solvers/rigid_avbd.hpp"
-#include "chapters/13_other_solvers/rigid_barrier.hpp"
-#include "chapters/13_other_solvers/rigid_xpbd.hpp"
 #include "chapters/13_other_solvers/sequential_impulses.hpp"
 #include "chapters/13_other_solvers/soft_step.hpp"
+#include "chapters/13_other_solvers/xpbd.hpp"
 
 #include <string>
 #include <vector>

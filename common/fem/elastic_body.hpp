@@ -46,6 +46,8 @@ public:
     const NodalVectors& positions() const { return positions_; }
     NodalVectors& velocities() { return velocities_; }  ///< [m/s]
     const NodalVectors& velocities() const { return velocities_; }
+    /// Before the last predict(), so without gravity and inner forces of its step [m/s].
+    const NodalVectors& start_velocities() const { return start_velocities_; }
     /// [N], besides gravity; stay until changed
     NodalVectors& external_forces() { return external_forces_; }
     const NodalVectors& external_forces() const { return external_forces_; }

@@ -273,6 +273,13 @@ void DeformableBody::update_positions(double dt)
         positions_t1_[vertex] = positions_t0_[vertex] + dt * velocity(static_cast<int>(vertex));
 }
 
+void DeformableBody::take_velocities(const NodalVectors& velocities, double dt)
+{
+    elastic_.velocities() = velocities;
+    waiting_impulses_.setZero();
+    update_positions(dt);
+}
+
 void DeformableBody::commit(double dt)
 {
     if (!waiting_impulses_.isZero(0))

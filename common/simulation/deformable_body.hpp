@@ -117,6 +117,11 @@ public:
     double settle(double dt) override;
     bool approaches_end() const override { return elastic_.approaches_end(); }
 
+    /// For a solver that finds the whole motion itself: predicted velocities of all nodes in place of those there are, and positions_t1 from them.
+    /// Behind a commit it takes stand_still() after it, and only velocities change.
+    /// @param velocities  one a node (control point), zero where a node is fixed [m/s]
+    void take_velocities(const NodalVectors& velocities, double dt);
+
     const ElasticBody& elastic() const { return elastic_; }
     const SurfaceEmbedding& embedding() const { return embedding_; }
     const RestNeighbours* rest_neighbours() const { return rest_neighbours_.get(); }

@@ -6,5 +6,6 @@ namespace enduring::chapter13 {
 
 void same_scenes(const RunOptions& options, Report& report);
 void over_iterations(const RunOptions& options, Report& report);
+void soft_bodies(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter13

@@ -1,4 +1,6 @@
-#include "chapters/13_other_solvers/rigid_xpbd.hpp"
+#include "chapters/13_other_solvers/xpbd.hpp"
+
+#include "chapters/13_other_solvers/xpbd_elements.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -16,25 +18,27 @@ struct Multipliers {
 
 class Substeps {
 public:
-    Substeps(RigidStep& step, const XpbdSettings& settings)
-        : step_(step), settings_(settings), h_(step.dt / settings.substeps)
+    Substeps(MethodStep& step, const XpbdSettings& settings)
+        : step_(step), settings_(settings), h_(step.dt / settings.substeps), elements_(step)
     {}
 
-    //! [rigid_xpbd]
+    //! [xpbd]
     void run()
     {
         for (ContactPoint& point : step_.points)
             point.impulse.setZero();  // nothing is kept from the last step
         for (int substep = 0; substep < settings_.substeps; ++substep) {
             begin();
-            for (int i = 0; i < settings_.iterations; ++i)
+            for (int i = 0; i < settings_.iterations; ++i) {
+                elements_.sweep((substep + i) % 2 == 1);
                 sweep((substep + i) % 2 == 1);
+            }
             update_velocities();
             for (std::size_t n = 0; n < step_.points.size(); ++n)
                 solve_velocity(step_.points[n], multipliers_[n]);
         }
     }
-    //! [rigid_xpbd]
+    //! [xpbd]
 
 private:
     /// Forwards and backwards by turns: with one order alone, friction pumps a stack of ten until it is thrown apart.
@@ -58,6 +62,13 @@ private:
             body.fall(h_);
             body.move(h_);
         }
+        places_before_.clear();
+        for (SoftNode& node : step_.nodes) {
+            places_before_.push_back(node.place);
+            node.velocity += h_ * node.gravity;
+            node.place += h_ * node.velocity;
+        }
+        elements_.begin(h_);
         elapsed_ += h_;
     }
 
@@ -74,6 +85,8 @@ private:
         const Vec3 push = change * direction;
         move(step_.a(point), push, step_.lever_a(point));
         move(step_.b(point), -push, step_.lever_b(point));
+        step_.each_node(
+            point, [&](SoftNode& node, double weight) { node.place += weight * node.inverse_mass * push; });
         return change;
     }
 
@@ -90,7 +103,8 @@ private:
     //! [correct]
 
     //! [solve_position]
-    /// A depth goes; then a point that friction can hold goes back to where it was (Mueller 2020, 3.5).
+    /// A depth goes; then a point that friction can hold goes back to where it was (Mueller 2020, 3.5), and a node that slips is moved back by what
+    /// friction can (Macklin 2014, (24)).
     void solve_position(const ContactPoint& point, Multipliers& lambda)
     {
         const double depth = point.normal.dot(step_.difference(point, elapsed_));
@@ -106,19 +120,34 @@ private:
             return;
         const Vec3 along = slip.normalized();
         const double w = step_.response(point, along);
-        if (w == 0 || lambda.tangent + slip.norm() / w >= point.mu_s * lambda.normal)
-            return;  // it slips, and velocities are braked
-        const double back = correct(point, along, slip.norm(), 0);
+        if (w == 0)
+            return;
+        double length = slip.norm();
+        if (lambda.tangent + length / w >= point.mu_s * lambda.normal) {
+            if (!is_soft(point))
+                return;  // it slips, and velocities are braked
+            length = std::max(0.0, point.mu_d * lambda.normal - lambda.tangent) * w;
+        }
+        const double back = correct(point, along, length, 0);
         lambda.tangent -= back;
         lambda.push += back * along;
     }
     //! [solve_position]
 
+    static bool is_soft(const ContactPoint& point)
+    {
+        return std::any_of(point.nodes.begin(), point.nodes.end(), [](int node) { return node >= 0; });
+    }
+
     Vec3 difference_before(const ContactPoint& point) const
     {
-        return before_[static_cast<std::size_t>(point.a)].to_world(point.on_a) -
-               before_[static_cast<std::size_t>(point.b)].to_world(point.on_b) +
-               (elapsed_ - h_) * point.given;
+        Vec3 sum = before_[static_cast<std::size_t>(point.a)].to_world(point.on_a) -
+                   before_[static_cast<std::size_t>(point.b)].to_world(point.on_b) +
+                   (elapsed_ - h_) * point.given;
+        for (std::size_t i = 0; i < 4; ++i)
+            if (point.nodes[i] >= 0)
+                sum += point.weights[i] * places_before_[static_cast<std::size_t>(point.nodes[i])];
+        return sum;
     }
 
     /// Mueller 2020, algorithm 2: v = (x - x_prev) / h, omega = 2 (q q_prev^-1)_xyz / h.
@@ -132,13 +161,15 @@ private:
             const Quaternion turn = body.pose.orientation * before_[i].orientation.conjugate();
             body.angular_velocity = (turn.w() < 0 ? -2 : 2) * turn.vec() / h_;
         }
+        for (std::size_t n = 0; n < step_.nodes.size(); ++n)
+            step_.nodes[n].velocity = (step_.nodes[n].place - places_before_[n]) / h_;
     }
 
     //! [solve_velocity]
-    /// Dynamic friction (30), by the normal force lambda / h^2, and restitution (34), without which no contact leaves.
+    /// Dynamic friction (30), by the normal force lambda / h^2, and restitution (34), without which no contact leaves. Nodes leave by their elements.
     void solve_velocity(ContactPoint& point, Multipliers& lambda)
     {
-        if (lambda.normal > 0) {
+        if (lambda.normal > 0 && !is_soft(point)) {
             const Vec3 velocity = step_.relative_velocity(point);
             const double speed = point.normal.dot(velocity);
             const Vec3 slip = velocity - speed * point.normal;
@@ -166,20 +197,23 @@ private:
         point.impulse += impulse * direction;
     }
 
-    RigidStep& step_;
+    MethodStep& step_;
     const XpbdSettings& settings_;
     double h_, elapsed_ = 0;
-    std::vector<Pose> before_;
+    XpbdElements elements_;
+    std::vector<Pose> before_;  ///< when the substep begins
+    std::vector<Vec3> places_before_;
     std::vector<Multipliers> multipliers_;
 };
 
 }  // namespace
 
-void rigid_xpbd(RigidStep& step, const XpbdSettings& settings) { Substeps(step, settings).run(); }
+void xpbd(MethodStep& step, const XpbdSettings& settings) { Substeps(step, settings).run(); }
 
 Solver chapter13_xpbd_solver(const ContactParameters& parameters, const XpbdSettings& settings)
 {
-    return rigid_solver("XPBD", parameters, [settings](RigidStep& step) { rigid_xpbd(step, settings); });
+    return method_solver(
+        "XPBD", parameters, [settings](MethodStep& step) { xpbd(step, settings); }, SoftBodies::corotated);
 }
 
 }  // namespace enduring

@@ -1,10 +1,11 @@
-#include "chapters/13_other_solvers/rigid_barrier.hpp"
+#include "chapters/13_other_solvers/barrier.hpp"
 
 #include "chapters/08_contact_by_distance/begins_inside.hpp"
 #include "chapters/08_contact_by_distance/skin.hpp"
 #include "chapters/13_other_solvers/incremental_potential.hpp"
 #include "common/input/input_error.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/deformable_body.hpp"
 
 #include <Eigen/SparseCholesky>
 
@@ -35,17 +36,19 @@ double longest_way(const World& world)
 
 //! [begin]
 /// Surfaces half of d^hat inside, which have to be apart from each other and in front of all planes.
-void RigidBarrier::begin(World& world)
+void BarrierMethod::begin(World& world)
 {
-    size_ = std::numeric_limits<double>::infinity();
+    double size = std::numeric_limits<double>::infinity();
     for (const auto& body : world.bodies)
         if (!body->is_static())
-            size_ = std::min(size_, body->size());
-    if (!std::isfinite(size_))
+            size = std::min(size, body->size());
+    if (!std::isfinite(size)) {
+        size_ = size;
         return;
-    const double inset = settings_.distance * size_ / 2;
+    }
+    const double inset = settings_.distance * size / 2;
     for (const auto& body : world.bodies)
-        if (body->surface().is_closed())
+        if (body->surface().is_closed() && dynamic_cast<const DeformableBody*>(body.get()) == nullptr)
             body->take_contact_surface(inset_surface(body->surface(), body->shape(), inset));
     for (const auto& [a, b] : bodies_inside_each_other(world))
         refuse(world.bodies[static_cast<std::size_t>(a)]->name(),
@@ -55,12 +58,14 @@ void RigidBarrier::begin(World& world)
             for (const Vec3& x : body->contact_t0())
                 if (!body->is_static() && plane.normal.dot(x - plane.point) + inset <= 0)
                     refuse(body->name(), plane.name);
+    size_ = size;  // a step that is refused here is refused again when its halves are tried
 }
 //! [begin]
 
 //! [find]
-Contacts RigidBarrier::find(World& world)
+Contacts BarrierMethod::find(World& world)
 {
+    whole_dt_ = world.whole_dt;
     if (size_ == 0)
         begin(world);
     Contacts contacts;
@@ -113,70 +118,84 @@ Contacts RigidBarrier::find(World& world)
 namespace {
 
 //! [newton]
-/// Projected Newton's method from poses that do not touch: every step ends at such poses, with less energy.
-Poses minimum(const IncrementalPotential& potential, const Poses& from, double reach, double least_step,
-              const BarrierSettings& settings)
+/// Projected Newton's method from places that do not touch: every step ends at such places, with less energy.
+/// @param is_solved  whether the last direction was shorter than the tolerance
+Places minimum(const IncrementalPotential& potential, const Places& from, double reach, double least_step,
+               const BarrierSettings& settings, bool& is_solved)
 {
-    Poses poses = from;
-    double energy = potential.value(poses);
+    is_solved = false;
+    Places places = from;
+    double energy = potential.value(places);
     for (int step = 0; step < settings.max_steps; ++step) {
-        const auto [gradient, hessian] = potential.slopes(poses);
-        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(hessian);
-        const Eigen::VectorXd direction = -factor.solve(gradient);
-        const double slope = gradient.dot(direction);
-        double part = potential.free_part(poses, direction, reach);
+        const PotentialSlopes slopes = potential.slopes(places);
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(slopes.hessian());
+        const Eigen::VectorXd direction = -factor.solve(slopes.gradient());
+        const double slope = slopes.gradient().dot(direction);
+        double part = potential.free_part(places, direction, reach);
         int halvings = 0;
         for (; part > 0 && halvings < settings.line_search_steps; ++halvings, part /= 2) {
-            const Poses to = potential.moved(poses, part * direction);
+            const Places to = potential.moved(places, part * direction);
             const double there = potential.value(to);
             if (there <= energy + 1e-4 * part * slope + 1e-14 * std::abs(energy)) {
-                poses = to;
+                places = to;
                 energy = there;
                 break;
             }
         }
-        if (part == 0 || halvings == settings.line_search_steps ||
-            direction.lpNorm<Eigen::Infinity>() <= least_step)
+        is_solved = direction.lpNorm<Eigen::Infinity>() <= least_step;
+        if (part == 0 || halvings == settings.line_search_steps || is_solved)
             break;
     }
-    return poses;
+    return places;
 }
 //! [newton]
 
 }  // namespace
 
-//! [rigid_barrier]
-void RigidBarrier::operator()(RigidStep& step) const
+//! [barrier]
+void BarrierMethod::operator()(MethodStep& step) const
 {
     if (!std::isfinite(size_))
         return;
-    IncrementalPotential potential(step, settings_, settings_.distance * size_);
-    Poses poses;
+    IncrementalPotential potential(step, settings_, settings_.distance * size_, whole_dt_);
+    Places places;
     for (const MovingBody& body : step.bodies)
-        poses.push_back(body.start);
+        places.poses.push_back(body.start);
+    for (const SoftNode& node : step.nodes)
+        places.nodes.push_back(node.start);
+    const double held = potential.held(places);
     for (int solve = 0; solve < settings_.lags; ++solve) {
-        potential.lag(poses);
-        poses = minimum(potential, poses, reach_, settings_.tolerance * size_ * step.dt, settings_);
+        potential.lag(places);
+        places = minimum(potential, places, reach_, settings_.tolerance * size_ * step.dt, settings_,
+                         step.is_solved);
     }
-    const std::vector<Vec3> impulses = potential.impulses(poses);
+    step.given = held - potential.held(places);
+    const std::vector<Vec3> impulses = potential.impulses(places);
     for (std::size_t n = 0; n < step.points.size(); ++n)
         step.points[n].impulse = impulses[n];
     for (std::size_t i = 0; i < step.bodies.size(); ++i)
         if (MovingBody& body = step.bodies[i]; body.moves) {
-            body.pose = poses[i];
+            body.pose = places.poses[i];
             body.velocity = (body.pose.position - body.start.position) / step.dt;
             body.angular_velocity =
                 rotation_vector(body.pose.orientation * body.start.orientation.conjugate()) / step.dt;
         }
+    for (std::size_t n = 0; n < step.nodes.size(); ++n) {
+        SoftNode& node = step.nodes[n];
+        node.place = places.nodes[n];
+        node.velocity = (node.place - node.start) / step.dt;
+    }
 }
-//! [rigid_barrier]
+//! [barrier]
 
 Solver chapter13_barrier_solver(const ContactParameters& parameters, const BarrierSettings& settings)
 {
-    const auto method = std::make_shared<RigidBarrier>(settings);
-    return rigid_solver(
-        "barrier", parameters, [method](RigidStep& step) { (*method)(step); },
+    const auto method = std::make_shared<BarrierMethod>(settings);
+    Solver solver = method_solver(
+        "barrier", parameters, [method](MethodStep& step) { (*method)(step); }, SoftBodies::any_law,
         PairSearch([method](World& world) { return method->find(world); }));
+    solver.max_halvings = settings.max_halvings;
+    return solver;
 }
 
 }  // namespace enduring
