@@ -2,9 +2,9 @@
 
 #include "chapters/07_implicit_contact/anderson_mixing.hpp"
 #include "chapters/07_implicit_contact/limit_search.hpp"
+#include "chapters/07_implicit_contact/part_without_gain.hpp"
 #include "chapters/07_implicit_contact/restitution.hpp"
 #include "chapters/07_implicit_contact/rolling_friction.hpp"
-#include "chapters/07_implicit_contact/taken_energy.hpp"
 #include "chapters/07_implicit_contact/whole_bodies.hpp"
 #include "common/fem/elastic_body.hpp"
 #include "common/simulation/turns.hpp"
@@ -121,8 +121,8 @@ int take_own_impulses(World& world, StepProblem& step, NewtonMatrix& matrix, dou
     hessians.reserve(problem.rows.size());
     for (std::size_t i = 0; i < problem.rows.size(); ++i)
         hessians.push_back(problem.hessian_by(problem.rows[i], answers.pushes[i], problem.rows[i].velocity));
-    const Eigen::VectorXd missing = matrix.solve(problem, hessians, answers.unbalanced);
-    apply_impulses(world, step, matrix.tangent(answers.impulses, rates_of(problem, missing)));
+    const Eigen::VectorXd correction = matrix.solve(problem, hessians, answers.unbalanced);
+    apply_impulses(world, step, matrix.tangent(answers.impulses, rates_of(problem, correction)));
     return 1;
 }
 //! [own_impulses]
@@ -235,7 +235,7 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
                            std::min(steps_left, settings.budget.of_last_problem), least, record);
     if ((is_lagged || !world.attempt.may_be_halved) &&
         island.elements.empty())  // a part of a joint's impulses holds nothing
-        if (const double part = part_that_takes(world, step); part < 1)
+        if (const double part = part_without_gain(world, step); part < 1)
             apply_impulses(world, step, part * impulses_acting(step.problem));
     // what rounding leaves of hardly any impulse no shorter step mends
     if (!is_lagged && !record.converged && !(record.residual <= settings.kept_residual))
@@ -260,7 +260,7 @@ void add(const IslandOutcome& outcome, SolveRecord& all, World& world)
     all.newton_steps = std::max(all.newton_steps, outcome.record.newton_steps);
     all.residual = std::max(all.residual, outcome.record.residual);
     all.converged = all.unsolved_islands == 0;
-    world.attempt.put_in += outcome.springs;
+    world.attempt.added_energy += outcome.springs;
     // an island that is not solved says more than one that is solved too deep
     if (outcome.trouble == StepTrouble::unsolved || world.attempt.trouble == StepTrouble::none)
         world.attempt.trouble = outcome.trouble;
@@ -312,7 +312,7 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
     });
 
     if (first)
-        world.attempt.put_in -= world.attempt.springs;
+        world.attempt.added_energy -= world.attempt.springs;
     SolveRecord record{world.step};
     for (const IslandOutcome& outcome : outcomes) {
         add(outcome, record, world);
@@ -334,13 +334,13 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
     solve_contacts(world, contacts, settings, matrices, budget, dt);
 }
 
-//! [settle]
-void settle_soft_bodies(World& world, double dt)
+//! [elastic_ends]
+void find_elastic_ends(World& world, double dt)
 {
     for (const auto& body : world.bodies)
-        body->settle(dt);
+        body->reach_end(dt);
 }
-//! [settle]
+//! [elastic_ends]
 
 bool follows_end(const World& world, const Island& island)
 {
@@ -371,15 +371,15 @@ void add_solve(Solver& solver, const ContactParameters& parameters, ImplicitSett
     solver.finds_stiffness = true;
     solver.has_surface_laws = true;
     const std::string first = solver.passes(StepStage::refresh).front().name;
-    solver.insert_before(first, "settle soft bodies",
-                         [](World& world, Contacts&, double dt) { settle_soft_bodies(world, dt); });
+    solver.insert_before(first, "find elastic ends",
+                         [](World& world, Contacts&, double dt) { find_elastic_ends(world, dt); });
     solver.append(StepStage::respond, "solve contacts",
                   [settings, matrices = std::make_shared<IslandMatrices>(),
                    budget = std::make_shared<StepBudget>()](World& world, Contacts& contacts, double dt) {
                       solve_contacts(world, contacts, settings, *matrices, *budget, dt);
                   });
     solver.append(StepStage::finish, "remember pairs", remember_pairs);
-    solver.append(StepStage::settle, "restitution",
+    solver.append(StepStage::after_commit, "restitution",
                   [friction = settings.friction](World& world, Contacts& contacts, double dt) {
                       restitute(world, contacts, friction, dt);
                   });

@@ -93,10 +93,10 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
                     IslandMatrices& matrices, double dt);
 
 /// Refresh, before anything is looked for: brings the elastic forces of soft bodies to where the step ends without contact. A body
-/// that is inside out may not settle, for its frames jump. Halves would not help it: they jump in the shortest step, too.
-void settle_soft_bodies(World& world, double dt);
+/// that is inside out may not reach its end, for its frames jump. Halves would not help: they jump in the shortest step, too.
+void find_elastic_ends(World& world, double dt);
 
-/// Whether inner forces of an island's bodies have settled in this step. A solver without that pass keeps the linear step.
+/// Whether inner forces of an island's bodies are those of the end of this step. A solver without that pass keeps the linear step.
 bool follows_end(const World& world, const Island& island);
 
 /// Brings them nearer to where the step ends now.

@@ -25,7 +25,7 @@ double speed_after(const PairImpact& impact, double leaving)
 }
 //! [touching_speed]
 
-void ImpulseWork::add(const Struck& pair, const Vec3& impulse, const Vec3& friction)
+void ImpulseWork::add(const PushedPair& pair, const Vec3& impulse, const Vec3& friction)
 {
     const double against_running = friction.dot(pair.running);
     slope += impulse.dot(pair.velocity) + against_running;
@@ -43,9 +43,10 @@ bool has_pushed(const World& world, const Contact& contact, double dt)
                contact.stiffness * dt * restitution_limits.least_length * natural_length(world, contact);
 }
 
-Struck struck(const World& world, const Contact& contact, const FrictionCoefficients& friction, double dt)
+PushedPair pushed_pair(const World& world, const Contact& contact, const FrictionCoefficients& friction,
+                       double dt)
 {
-    Struck one;
+    PushedPair one;
     one.normal = contact.impulse.normalized();
     one.running = running_of_surfaces(world, contact);
     one.restitution = pair_restitution(world, contact);
@@ -83,7 +84,7 @@ MatrixXd response_of(const IslandImpact& island)
 
 }  // namespace
 
-Island struck_part(const World& world, const Island& island, double dt)
+Island pushed_part(const World& world, const Island& island, double dt)
 {
     Island part;
     bool any_meets = false;
@@ -94,7 +95,7 @@ Island struck_part(const World& world, const Island& island, double dt)
         for (int i = 0; i < contact->vertex_count(); ++i)
             if (!body_of_vertex(world, *contact, i).is_static())
                 part.bodies.push_back(static_cast<int>(body_index(*contact, i)));
-        any_meets = any_meets || (pair_restitution(world, *contact) > 0 && !contact->endures());
+        any_meets = any_meets || (pair_restitution(world, *contact) > 0 && contact->began_open);
     }
     if (!any_meets)
         return {};
@@ -110,7 +111,7 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
     island.step = set_up(world, part, {}, friction, {0, dt}, false);
     const StepProblem& step = island.step;
     for (const Contact* contact : step.of_row) {
-        island.pairs.push_back(struck(world, *contact, friction, dt));
+        island.pairs.push_back(pushed_pair(world, *contact, friction, dt));
         island.work.add(island.pairs.back(), contact->impulse + contact->friction, contact->friction);
     }
     // The impulses acted with the levers of the free end: on a body that spins, those behind the commit would tell another energy.
@@ -120,11 +121,11 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
     island.lost = island.work.driven - momentum.dot(halfway);
     const VectorXd change = times_response(step.problem, momentum);
     for (std::size_t i = 0; i < island.pairs.size(); ++i) {
-        Struck& pair = island.pairs[i];
+        PushedPair& pair = island.pairs[i];
         pair.impact.free_speed = pair.normal.dot(pair.velocity - step.problem.rows[i].rate_of(change));
         const double least = std::max(restitution_limits.least_speed * world.gravity.norm() * dt,
                                       scale_parts.least_answer * natural_length(world, *step.of_row[i]) / dt);
-        pair.meets = pair.restitution > 0 && !step.of_row[i]->endures() &&
+        pair.meets = pair.restitution > 0 && step.of_row[i]->began_open &&
                      -touching_speed(pair.impact) > least;
     }
     island.response = response_of(island);

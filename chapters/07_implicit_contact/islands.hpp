@@ -1,6 +1,7 @@
 #pragma once
 
 #include "chapters/07_implicit_contact/force_element.hpp"
+#include "chapters/07_implicit_contact/joined_sets.hpp"
 #include "chapters/07_implicit_contact/newton_matrix.hpp"
 #include "common/simulation/step.hpp"
 
@@ -9,20 +10,6 @@
 #include <vector>
 
 namespace enduring {
-
-/// Numbers from 0 on, each in a set of its own until sets are joined; a set is known by its least number.
-class JoinedSets {
-public:
-    explicit JoinedSets(std::size_t count);
-
-    int least_of(int one);
-    void join(int one, int other);
-
-private:
-    int& next(int one) { return towards_least_[static_cast<std::size_t>(one)]; }
-
-    std::vector<int> towards_least_;
-};
 
 /// Bodies that press each other, directly or through others that move, and all their pairs. What does not move joins nothing:
 /// two stacks on the same ground are two islands, and no impulse of one changes anything in the other.

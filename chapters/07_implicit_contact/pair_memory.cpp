@@ -146,7 +146,7 @@ void take_given_length(const World& world, Contact& contact)
 void remember_pairs(const World& world, Contacts& contacts, double dt)
 {
     for (Contact& contact : contacts) {
-        const bool is_open = was_open(world, contact);
+        contact.began_open = was_open(world, contact);
         if (contact.held()) {  // its spring lets go: where the pair pushes again, it begins as a new one does
             contact.stiffness = 0;
             contact.stretch.setZero();
@@ -156,7 +156,6 @@ void remember_pairs(const World& world, Contacts& contacts, double dt)
         contact.stretch = contact.stiffness > 0 ? Vec3(contact.friction / (-contact.stiffness * dt))
                                                 : Vec3(Vec3::Zero());
         contact.stretch = surface_turn(world, contact) * contact.stretch;
-        contact.start = is_open ? 1 : 0;  // behind surface_turn, which asks for that of the search
         if (world.attempt.work.unsolved > 0 && contact.stiffness > 0)  // what is not solved presses no spring
             take_given_length(world, contact);
     }

@@ -30,7 +30,7 @@ struct StiffnessChoice {
     double keep = 0.9;               ///< part of a spring's rest offset that a step keeps
     /// Friction begins when a pair that began inside is this many wanted depths from coming out. Infinite: friction lifts a leaning
     /// block with more work than its weight needs. A tenth: it comes to rest up to 0.3 s later. Ten times: hardly anything changes.
-    double rubbing_offset = 100;
+    double friction_offset = 100;
     /// the fastest at which a rest offset fades [m/s]; without it, a part of the pair's natural speed
     std::optional<double> max_depenetration_velocity{};
 

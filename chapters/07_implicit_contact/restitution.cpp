@@ -25,7 +25,7 @@ VectorXd leaving_velocities(const IslandImpact& island, VectorXd& impulses)
     const auto count = static_cast<Eigen::Index>(island.pairs.size());
     VectorXd touching(count), restitution(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const Struck& pair = island.pairs[static_cast<std::size_t>(i)];
+        const PushedPair& pair = island.pairs[static_cast<std::size_t>(i)];
         touching[i] = pair.meets ? touching_speed(pair.impact) : std::max(0.0, pair.impact.free_speed);
         restitution[i] = pair.restitution;
     }
@@ -50,7 +50,7 @@ Bounce bounce_of(const IslandImpact& island)
     Bounce bounce;
     std::vector<double> speeds;
     for (Eigen::Index i = 0; i < leaving.size(); ++i) {
-        const Struck& pair = island.pairs[static_cast<std::size_t>(i)];
+        const PushedPair& pair = island.pairs[static_cast<std::size_t>(i)];
         if (!(pair.restitution > 0 && impulses[i] > least))
             continue;
         bounce.pairs.push_back(i);
@@ -85,7 +85,7 @@ VectorXd speeds_without_friction(const IslandImpact& island, const Bounce& bounc
     VectorXd speeds(static_cast<Eigen::Index>(bounce.pairs.size()));
     for (Eigen::Index i = 0; i < speeds.size(); ++i) {
         const auto row = static_cast<std::size_t>(bounce.pairs[static_cast<std::size_t>(i)]);
-        const Struck& pair = island.pairs[row];
+        const PushedPair& pair = island.pairs[row];
         speeds[i] = pair.normal.dot(pair.velocity - island.step.problem.rows[row].rate_of(change));
     }
     return speeds;
@@ -164,7 +164,7 @@ std::vector<Vec3> friction_of(const IslandImpact& island, const Bounce& bounce, 
     std::vector<Vec3> friction(island.pairs.size(), Vec3::Zero());
     for (int sweep = 0; sweep < restitution_limits.friction_sweeps; ++sweep)
         for (std::size_t i = 0; i < island.pairs.size(); ++i) {
-            const Struck& pair = island.pairs[i];
+            const PushedPair& pair = island.pairs[i];
             const double limit = pair.mu * impulses[static_cast<Eigen::Index>(i)];
             if (!(limit > 0))
                 continue;
@@ -214,7 +214,7 @@ void send_back(World& world, const IslandImpact& island, const Bounce& bounce, d
     let_go(island, bounce);
     kick(world, step, part * momentum);
     world.driven += part * work.driven;
-    world.attempt.put_in += part * work.driven + std::max(0.0, -of_step - part * of_this);
+    world.attempt.added_energy += part * work.driven + std::max(0.0, -of_step - part * of_this);
 }
 //! [send_back]
 
@@ -226,7 +226,7 @@ void restitute(World& world, Contacts& contacts, const FrictionCoefficients& fri
     if (!world.restitution.any())
         return;
     for (const Island& island : find_islands(world, contacts)) {
-        const Island part = struck_part(world, island, dt);
+        const Island part = pushed_part(world, island, dt);
         if (part.contacts.empty())
             continue;
         const IslandImpact impact = impact_of(world, part, friction, dt);

@@ -41,7 +41,7 @@ inline constexpr RestitutionLimits restitution_limits;
 //! [restitution_limits]
 
 /// A pair that carried an impulse in this step.
-struct Struck {
+struct PushedPair {
     PairImpact impact;
     Vec3 normal = Vec3::UnitY();
     Vec3 velocity = Vec3::Zero();         ///< of p against q, behind the commit [m/s]
@@ -59,16 +59,16 @@ struct ImpulseWork {
     double driven = 0;  ///< work of bodies that move as given, and of surfaces that run [J]
 
     /// @param friction  the part of the impulse that is friction [N s]
-    void add(const Struck& pair, const Vec3& impulse, const Vec3& friction);
+    void add(const PushedPair& pair, const Vec3& impulse, const Vec3& friction);
 };
 
 /// An island's impact: its pairs, and the coordinates of its bodies behind the commit.
 struct IslandImpact {
     StepProblem step;
-    std::vector<Struck> pairs;  ///< of each row
-    ImpulseWork work;           ///< of all impulses of the step
-    double lost = 0;            ///< energy that these impulses took away, with work of running surfaces [J]
-    Eigen::MatrixXd response;   ///< W, of velocities along the normals
+    std::vector<PushedPair> pairs;  ///< of each row
+    ImpulseWork work;               ///< of all impulses of the step
+    double lost = 0;           ///< energy that these impulses took away, with work of running surfaces [J]
+    Eigen::MatrixXd response;  ///< W, of velocities along the normals
 };
 
 /// What pairs answer to an impact, seen by the pairs alone: velocities along their normals [m/s], negative while they approach,
@@ -91,7 +91,7 @@ Eigen::VectorXd reflecting_impulses(const Eigen::MatrixXd& response, const Eigen
 double allowed_part(double slope, double curvature, double allowed);
 
 /// Of an island, the pairs that pushed and their bodies. Empty where none of them can bounce.
-Island struck_part(const World& world, const Island& island, double dt);
+Island pushed_part(const World& world, const Island& island, double dt);
 
 /// Behind the commit of a step of dt: what these pairs met with. Masses and levers are those behind the commit.
 IslandImpact impact_of(const World& world, const Island& part, const FrictionCoefficients& friction,

@@ -91,10 +91,10 @@ bool slides_on(const Contact& contact, double mass, const FrictionCoefficients& 
 }
 //! [slides_on]
 
-//! [gives_way]
-/// Whether anything moves along a pair's normal. Where all is held in this direction a lock carries the load, and nothing could
-/// tell how much of it the pair carries.
-bool gives_way(const PairRow& row)
+//! [can_move]
+/// Whether any coordinate moves a pair's vertices along its normal. If all are held in this direction, a lock carries the load, and
+/// the pair's part of it is undefined.
+bool can_move(const PairRow& row)
 {
     constexpr double rounding = 1e-12;  // of a direction, and of a lever in metres
     bool gives = false;
@@ -104,19 +104,19 @@ bool gives_way(const PairRow& row)
         });
     return gives;
 }
-//! [gives_way]
+//! [can_move]
 
-//! [rubs]
-/// Whether a pair has a surface to rub on. One that began inside has none before it is let out. Slack tells the two
-/// apart: a loaded spring that was made stiffer is slack no deeper than its load pressed it at its first stiffness.
-bool rubs(const Contact& contact, double mass, const StiffnessChoice& choice, double dt)
+//! [has_friction]
+/// A pair that began inside has no friction until it is nearly out. Its rest offset tells it from a loaded spring that was made
+/// stiffer: the offset of such a spring is no deeper than the depth to which its load pressed it at its first stiffness.
+bool has_friction(const Contact& contact, double mass, const StiffnessChoice& choice, double dt)
 {
-    if (contact.rest_offset >= -choice.rubbing_offset * choice.depth())
+    if (contact.rest_offset >= -choice.friction_offset * choice.depth())
         return true;
     const double first = wanted_stiffness(mass, 0, choice, dt);
     return -contact.rest_offset * first <= contact.load;
 }
-//! [rubs]
+//! [has_friction]
 
 }  // namespace
 
@@ -188,7 +188,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         add_parts(world, contact, step, row);
         update_row(world, contact, step_law, row);
         const double depth_t0 = depth_at_start(world, contact);
-        if (row.law.normal.isZero(0) || !gives_way(row))
+        if (row.law.normal.isZero(0) || !can_move(row))
             continue;
         step.responses.push_back(response_of(world, contact, step, row));
         const double mass = mass_along(row.law.normal, step.responses.back());
@@ -201,7 +201,7 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         if (row.law.viscous = of_pair.laws.viscous; row.law.viscous > 0)
             row.law.stretch = stretch_without_film(contact.stretch,
                                                    of_pair.mu_s * contact.load / contact.stiffness);
-        row.law.mu = !rubs(contact, mass, own, step_law.dt)           ? 0
+        row.law.mu = !has_friction(contact, mass, own, step_law.dt)   ? 0
                      : slides_on(contact, mass, of_pair, step_law.dt) ? of_pair.mu_d
                                                                       : of_pair.mu_s;
         step.problem.rows.push_back(std::move(row));

@@ -1,7 +1,7 @@
 #include "chapters/09_deep_contacts/overlaps.hpp"
 
 #include "chapters/02_collision_detection/edge_triangle.hpp"
-#include "chapters/07_implicit_contact/islands.hpp"
+#include "chapters/07_implicit_contact/joined_sets.hpp"
 #include "common/geometry/triangle_distance.hpp"
 
 #include <algorithm>

@@ -114,7 +114,7 @@ void leave_force_to_load(World& world, Contacts& contacts)
                                   ? contact_geometry(world, contact, 1).depth
                                   : std::min(0.0, aim);
     }
-    world.attempt.put_in += spring_energy(contacts) - world.attempt.springs;
+    world.attempt.added_energy += spring_energy(contacts) - world.attempt.springs;
 }
 //! [leave_force_to_load]
 

@@ -136,7 +136,7 @@ void book_joints(World& world, const std::vector<JointRates>& before, double dt)
         const DriveWork drives = work_of_drives(world, joint, working(0, 0.5) - working(1, 0.5),
                                                 after[0] - after[1], dt);
         world.driven += drives.motors + given;
-        world.attempt.put_in += work_on(joint, of_a - of_b, dt) + given - drives.springs;
+        world.attempt.added_energy += work_on(joint, of_a - of_b, dt) + given - drives.springs;
         note_rebounds(world, joint, before[i][0] - before[i][1], dt);
     }
 }

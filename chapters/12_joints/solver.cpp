@@ -21,7 +21,7 @@ Solver chapter12_solver(const ContactParameters& parameters, ImplicitSettings se
                          [before](World& world, Contacts&, double dt) { *before = joint_rates(world, dt); });
     solver.append(StepStage::finish, "book joints",
                   [before](World& world, Contacts&, double dt) { book_joints(world, *before, dt); });
-    solver.append(StepStage::settle, "end joints",
+    solver.append(StepStage::after_commit, "end joints",
                   [](World& world, Contacts&, double) { end_joints(world); });
     return solver;
 }

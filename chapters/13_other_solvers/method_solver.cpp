@@ -36,7 +36,7 @@ public:
         method_(step_);
         if (!step_.is_solved)
             world.attempt.trouble = StepTrouble::unsolved;
-        world.attempt.put_in += step_.given;
+        world.attempt.added_energy += step_.given;
         impulses_.clear();
         for (std::size_t i = 0; i < contacts.size(); ++i) {
             const ContactPoint& point = step_.points[i];
@@ -125,7 +125,7 @@ Solver method_solver(const std::string& name, const ContactParameters& parameter
                   [run](World& world, Contacts& contacts, double dt) { run->find(world, contacts, dt); });
     solver.append(StepStage::refresh, name,
                   [run](World& world, Contacts& contacts, double) { run->solve(world, contacts); });
-    solver.append(StepStage::settle, "leave velocities",
+    solver.append(StepStage::after_commit, "leave velocities",
                   [run](World& world, Contacts&, double) { run->leave(world); });
     return solver;
 }

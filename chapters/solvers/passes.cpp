@@ -11,7 +11,7 @@ void passes(const RunOptions&, Report& report)
                                                                 {StepStage::detect, "detect"},
                                                                 {StepStage::respond, "respond"},
                                                                 {StepStage::finish, "finish"},
-                                                                {StepStage::settle, "settle"}};
+                                                                {StepStage::after_commit, "after_commit"}};
     ContactParameters parameters;
     parameters.friction = MassSplitting{};
     Table table({"chapter", "stage", "pass"});

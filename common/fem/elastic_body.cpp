@@ -128,7 +128,7 @@ void ElasticBody::predict(const Vec3& gravity, double dt)
     mended_response_.setZero();
     least_change_ = std::sqrt(mass()) * std::max(gravity.norm() * dt, approach.least_change * length_ / dt);
     if (has_point_law())
-        settle(dt);
+        reach_end(dt);
     approaches_ = false;
     last_prediction_ = velocities_ - start_velocities_;
 }
@@ -201,7 +201,7 @@ void ElasticBody::cut_change(const NodalVectors& start, const NodalVectors& chan
 }
 //! [approach_end]
 
-double ElasticBody::settle(double dt)
+double ElasticBody::reach_end(double dt)
 {
     double found = approach_end(dt);
     for (int i = 1; i < approach.steps && found > small_imbalance; ++i)

@@ -70,7 +70,7 @@ public:
     ///   (M + dt C + dt^2 K_R) v_new = M v + dt (f_ext + M g + f_el(x)),  C = alpha M + beta K_R.
     /// A law at points has its own stiffness in place of K_R; of a body without fixed nodes, without what it
     /// holds against turning as a whole, so that angular momentum is kept.
-    /// A law at points then settles, so that it gains no energy.
+    /// A law at points then reaches its end (reach_end()), so that it gains no energy.
     /// @param gravity  [m/s^2]
     /// @param dt       [s]
     /// @throws InputError  dt is not positive and finite
@@ -94,7 +94,7 @@ public:
     double approach_end(double dt);
     /// Does so until there was a small_imbalance, or thirty times.
     /// @return  the last imbalance
-    double settle(double dt);
+    double reach_end(double dt);
     /// Whether one of both was called since the last predict(): only then do elastic forces follow the end of the step.
     bool approaches_end() const { return approaches_; }
 

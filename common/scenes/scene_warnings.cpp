@@ -45,7 +45,7 @@ double speed_of(const StartOverlap& overlap, const Scene& scene)
 std::string sentence(const StartSelfOverlap& overlap)
 {
     return "'" + overlap.body + "' begins crossed with itself, " + std::to_string(overlap.faces) +
-           " of its faces in another part of it: no solver tells which way is out, so it stays crossed or "
+           " of its faces in another part of it: no solver can find the way out, so it stays crossed or "
            "comes free by its own elasticity; give it a shape that does not cross";
 }
 

@@ -147,8 +147,8 @@ public:
 
     /// Brings inner forces to where the step ends as it is predicted: contact is answered there.
     /// @return  the imbalance that is left [1]
-    virtual double settle(double /*dt*/) { return 0; }
-    /// Whether it has inner forces that have settled in this step, so that they can follow what contact changes.
+    virtual double reach_end(double /*dt*/) { return 0; }
+    /// Whether it has reached its end in this step (reach_end()), so that inner forces can follow what contact changes.
     virtual bool approaches_end() const { return false; }
     /// Brings them nearer to where the step ends now.
     /// @return  the imbalance that there was [1]

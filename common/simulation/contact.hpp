@@ -55,6 +55,8 @@ struct Contact {
     ContactState state = ContactState::waiting;
     /// separated in this step, whatever its state: seen by the probes, gone with the next
     bool resolved = false;
+    /// found when springs are remembered: apart or just touched when this step began, without a load on its spring. Such pairs may bounce
+    bool began_open = false;
 
     bool waiting() const { return state == ContactState::waiting && !resolved; }
     bool answered() const { return state == ContactState::answered; }

@@ -32,6 +32,7 @@ inline void visit_state(StateArchive& archive, Contact& contact)
     archive.whole(contact.category);
     archive.whole(contact.state);
     archive.whole(contact.resolved);
+    archive.whole(contact.began_open);
     static_assert(sizeof(Contact) == 288, "a field that is new in Contact has its line here, too");
 }
 

@@ -312,11 +312,11 @@ double DeformableBody::approach_end(double dt)
     return missing;
 }
 
-double DeformableBody::settle(double dt)
+double DeformableBody::reach_end(double dt)
 {
     impulse_response_ = ImpulseResponse::implicit;
     double missing = 0;
-    change_velocities([&] { missing = elastic_.settle(dt); });
+    change_velocities([&] { missing = elastic_.reach_end(dt); });
     update_positions(dt);
     return missing;
 }

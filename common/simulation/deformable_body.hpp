@@ -113,8 +113,8 @@ public:
 
     /// See ElasticBody::approach_end().
     double approach_end(double dt) override;
-    /// Approaches until the imbalance is small (ElasticBody::settle()). All impulses take the implicit response from here on.
-    double settle(double dt) override;
+    /// Approaches until the imbalance is small (ElasticBody::reach_end()). All impulses take the implicit response from here on.
+    double reach_end(double dt) override;
     bool approaches_end() const override { return elastic_.approaches_end(); }
 
     /// For a solver that finds the whole motion itself: predicted velocities of all nodes in place of those there are, and positions_t1 from them.

@@ -249,10 +249,10 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
     run_passes(solver.passes(StepStage::finish), world, contacts, dt, done);
     const double driven = driven_work(world, contacts, dt);
     world.driven += driven;
-    world.attempt.put_in += driven + turned_lever_work(world, dt);
+    world.attempt.added_energy += driven + turned_lever_work(world, dt);
     commit(world, dt);
     done("commit");
-    run_passes(solver.passes(StepStage::settle), world, contacts, dt, done);
+    run_passes(solver.passes(StepStage::after_commit), world, contacts, dt, done);
 }
 //! [advance]
 

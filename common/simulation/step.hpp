@@ -52,9 +52,9 @@ struct StepAttempt {
     StepTrouble trouble = StepTrouble::none;
     double springs = 0;  ///< energy that springs held when it began [J]
     /// energy that came in on purpose: by a rule that winds springs up, by bodies that move as given [J]
-    double put_in = 0;
+    double added_energy = 0;
     int responses_left = 0;                      ///< that may still answer what passes of detection find
-    std::vector<OutsideImpulse> from_outside{};  ///< in this step: their work counts as put in
+    std::vector<OutsideImpulse> from_outside{};  ///< in this step: their work counts as added_energy
     StepWork work{};                             ///< what it has cost so far
 };
 
@@ -94,7 +94,7 @@ enum class StepStage {
     detect,   ///< append new crossings as waiting contacts
     respond,  ///< give every waiting contact its impulses; the step applies them, all together
     finish,   ///< once, from the last prediction, before it becomes the state: friction anchors move
-    settle  ///< once, when the prediction is the state: velocities may change (Body::kick()), and nothing moves
+    after_commit  ///< once, when the prediction is the state: velocities may change (Body::kick()), and nothing moves
 };
 
 /// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line: a
@@ -160,7 +160,7 @@ void apply_impulses(World& world, Contacts& contacts);
 /// One step of the thesis' scheme (its section 3.3, made precise in the book's page on the step):
 ///   predict; refresh passes; at most Solver::max_responses x (detect, respond, apply
 ///   impulses, update the prediction) until nothing new
-///   appears; finish; commit velocities, then positions; settle. Pairs found by the
+///   appears; finish; commit velocities, then positions; after_commit. Pairs found by the
 ///   last detection stay, waiting, for the next step.
 /// A step that does not end well is thrown away and taken in halves, each of them a step of its own with half of dt, as far
 /// as the solver's max_halvings goes; the pairs then tell their impulses of the last part.

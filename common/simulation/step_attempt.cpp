@@ -103,8 +103,8 @@ bool has_gained(const World& world, const HeldEnergy& before, const HeldEnergy& 
         const double trembling = scale_parts.trembling * body->size() / dt;
         at_rest += body->mass() * (attempt_limits.gain_at_rest * fall * fall + trembling * trembling);
     }
-    const double gain = after.total - before.total - world.attempt.put_in;
-    return !(gain <= attempt_limits.gain * (before.moving + std::abs(world.attempt.put_in)) + at_rest +
+    const double gain = after.total - before.total - world.attempt.added_energy;
+    return !(gain <= attempt_limits.gain * (before.moving + std::abs(world.attempt.added_energy)) + at_rest +
                          attempt_limits.rounding * std::abs(before.total));
 }
 //! [held_energy]

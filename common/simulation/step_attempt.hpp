@@ -51,7 +51,7 @@ double driven_work(const World& world, const Contacts& contacts, double dt);
 double turned_lever_work(const World& world, double dt);
 
 /// Whether a step of length dt [s] has ended with more energy than it began with, less what was put in on purpose
-/// (StepAttempt::put_in).
+/// (StepAttempt::added_energy).
 bool has_gained(const World& world, const HeldEnergy& before, const HeldEnergy& after, double dt);
 
 }  // namespace enduring

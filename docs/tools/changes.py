@@ -3,8 +3,8 @@ the failure ledger, once that has run."""
 import csv
 import re
 
-STAGES = {"refresh": "pairs that endure", "detect": "detection", "respond": "response", "finish": "before the step is settled",
-          "settle": "after it is settled"}
+STAGES = {"refresh": "pairs that endure", "detect": "detection", "respond": "response", "finish": "before the commit",
+          "after_commit": "after the commit"}
 
 
 def changes_block(root, results, folder):

@@ -39,7 +39,7 @@ World bars_of_which_one_is_pushed()
 {
     World world = three_bars(1e5);
     predict(world);
-    settle_soft_bodies(world, dt);
+    find_elastic_ends(world, dt);
     Body& body = *world.bodies[1];
     const std::vector<int> end{0};
     body.apply_contact_impulse(end, Vec3(0, 50, 0));
@@ -66,7 +66,7 @@ TEST_CASE("elastic ends: soft bodies settle before chapter 7's solver looks for 
     Contacts contacts;
     bool has_settled = false;
     advance(world, contacts, chapter07_solver({}), dt, [&](const std::string& pass) {
-        has_settled = has_settled || pass == "settle soft bodies";
+        has_settled = has_settled || pass == "find elastic ends";
         for (const auto& body : world.bodies)
             if (pass != "commit")
                 CHECK(dynamic_cast<const DeformableBody&>(*body).elastic().approaches_end() == has_settled);

@@ -36,7 +36,7 @@ TEST_CASE(
         IslandMatrices matrices;
         solve_contacts(world, contacts, settings, matrices, dt);
         REQUIRE(contacts[0].rest_offset == doctest::Approx(-4e-5));
-        CHECK(world.attempt.put_in == doctest::Approx(1e10 / 2 * (6e-5 * 6e-5 + 2e-5 * 2e-5) - 5));
+        CHECK(world.attempt.added_energy == doctest::Approx(1e10 / 2 * (6e-5 * 6e-5 + 2e-5 * 2e-5) - 5));
     }
 }
 
@@ -52,12 +52,12 @@ TEST_CASE("implicit contact: a later response of the step books no spring again"
     settings.record = [](const SolveRecord&) {};
     IslandMatrices matrices;
     solve_contacts(world, contacts, settings, matrices, dt);
-    const double put_in = world.attempt.put_in;
-    CHECK(put_in < -4);
+    const double added_energy = world.attempt.added_energy;
+    CHECK(added_energy < -4);
     contacts.push_back(corner_on_plane(lower[1]));
     solve_contacts(world, contacts, settings, matrices, dt);
     CHECK(contacts[1].answered());
-    CHECK(world.attempt.put_in == put_in);
+    CHECK(world.attempt.added_energy == added_energy);
 }
 
 TEST_CASE("implicit contact: a step is solved as well as its worst island is, whichever place that has")

@@ -64,7 +64,7 @@ struct Tower {
                   pressed);
         // what remember_pairs() says: whether the pair was open when the step began
         const double approach = this->velocity(place) - (place > 0 ? this->velocity(place - 1) : 0);
-        contacts.back().start = -pressed - dt * approach > -1e-9 * size ? 1 : 0;
+        contacts.back().began_open = -pressed - dt * approach > -1e-9 * size;
     }
     double velocity(int place) const
     {
@@ -151,7 +151,7 @@ TEST_CASE("restitution: how little is pressed is a part of the body's size")
             pushed.add(-1, 1 - pushed.pressed / dt, 0);
             CHECK(pushed.island().contacts.size() == 1);
             pushed.contacts[0].stiffness = pushed.contacts[0].impulse.norm() / (least * dt);
-            CHECK(struck_part(pushed.world, pushed.island(), dt).contacts.size() == (part > 1 ? 1 : 0));
+            CHECK(pushed_part(pushed.world, pushed.island(), dt).contacts.size() == (part > 1 ? 1 : 0));
         }
     }
 }
@@ -193,7 +193,7 @@ struct OnBelt {
         tower.contacts.clear();
         tower.press({ContactKind::vertex_face, 0, 1, 4, 0, {4, 0, 1, 2}, {1, -0.5, 0, -0.5}}, impulse,
                     tower.pressed);
-        tower.contacts[0].start = 1;  // open when the step began
+        tower.contacts[0].began_open = true;
     }
 };
 

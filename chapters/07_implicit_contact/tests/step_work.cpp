@@ -70,5 +70,5 @@ TEST_CASE("step work: the table has the same bytes for any number of threads")
 TEST_CASE(
     "step work: the pass whose time belongs to the solve, though it runs before the search, has this name")
 {
-    CHECK_NOTHROW(chapter07_solver({}, {}).pass("settle soft bodies"));
+    CHECK_NOTHROW(chapter07_solver({}, {}).pass("find elastic ends"));
 }

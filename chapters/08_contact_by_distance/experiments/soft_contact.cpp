@@ -44,7 +44,7 @@ SoftContact run_soft_contact(Scene& scene, double duration, ElasticForces forces
     };
     Solver solver = chapter08_solver(scene.contact, settings);
     if (forces == ElasticForces::linear_step)
-        solver.remove("settle soft bodies");
+        solver.remove("find elastic ends");
     World& world = scene.world;
     Contacts contacts;
     const Vec3 turned_at_first = angular_momentum(world);

@@ -23,7 +23,7 @@ void run_and_check(Scene& scene, double duration, long halved = 0, bool is_linea
 {
     Solver solver = chapter08_solver(scene.contact);
     if (is_linear)
-        solver.remove("settle soft bodies");
+        solver.remove("find elastic ends");
     Contacts contacts;
     World& world = scene.world;
     double before = energy_with_springs(world, contacts);

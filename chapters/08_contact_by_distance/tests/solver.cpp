@@ -95,11 +95,11 @@ TEST_CASE("solver of chapter 8: ten passes, of which six are chapter 7's, and no
         return all;
     };
     using Names = std::vector<std::string>;
-    CHECK(names(StepStage::refresh) == Names{"settle soft bodies", "put skins", "find pairs"});
+    CHECK(names(StepStage::refresh) == Names{"find elastic ends", "put skins", "find pairs"});
     CHECK(names(StepStage::detect) == Names{"let nothing cross"});
     CHECK(names(StepStage::respond) == Names{"solve contacts"});
     CHECK(names(StepStage::finish) == Names{"remember pairs", "turn normals"});
-    CHECK(names(StepStage::settle) == Names{"bring back", "restitution"});
+    CHECK(names(StepStage::after_commit) == Names{"bring back", "restitution"});
     CHECK(solver.finds_stiffness);
 }
 
@@ -115,7 +115,7 @@ TEST_CASE("solver of chapter 8: pairs are found once at the start of a step, and
         CAPTURE(step);
         REQUIRE(passes.size() > 5);
         CHECK(passes[0] == "predict");
-        CHECK(passes[1] == "settle soft bodies");
+        CHECK(passes[1] == "find elastic ends");
         CHECK(passes[2] == "put skins");
         CHECK(passes[3] == "find pairs");
         CHECK(std::count(passes.begin(), passes.end(), "find pairs") == 1);

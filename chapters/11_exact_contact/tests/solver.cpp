@@ -117,7 +117,7 @@ TEST_CASE(
     CHECK(load == doctest::Approx(10 * 9.81));
     // what such loads would be on springs, as it was at the start of the step
     CHECK(scene.world.attempt.springs > 0);
-    CHECK(std::abs(scene.world.attempt.put_in) <= 1e-3 * scene.world.attempt.springs);
+    CHECK(std::abs(scene.world.attempt.added_energy) <= 1e-3 * scene.world.attempt.springs);
 }
 
 TEST_CASE("exact steps: a stack on springs too soft for its passes does not sway more and more")

@@ -9,9 +9,12 @@
 #include "common/input/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string>
+#include <utility>
 
 namespace enduring::chapter13 {
 namespace {
@@ -126,6 +129,23 @@ std::string cell_of(const Measure& measure)
     return value + (measure.right ? " ✓" : " ✗");
 }
 
+/// "drift [µm/s]" for drift_um_per_s, as a reader reads it.
+std::string with_unit(std::string quantity)
+{
+    constexpr std::array<std::pair<const char*, const char*>, 5> units{{{"_um_per_s", " [µm/s]"},
+                                                                        {"_m_per_s", " [m/s]"},
+                                                                        {"_um", " [µm]"},
+                                                                        {"_mm", " [mm]"},
+                                                                        {"_percent", " [%]"}}};
+    for (const auto& [word, unit] : units)
+        if (quantity.ends_with(word)) {
+            quantity.replace(quantity.size() - std::string(word).size(), std::string::npos, unit);
+            break;
+        }
+    std::replace(quantity.begin(), quantity.end(), '_', ' ');
+    return quantity;
+}
+
 }  // namespace
 
 /// Each scene under each method with its paper's defaults, under ours and under the engines of the same kind.
@@ -151,7 +171,7 @@ void same_scenes(const RunOptions& options, Report& report)
                                                   [](const Column& c) { return c.title == "chapter 10"; }) -
                                      columns.begin());
         for (std::size_t m = 0; m < verdicts[ours].measures.size(); ++m) {
-            std::vector<Cell> line{asked.name, verdicts[ours].measures[m].quantity};
+            std::vector<Cell> line{asked.name, with_unit(verdicts[ours].measures[m].quantity)};
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 if (verdicts[i].measures.empty()) {
                     line.emplace_back("not defined");

@@ -129,7 +129,7 @@ void refuse_unread_scene(const ChapterProgram& program, const CommandLine& line)
             throw InputError("--scene: '" + experiment->name + "' reads no scene file" + others);
 }
 
-RunOptions settle(const ChapterProgram& program, const CommandLine& line)
+RunOptions options_of(const ChapterProgram& program, const CommandLine& line)
 {
     RunOptions options;
     options.out = line.out;
@@ -237,7 +237,7 @@ int run_chapter(int argc, char** argv, const ChapterProgram& program)
 
     PendingFile::cleaned_on_interrupt();
     try {
-        const RunOptions options = settle(program, line);
+        const RunOptions options = options_of(program, line);
         want_pictures(options.pictures);
         const Experiment own_scene{line.scene, "", program.own_scene};
         if (is_own_scene(program, line))

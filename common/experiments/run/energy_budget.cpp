@@ -75,7 +75,7 @@ std::optional<std::string> EnergyBudget::exceeded(const World& world, const Cont
     last_held_[now] = energy.total() - lowest_ + springs_.held() +
                       friction_spring_energy(contacts, parameters_.friction);
     watch_springs(world, contacts);
-    if (held() <= put_in() + tolerated_gain * (put_in() - driven() + driven_both_ways_) + slack_)
+    if (held() <= added_energy() + tolerated_gain * (added_energy() - driven() + driven_both_ways_) + slack_)
         return std::nullopt;
     return explanation(world);
 }
@@ -97,16 +97,16 @@ std::string EnergyBudget::explanation(const World& world) const
     const Body& fastest = fastest_body(world);
     std::string text = "step " + std::to_string(world.step) + ", time " + readable(world.time, 4) +
                        " s: energy out of nothing: bodies and springs hold " + readable(held(), 3) +
-                       " J, where " + readable(put_in(), 3) +
-                       " J were put in, at the start and by gravity since" +
-                       (lifted() > 0 ? " and by letting bodies out" : "") +
-                       (driven_both_ways_ > 0 ? " and by what drives them" : "") + "; '" + fastest.name() +
+                       " J, but only " + readable(added_energy(), 3) +
+                       " J came from the start and from gravity" +
+                       (lifted() > 0 ? ", from overlaps that separate" : "") +
+                       (driven_both_ways_ > 0 ? ", from driven bodies" : "") + "; '" + fastest.name() +
                        "' moves with " + readable(fastest.energy(world.gravity).kinetic, 3) + " J. ";
     if (finds_stiffness_)
         return text +
-               "The solver finds the stiffness of its pairs, so neither the scene's nor dt is to blame. "
-               "Look at the steps before for one that is told as not solved, and at '" +
-               fastest.name() + "' for others that it is jammed between, or that it began inside.";
+               "The solver finds the stiffness of its pairs, so neither the scene's stiffness nor dt is the reason. "
+               "Look for an unsolved step before this one, and for bodies that jam '" +
+               fastest.name() + "' or in which it began.";
     if (!least_stable_)
         return text + "No pair had pushed.";
     text += "The stiffest springs for their masses were those of " + names_of(world, least_stable_->bodies) +

@@ -30,8 +30,8 @@ public:
     ///     the reader; nothing while all is well
     std::optional<std::string> exceeded(const World& world, const Contacts& contacts);
 
-    double put_in() const { return start_ - lowest_ + lifted() + driven(); }  ///< [J]
-    double lifted() const { return springs_.accounts().lifted; }              ///< by letting bodies out [J]
+    double added_energy() const { return start_ - lowest_ + lifted() + driven(); }  ///< [J]
+    double lifted() const { return springs_.accounts().lifted; }  ///< by letting bodies out [J]
     double driven() const;  ///< from outside since the start, as the mean over the last ten steps [J]
     double held() const;    ///< the mean over the last ten steps [J]
 

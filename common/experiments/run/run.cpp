@@ -48,7 +48,7 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
                 throw std::runtime_error(told);
             warn_once(
                 run_of,
-                told + " (This run shows it on purpose, and those of its kind that follow are not told.)");
+                told + " (This run shows this on purpose; further warnings of this kind are left out.)");
         }
         if (limits.stop && limits.stop(scene.world, result.contacts))
             break;
@@ -56,8 +56,8 @@ RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& pro
     if (const long badly = scene.world.ended_badly; badly > 0)
         warn_once(scene.name + ", " + solver.name + ": " + std::to_string(badly) +
                   (badly == 1 ? " step or part of one was" : " steps or parts of steps were") +
-                  " not solved, turned a body too far or gained energy, and could not be halved once more; " +
-                  std::to_string(scene.world.thrown_away) + " attempts were taken again in halves");
+                  " not solved, turned a body too far or gained energy, and could not be halved any more; " +
+                  std::to_string(scene.world.thrown_away) + " attempts were repeated in halves");
     return result;
 }
 

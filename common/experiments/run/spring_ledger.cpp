@@ -71,10 +71,10 @@ void SpringLedger::take_over(Booked& booked, std::multimap<Key, Spring>::iterato
     const double softer = std::min(1.0, before->second.stiffness / booked.spring.stiffness);
     const double way = softer * before->second.compression - booked.at_start.compression;
     const bool slowly = way <= (1 + rounding) * booked.max_depenetration_velocity * dt;
-    const double put_in = slowly ? booked.force * way
-                                 : booked.at_start.energy - softer * before->second.energy;
-    (slowly ? accounts_.lifted : accounts_.jumped) += put_in;
-    booked.came = before->second.energy + put_in;
+    const double added_energy = slowly ? booked.force * way
+                                       : booked.at_start.energy - softer * before->second.energy;
+    (slowly ? accounts_.lifted : accounts_.jumped) += added_energy;
+    booked.came = before->second.energy + added_energy;
     booked.known = true;
     springs_.erase(before);
 }

@@ -11,7 +11,7 @@ namespace enduring {
 namespace {
 
 /// The pass before detection that finds no pairs: it brings elastic forces to the end of the step.
-constexpr const char* elastic_pass = "settle soft bodies";
+constexpr const char* elastic_pass = "find elastic ends";
 
 std::vector<std::string> cost_columns()
 {
@@ -61,7 +61,7 @@ StepTimes::StepTimes(const Solver& solver)
     for (const auto& [stage, kind] :
          {std::pair{StepStage::refresh, search}, std::pair{StepStage::detect, query},
           std::pair{StepStage::respond, solve}, std::pair{StepStage::finish, solve},
-          std::pair{StepStage::settle, solve}})
+          std::pair{StepStage::after_commit, solve}})
         for (const Pass& pass : solver.passes(stage))
             kind_of_.emplace_back(pass.name, pass.name == elastic_pass ? solve : kind);
 }

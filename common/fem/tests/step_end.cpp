@@ -73,7 +73,7 @@ double most_after_twist(bool settles)
     for (int step = 0; step < 10; ++step) {
         body.predict(Vec3::Zero(), 0.01);
         if (settles)
-            body.settle(0.01);
+            body.reach_end(0.01);
         body.commit(0.01);
         most = std::max(most, energy_of(body));
     }
@@ -104,7 +104,7 @@ TEST_CASE("step end: a body that has settled has the forces of the end of its st
                 else
                     body->respond(impulses, dt);
                 const double linear = missing(*body, before, impulses, dt);
-                CHECK(body->settle(dt) <= small_imbalance);
+                CHECK(body->reach_end(dt) <= small_imbalance);
                 CHECK(missing(*body, before, impulses, dt) <= 0.01 * linear);
                 CHECK(body->approach_end(dt) <= 0.1 * small_imbalance);
                 CHECK(missing(*body, before, impulses, dt) <= 2e-4 * linear);
@@ -115,7 +115,7 @@ TEST_CASE("step end: a body at rest without gravity has nothing to settle")
 {
     ElasticBody body(elastic(bar({1, 0.2, 0.2}, {5, 1, 1}), Basis::linear), {.young = 1e5, .poisson = 0.3});
     body.predict(Vec3::Zero(), 0.01);
-    CHECK(body.settle(0.01) < 1e-3);
+    CHECK(body.reach_end(0.01) < 1e-3);
     CHECK(body.velocities().norm() < 1e-12);
 }
 
@@ -135,9 +135,9 @@ TEST_CASE(
                 for (int node = 0; node < body->node_count(); ++node)
                     turning += Vec3(body->positions().col(node)).cross(Vec3(impulses.col(node)));
                 body->predict(Vec3::Zero(), 0.01);
-                body->settle(0.01);
+                body->reach_end(0.01);
                 body->mend_response(impulses, 0.01);
-                body->settle(0.01);
+                body->reach_end(0.01);
                 body->commit(0.01);
                 turning *= kept;
                 body->respond(impulses, 0.01);  // as restitution does, where the bodies are now

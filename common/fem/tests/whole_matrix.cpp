@@ -43,7 +43,7 @@ TEST_CASE(
                 body.velocities() = 5 * body.positions().colwise().cross(Vec3(0, 1, 2)) +
                                     random_field(body.node_count(), 0.5, 1);
                 body.predict(Vec3::Zero(), dt);
-                body.settle(dt);
+                body.reach_end(dt);
                 const WholeAssembly assembly(body.mesh(), body.mass_matrix(), fixed, true);
                 const NodalVectors before = body.velocities_at_nodes();
                 body.respond(assembly.on_coefficients(impulses), dt);

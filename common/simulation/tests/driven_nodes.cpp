@@ -35,8 +35,8 @@ World held_bar(const GivenMotion& motion, bool all_driven = false)
 Solver settling()
 {
     Solver solver;
-    solver.append(StepStage::refresh, "settle", [](World& world, Contacts&, double dt) {
-        dynamic_cast<DeformableBody&>(*world.bodies[0]).settle(dt);
+    solver.append(StepStage::refresh, "find elastic ends", [](World& world, Contacts&, double dt) {
+        dynamic_cast<DeformableBody&>(*world.bodies[0]).reach_end(dt);
     });
     return solver;
 }
@@ -138,7 +138,7 @@ TEST_CASE(
         CHECK(std::abs(met) > 1e-3);
         CHECK(body.driven_work(dt) - work == doctest::Approx(met).epsilon(1e-9));
     };
-    pays([&] { body.settle(dt); });
+    pays([&] { body.reach_end(dt); });
     const double work = body.driven_work(dt);
     body.apply_contact_impulse(vertex_at(-0.5), impulse);
     CHECK(body.driven_work(dt) - work == doctest::Approx(-impulse.dot(velocity)));

@@ -45,7 +45,7 @@ Pass spin_up(double by)
                     body.apply_impulse(
                         v, inertia / levers * by *
                                Vec3::UnitY().cross(at[static_cast<std::size_t>(v)] - body.centre()));
-                world.attempt.put_in += 1e9;
+                world.attempt.added_energy += 1e9;
                 for (Contact& contact : contacts)
                     contact.state = ContactState::answered;
             }};
@@ -88,10 +88,10 @@ TEST_CASE(
         CHECK(gains({0, 40, 0}, 1.01 * moving));
         CHECK_FALSE(gains({-1e9, 0, 0}, 0.99 * rounding));
         CHECK(gains({1e9, 0, 0}, 1.01 * rounding));
-        world.attempt.put_in = 40;
+        world.attempt.added_energy = 40;
         CHECK_FALSE(gains({0, 0, 0}, 40 + 0.99 * moving));
         CHECK(gains({0, 0, 0}, 40 + 1.01 * moving));
-        world.attempt.put_in = -40;  // as a piston takes out that goes back
+        world.attempt.added_energy = -40;  // as a piston takes out that goes back
         CHECK_FALSE(gains({0, 0, 0}, -40 + 0.99 * moving));
         CHECK(gains({0, 0, 0}, -40 + 1.01 * moving));
         CHECK(gains({0, 0, 0}, std::numeric_limits<double>::quiet_NaN()));
@@ -199,7 +199,7 @@ TEST_CASE("step: a solver without halves ends every step, and forgets how the la
 {
     const double dt = 0.004;
     World world = turning_box(0);
-    world.attempt.put_in = 7;
+    world.attempt.added_energy = 7;
     Contacts contacts(1);
     Solver solver;
     solver.append(StepStage::respond, spin_up(3 / dt));
@@ -209,7 +209,7 @@ TEST_CASE("step: a solver without halves ends every step, and forgets how the la
     CHECK(world.attempt.trouble == StepTrouble::turns_too_far);
     contacts.clear();
     advance(world, contacts, Solver(), dt);
-    CHECK(world.attempt.put_in == 0);
+    CHECK(world.attempt.added_energy == 0);
     CHECK(world.attempt.trouble == StepTrouble::none);
 }
 

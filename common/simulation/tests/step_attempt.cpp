@@ -68,7 +68,7 @@ TEST_CASE(
         World on_purpose = two_boxes();
         Solver solver = pushing(5);
         solver.append(StepStage::finish, "book",
-                      [](World& w, Contacts&, double) { w.attempt.put_in += 1e4; });
+                      [](World& w, Contacts&, double) { w.attempt.added_energy += 1e4; });
         advance(on_purpose, contacts, solver, dt);
         CHECK(on_purpose.thrown_away == 0);
     }

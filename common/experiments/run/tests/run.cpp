@@ -123,7 +123,7 @@ TEST_CASE("run: steps that end badly even in their shortest parts are told, with
         const bool warned = told.str().find(
                                 "pushed sheets, halving: 2 steps or parts of steps were not solved, "
                                 "turned a body too far or gained energy, and could not be halved "
-                                "once more; 1 attempts were taken again") != std::string::npos;
+                                "any more; 1 attempts were repeated") != std::string::npos;
         CHECK(warned == pushed);
     }
 }

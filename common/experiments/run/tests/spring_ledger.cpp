@@ -63,10 +63,10 @@ TEST_CASE(
         Contact lifting = on_ground(0, -0.1 + speed * dt);
         lifting.impulse = {0, 30 * dt, 0};
         ledger.add_step(world, {lifting}, dt);
-        const double way = speed * dt, put_in = 0.5 * 2000 * way * way;
+        const double way = speed * dt, added_energy = 0.5 * 2000 * way * way;
         const SpringAccounts& sums = ledger.accounts();
         CHECK(sums.lifted == doctest::Approx(speed <= max_depenetration_velocity ? 30 * way : 0));
-        CHECK(sums.jumped == doctest::Approx(speed <= max_depenetration_velocity ? 0 : put_in));
+        CHECK(sums.jumped == doctest::Approx(speed <= max_depenetration_velocity ? 0 : added_energy));
         CHECK(sums.born == 0);
     }
 }

@@ -94,8 +94,7 @@ TEST_CASE(
 {
     Scene scene = flying_box();
     Solver solver;
-    solver.append(StepStage::refresh, "settle soft bodies",
-                  [](World&, Contacts&, double) { work_for(0.02); });
+    solver.append(StepStage::refresh, "find elastic ends", [](World&, Contacts&, double) { work_for(0.02); });
     solver.append(StepStage::refresh, "find pairs", [](World&, Contacts&, double) { work_for(0.01); });
     solver.append(StepStage::detect, "query",
                   [](World&, Contacts&, double) { std::thread(work_for, 0.04).join(); });

@@ -1,4 +1,4 @@
-#include "chapters/07_implicit_contact/taken_energy.hpp"
+#include "chapters/07_implicit_contact/part_without_gain.hpp"
 #include "chapters/07_implicit_contact/tests/cube_above_plane.hpp"
 #include "chapters/07_implicit_contact/tests/only_island.hpp"
 
@@ -8,7 +8,7 @@ using namespace enduring;
 using namespace enduring::chapter07;
 
 TEST_CASE(
-    "taken energy: of impulses that are too large, pairs give what leaves no more than bodies and springs had")
+    "part without gain: of impulses that are too large, pairs give what leaves no more than bodies and springs had")
 {
     for (const double load : {0.0, 300.0})
         for (const double times : {0.5, 2.5, 1000.0}) {
@@ -27,7 +27,7 @@ TEST_CASE(
                 impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) = times * corner_mass * speed *
                                                                         Vec3::UnitY();
             apply_impulses(world, step, impulses);
-            const double part = part_that_takes(world, step);
+            const double part = part_without_gain(world, step);
             update_kinematics(world, step);
             apply_impulses(world, step, part * impulses);
             const double upwards = world.bodies[0]->mean_velocity().y(),

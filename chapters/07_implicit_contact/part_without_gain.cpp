@@ -1,4 +1,4 @@
-#include "chapters/07_implicit_contact/taken_energy.hpp"
+#include "chapters/07_implicit_contact/part_without_gain.hpp"
 
 #include "chapters/07_implicit_contact/restitution.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -21,8 +21,8 @@ double given_work(const World& world, const Contact& contact)
 
 }  // namespace
 
-//! [part_that_takes]
-double part_that_takes(const World& world, const StepProblem& step)
+//! [part_without_gain]
+double part_without_gain(const World& world, const StepProblem& step)
 {
     const double dt = step.problem.step.dt;
     double given = 0, held_t0 = 0, held_t1 = 0;  // the latter two of springs, twice
@@ -36,6 +36,6 @@ double part_that_takes(const World& world, const StepProblem& step)
     const double slope = momentum.dot(velocities_of(world, step) - change) - given;
     return allowed_part(slope, momentum.dot(change) + held_t1, held_t0 / 2);
 }
-//! [part_that_takes]
+//! [part_without_gain]
 
 }  // namespace enduring
