@@ -1,4 +1,5 @@
-// A scene without a file: a box slides on a table and stops. Prints the forces of pairs, bodies and the box's vertices.
+// A scene without a file: a box slides on a table and stops. Prints the forces of pairs, bodies and the box's
+// vertices.
 #include "chapters/10_self_contact/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_forces.hpp"

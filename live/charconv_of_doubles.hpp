@@ -6,7 +6,8 @@
 #include <cstring>
 #include <string>
 
-/// Doubles as text and back, which the C++ library of Debian's Emscripten does not have yet. Read before each of our files.
+/// Doubles as text and back, which the C++ library of Debian's Emscripten does not have yet. Read before each
+/// of our files.
 namespace std {
 
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format format, int digits)

@@ -56,19 +56,21 @@ Numbers slide_on(int steps);
 ///          eigenvalues, then for each step height [m] and energy above that at rest, over the first ...}
 Numbers implicit(double h, double centre, bool by_mean, int steps);
 
-/// Chapter 9: where a cube crosses a block of 2 m by 0.8 m by 2 m, or a bar a wall. The block and the wall lie around the
-/// origin.
+/// Chapter 9: where a cube crosses a block of 2 m by 0.8 m by 2 m, or a bar a wall. The block and the wall
+/// lie around the origin.
 /// @param x, y, z    place of the cube's or the bar's middle [m]
 /// @param turn_deg   about y, after a tilt by `tilt_deg` about z
-/// @return lists, each begun by its count: edges of the moved body (x y z of both ends), of the other one, vertices
-///         inside of the one, of the other, ways out (one of each overlap), and curves, each of which is a list of points
+/// @return lists, each begun by its count: edges of the moved body (x y z of both ends), of the other one,
+///         vertices inside of the one, of the other, ways out (one of each overlap), and curves, each of
+///         which is a list of points
 Numbers crossing(bool bar, double x, double y, double z, double turn_deg, double tilt_deg);
 
 /// Chapter 11: a block of 1 kg on the ground, held by a spring that remembers its force.
 /// @param h              k dt^2 / m
 /// @param normal, along  velocity without contact, not zero [m/s]
-/// @return {exact impulse along the normal and along the surface, then for each pass impulse, velocity and natural map in the same
-///          two directions, and the length of the map over that of the velocity without contact ...}
+/// @return {exact impulse along the normal and along the surface, then for each pass impulse, velocity and
+///          natural map in the same two directions, and the length of the map over that of the velocity
+///          without contact ...}
 Numbers passes(double h, int count, double mu, double normal, double along);
 
 }  // namespace enduring::live

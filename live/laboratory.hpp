@@ -8,13 +8,14 @@
 #include <tuple>
 #include <vector>
 
-/// What the book's laboratory does with the layers: a scene from its text, under the solver of a chapter, step by step.
+/// What the book's laboratory does with the layers: a scene from its text, under the solver of a chapter,
+/// step by step.
 namespace enduring::laboratory {
 
 /// A hand that pulls a body by one of its faces with a spring and a damper.
 struct Hand {
-    /// Of a body's own mass [1/s^2]: the spring brings it in a quarter of a second. A tenth: it hangs behind. Ten times: it
-    /// presses the body through thin plates under the solvers of part I.
+    /// Of a body's own mass [1/s^2]: the spring brings it in a quarter of a second. A tenth: it hangs behind.
+    /// Ten times: it presses the body through thin plates under the solvers of part I.
     static constexpr double stiffness = 40;
     static constexpr double damping = 10;  ///< of its own mass [1/s], a little below critical
 

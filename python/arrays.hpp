@@ -21,7 +21,8 @@ using Rows = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
 inline Vec3 vec3(const Numbers& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
-/// Rows of an array over memory of `owner`, which stays alive with it; `step` is from one row to the next [bytes].
+/// Rows of an array over memory of `owner`, which stays alive with it; `step` is from one row to the next
+/// [bytes].
 template <class T>
 py::array view(const T* first, std::size_t rows, py::ssize_t columns, std::size_t step, py::handle owner)
 {

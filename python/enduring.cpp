@@ -1,7 +1,9 @@
-// The course as a Python module: `import enduring`. Build it with `./course python`; docs/python.md shows how it is used.
+// The course as a Python module: `import enduring`. Build it with `./course python`; docs/python.md shows how
+// it is used.
 //
-// Positions, faces, nodes and what pairs hold are arrays over the solver's own memory, which cannot be written. What is
-// computed when it is asked for (velocities, energies, forces, the points and normals of pairs) is a copy.
+// Positions, faces, nodes and what pairs hold are arrays over the solver's own memory, which cannot be
+// written. What is computed when it is asked for (velocities, energies, forces, the points and normals of
+// pairs) is a copy.
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/input/source_directory.hpp"

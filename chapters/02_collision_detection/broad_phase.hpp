@@ -59,7 +59,8 @@ void visit_boxed_pairs(const SurfaceStep& a, const FaceTree& boxes_a, const Surf
 }
 
 //! [owned_pairs]
-/// The pairs of features for which two faces with overlapping boxes speak. Edges without faces speak for themselves and their ends.
+/// The pairs of features for which two faces with overlapping boxes speak. Edges without faces speak for
+/// themselves and their ends.
 template <class Visit>
 void visit_owned_pairs(const FaceTree& a, int face_a, const FaceTree& b, int face_b, Visit& visit)
 {

@@ -18,7 +18,8 @@ class CandidateSearch {
 public:
     virtual ~CandidateSearch() = default;
     /// Boxes of this step, and from them the pairs of features to look at.
-    /// @param margins  of each body: by how much the box of each of its features is larger on each side [m]; none: 0
+    /// @param margins  of each body: by how much the box of each of its features is larger on each side [m];
+    ///     none: 0
     void find_candidates(const World& world, std::span<const double> margins = {});
 
     /// Pairs of bodies whose boxes overlap, and of which at least one can

@@ -15,7 +15,8 @@ std::array<double, 4> bernstein(const std::array<double, 4>& f, double length)
     return {f[0], f[0] + b, f[0] + 2 * b + c, f[0] + 3 * b + 3 * c + f[3] * length * length * length};
 }
 
-/// The zero of f between 0, where it is positive, and a time where it is not: Newton's steps, and halves where they lead out.
+/// The zero of f between 0, where it is positive, and a time where it is not: Newton's steps, and halves
+/// where they lead out.
 double zero_before(const std::array<double, 4>& f, double high)
 {
     double low = 0, s = high * f[0] / (f[0] - value(f, high));

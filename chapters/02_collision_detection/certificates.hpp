@@ -6,12 +6,13 @@
 
 namespace enduring::certified {
 
-/// The first s in [0, length] at which f, in powers of s, is not positive; or `length`. In plain doubles: a proposal.
+/// The first s in [0, length] at which f, in powers of s, is not positive; or `length`. In plain doubles: a
+/// proposal.
 double first_zero(const std::array<double, 4>& f, double length);
 
 //! [certificates]
-/// A proof that the origin is outside the polygon: a sign that holds. There are three kinds (see the page): all corners on one side
-/// along an axis, two sides opposed along an axis, the height not zero.
+/// A proof that the origin is outside the polygon: a sign that holds. There are three kinds (see the page):
+/// all corners on one side along an axis, two sides opposed along an axis, the height not zero.
 struct Certificate {
     enum class Kind { none, corners, sides, height };
 
@@ -37,7 +38,8 @@ BoundedPolynomial<Real, 2> cross_component(const MovingDifference<Real>& a, cons
 /// Of a sign, what is left of a value beyond this many of its errors: there a new proof has to take over.
 constexpr double handed_over = 1.1;
 
-/// Rates that are smaller than this part of what they are made of are rounding in doubles: then they come from Real.
+/// Rates that are smaller than this part of what they are made of are rounding in doubles: then they come
+/// from Real.
 constexpr double only_rounding = 0x1p-40;
 
 /// Where all differences of a motion are at one time, and how fast they move.
@@ -50,7 +52,8 @@ struct Instant {
     const Differences<Vec3>& rates;
     double rest;  ///< of the step
 
-    /// The proof among the three kinds that is likely to hold longest; cheap ones first, and no other where one lasts to the end.
+    /// The proof among the three kinds that is likely to hold longest; cheap ones first, and no other where
+    /// one lasts to the end.
     Certificate longest() const
     {
         Certificate best;

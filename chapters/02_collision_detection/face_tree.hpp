@@ -15,7 +15,8 @@ namespace enduring {
 /// Every vertex and every edge is owned by the first of its faces. A pair of faces then speaks for the
 /// features that the two own, and each pair of features has one pair of faces that speaks for it.
 ///
-/// Where there are no faces, the edges stand in their place, and points without an edge: each is a leaf, and no leaf is a face.
+/// Where there are no faces, the edges stand in their place, and points without an edge: each is a leaf, and
+/// no leaf is a face.
 class FaceTree {
 public:
     FaceTree() = default;

@@ -62,8 +62,8 @@ inline bool changes_once(const BoundedPolynomial<double, 3>& height)
     return s[0] * s[3] < 0 && s[1] * s[2] != 0 && (s[1] == s[0] || s[2] == s[3]);
 }
 
-/// The usual case in doubles: the height vanishes once. Its root is enclosed, and the sides tell whether the origin is in the polygon
-/// there. Where they do not, it is open from just before the root on.
+/// The usual case in doubles: the height vanishes once. Its root is enclosed, and the sides tell whether the
+/// origin is in the polygon there. Where they do not, it is open from just before the root on.
 template <template <class> class Differences>
 Touch<double> touch_at_root(const Differences<MovingDifference<double>>& motion,
                             const BoundedPolynomial<double, 3>& height)
@@ -97,7 +97,8 @@ double left_of_step(const Real& time)
 }
 
 //! [go_on]
-/// Goes on from `time` to the end of a proof, or where the proof does not hold so long, to a half, a quarter, ... of it.
+/// Goes on from `time` to the end of a proof, or where the proof does not hold so long, to a half, a quarter,
+/// ... of it.
 template <class Real, template <class> class Differences>
 bool go_on(const Certificate& proof, const Differences<MovingDifference<Real>>& motion, double rest,
            Real& time, Differences<MovingVector<Real, 0>>& now)
@@ -118,8 +119,9 @@ bool go_on(const Certificate& proof, const Differences<MovingDifference<Real>>& 
 //! [go_on]
 
 //! [search]
-/// First contact from `time` on, by a chain of proofs: take the proof that is likely to hold longest, and go to its end. What no
-/// proof excludes there is open; where the height changes its sign within the polygon, it is a touch.
+/// First contact from `time` on, by a chain of proofs: take the proof that is likely to hold longest, and go
+/// to its end. What no proof excludes there is open; where the height changes its sign within the polygon, it
+/// is a touch.
 template <class Real, template <class> class Differences>
 Touch<Real> first_touch(const Differences<MovingDifference<Real>>& motion, Real time)
 {

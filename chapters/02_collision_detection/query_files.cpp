@@ -27,7 +27,8 @@ std::vector<std::string_view> fields_of(std::string_view line)
     return fields;
 }
 
-/// The smallest double is a fraction with 324 digits. The time of reading grows with the square of their number: three million take minutes.
+/// The smallest double is a fraction with 324 digits. The time of reading grows with the square of their
+/// number: three million take minutes.
 constexpr std::size_t most_digits = 1000;
 
 cpp_int integer(std::string_view field, const TextLines& lines)

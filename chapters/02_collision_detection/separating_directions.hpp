@@ -69,8 +69,9 @@ Signs signs(const Vectors& vectors, Axis axis)
 }
 
 //! [polygons]
-/// The polygon of differences between the points of one feature and those of another. The features touch exactly when the
-/// origin lies in it. Its corners are the first of `v`; each side, and the height, is a product of some of them.
+/// The polygon of differences between the points of one feature and those of another. The features touch
+/// exactly when the origin lies in it. Its corners are the first of `v`; each side, and the height, is a
+/// product of some of them.
 ///
 /// A vertex in a face: the triangle of the differences v - f_i.
 template <class Value>
@@ -81,8 +82,8 @@ struct VertexFaceDifferences {
     std::array<Value, 3> v;
 };
 
-/// Two edges: the parallelogram of the differences d_ij = ea_i - eb_j. Behind its corners d_00, d_01, d_10, d_11 stand
-/// a = ea1 - ea0 and b = eb1 - eb0.
+/// Two edges: the parallelogram of the differences d_ij = ea_i - eb_j. Behind its corners d_00, d_01, d_10,
+/// d_11 stand a = ea1 - ea0 and b = eb1 - eb0.
 template <class Value>
 struct EdgeEdgeDifferences {
     static constexpr std::size_t corners = 4;
@@ -134,7 +135,8 @@ double size(const Polygon& p)
     return largest;
 }
 
-/// Whether the boxes of the two features are certainly apart throughout the step: along an axis all corners have one sign.
+/// Whether the boxes of the two features are certainly apart throughout the step: along an axis all corners
+/// have one sign.
 template <class Polygon>
 bool boxes_apart(const Polygon& p)
 {

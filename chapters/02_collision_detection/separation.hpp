@@ -99,11 +99,13 @@ double largest(const MovingVector<Real, Degree>& vector)
 template <class Real>
 using MovingDifference = MovingVector<Real, 1>;
 
-// Error bounds, to first order in u, the cost of one rounding. A, B are the sizes of two differences and a, b their errors, u A and
-// u B for those of coordinates.
+// Error bounds, to first order in u, the cost of one rounding. A, B are the sizes of two differences and a, b
+// their errors, u A and u B for those of coordinates.
 //   at an instant   5 u A more: a difference of at most 2 A, its product, a sum
-//   a x b           2 (a B + b A) + 6 u AB: half of four products, each with a B + b A + u AB, and of three sums
-//   a . n           3 (a N + A n) + 20 u AN, for n of size N and error n: three products, and sums of at most 3 AN
+//   a x b           2 (a B + b A) + 6 u AB: half of four products, each with a B + b A + u AB,
+//                   and of three sums
+//   a . n           3 (a N + A n) + 20 u AN, for n of size N and error n: three products,
+//                   and sums of at most 3 AN
 // The second has 2 u AB more in the code, which covers what is of higher order, also in the third.
 constexpr double instant_error = 5, cross_error = 8, height_error = 20;
 

@@ -25,7 +25,7 @@ bool past_border(const SurfaceTopology& surface, int face, const std::array<doub
 /// everything lies at the start of the step:
 ///   the foot of the vertex is on its face      the pair stays and acts at the foot
 ///   it is not                                  algorithm 6.1, the faces around the corners it went to
-///   the pair is hooked                         the faces around all corners; without a regular one it is held
+///   the pair is hooked                         the faces around all corners; without a regular one, held
 ///   it is past an open border                  resolved: a sheet has no inside beyond its rim
 /// A pair whose depth is positive after this is resolved (thesis 5.2.1); before, the depth would be that of a
 /// face that the vertex no longer lies under (artefact 6.1.3).

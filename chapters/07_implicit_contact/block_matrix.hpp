@@ -22,12 +22,15 @@ struct BlockPlace {
     }
 };
 
-/// How many of a body's coordinates move together in pairs: six of a rigid body, three of a soft body's vertex.
+/// How many of a body's coordinates move together in pairs: six of a rigid body, three of a soft body's
+/// vertex.
 int coordinates_together(const BodyBlock& body);
 
-/// The lower half of a sparse matrix over the coordinates of a problem that can be added to in place. Coordinates that move
-/// together (coordinates_together()) have the same rows in their columns, so a block is a matrix with a stride. It has a block for
-/// each two of them in one body, or in one element of a body with all its nodes, and for each two that a pair couples. Memory and pattern are kept as long as the same bodies touch.
+/// The lower half of a sparse matrix over the coordinates of a problem that can be added to in place.
+/// Coordinates that move together (coordinates_together()) have the same rows in their columns, so a block is
+/// a matrix with a stride. It has a block for each two of them in one body, or in one element of a body with
+/// all its nodes, and for each two that a pair couples. Memory and pattern are kept as long as the same
+/// bodies touch.
 class BlockMatrix {
 public:
     /// Takes the pattern of the problem; entries are not yet set.
@@ -36,8 +39,8 @@ public:
     /// Sets all entries to zero.
     void clear() { matrix_.coeffs().setZero(); }
 
-    /// The block whose first entry is this; it may go on through the rows of a body. Both have to lie in one body or in parts that
-    /// a pair of the problem couples, with row not above column.
+    /// The block whose first entry is this; it may go on through the rows of a body. Both have to lie in one
+    /// body or in parts that a pair of the problem couples, with row not above column.
     BlockPlace at(int row, int column);
 
     const Eigen::SparseMatrix<double>& matrix() const { return matrix_; }

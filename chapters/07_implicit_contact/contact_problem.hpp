@@ -30,7 +30,8 @@ struct PairRow {
     PairLaw law;
     int element =
         -1;  ///< index into ContactProblem::elements, whose law is in the place of a pair's; -1 for a pair
-    /// weight times the motion of each vertex of a body that moves, `first` counted among all; six between two faces of soft bodies
+    /// weight times the motion of each vertex of a body that moves, `first` counted among all; six between
+    /// two faces of soft bodies
     std::array<VertexMotion, 6> parts;
     int part_count = 0;
     /// of p against q as predicted, all that acts already included [m/s]
@@ -62,8 +63,8 @@ void with_fixed_size(const VertexMotion& part, const Visit& visit)
 
 class NewtonMatrix;
 
-/// One step of all bodies in touch as one convex problem, with limits of friction that are known: find the change
-/// x of their predicted velocities that makes
+/// One step of all bodies in touch as one convex problem, with limits of friction that are known: find the
+/// change x of their predicted velocities that makes
 ///   1/2 x^T A x  +  sum over pairs of (potential(velocity + J x) + acting . J x)
 /// least. Where it is least, A x is what the pairs answer to the
 /// motion that they make, less what acts already.
@@ -86,8 +87,8 @@ struct ContactProblem {
 /// How well and with how much work a problem is solved.
 struct ProblemSolution {
     Eigen::VectorXd change;  ///< x
-    /// that make this change, three numbers for each pair: A x = J^T (impulses - acting) [N s]. Where the problem
-    /// is solved they are what the pairs answer; before, they are Newton's tangent to it.
+    /// that make this change, three numbers for each pair: A x = J^T (impulses - acting) [N s]. Where the
+    /// problem is solved they are what the pairs answer; before, they are Newton's tangent to it.
     Eigen::VectorXd impulses;
     int newton_steps = 0;
     double residual = 0;  ///< see residual_of()
@@ -99,8 +100,8 @@ Eigen::VectorXd times_mass(const ContactProblem& problem, const Eigen::VectorXd&
 /// A^-1 times a momentum.
 Eigen::VectorXd times_response(const ContactProblem& problem, const Eigen::VectorXd& momentum);
 
-/// The length of a momentum in the norm of A^-1 [sqrt(kg) m/s]; of a body with all its nodes that of its masses, which costs
-/// no passage through a factor.
+/// The length of a momentum in the norm of A^-1 [sqrt(kg) m/s]; of a body with all its nodes that of its
+/// masses, which costs no passage through a factor.
 double speed_of(const ContactProblem& problem, const Eigen::VectorXd& momentum);
 
 /// Of each pair, the velocity after a change.

@@ -14,7 +14,8 @@ namespace {
 //! [line_search]
 /// How far to go along a direction: to where the slope of the objective,
 /// which only rises, has nearly reached zero.
-/// @param velocities, rates  of the pairs after the change and along the direction: they do not bend along the way
+/// @param velocities, rates  of the pairs after the change and along the direction: they do not bend along
+///     the way
 /// @param impulses           that the pairs answer to the change
 double step_length(const ContactProblem& problem, const VectorXd& change, const VectorXd& direction,
                    const std::vector<Vec3>& velocities, const std::vector<Vec3>& rates,

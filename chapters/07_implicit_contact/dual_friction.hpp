@@ -15,10 +15,12 @@ namespace enduring {
 /// restoration, SIAM Journal on Scientific Computing 20, 1999.
 class DualFriction {
 public:
-    /// The guesses are the friction that acts, within the limits: at a solution they fit. The problem outlives it.
+    /// The guesses are the friction that acts, within the limits: at a solution they fit. The problem
+    /// outlives it.
     explicit DualFriction(const ContactProblem& problem);
 
-    /// Of each row that pushes so at its velocity: minus the derivative of its impulse, friction by the equation above.
+    /// Of each row that pushes so at its velocity: minus the derivative of its impulse, friction by the
+    /// equation above.
     std::vector<Mat3> hessians(const std::vector<PairPush>& pushes,
                                const std::vector<Vec3>& velocities) const;
     /// Brings the guesses to where the equation's tangent has them behind a Newton step, within the limits.

@@ -15,8 +15,9 @@ struct StepProblem;
 
 /// An impulse along one direction that falls with the velocity in this direction, between two bounds:
 ///   p(u) = clamp(-(bias + slope u), low, high)
-/// It is minus the slope of a convex potential, whatever its four numbers are. With `low` = 0 it only pushes, as contact's normal does;
-/// without bounds it is two-sided, as a joint is; with both it is a motor or dry friction.
+/// It is minus the slope of a convex potential, whatever its four numbers are. With `low` = 0 it only pushes,
+/// as contact's normal does; without bounds it is two-sided, as a joint is; with both it is a motor or dry
+/// friction.
 struct LineLaw {
     double bias = 0;   ///< minus the impulse at rest [N s]
     double slope = 0;  ///< never negative [kg]
@@ -30,15 +31,16 @@ struct LineLaw {
     }
 };
 
-/// What a row answers that is no pair: three lines at most, each along one column of `axes`. For a row of turns, velocities are
-/// angular ones, and impulses those of torques.
+/// What a row answers that is no pair: three lines at most, each along one column of `axes`. For a row of
+/// turns, velocities are angular ones, and impulses those of torques.
 struct ElementLaw {
     int element = -1;                ///< whose row it is, by its number among all elements
     int part = 0;                    ///< which of that element's rows
     Mat3 axes = Mat3::Identity();    ///< in the columns; zero where there is no line
     std::array<LineLaw, 3> lines{};  ///< a line without slope and bias is free
     Vec3 begin = Vec3::Zero();       ///< impulse with which the step begins
-    /// Whether the first two lines are one plane: they have the same slope and no bias, and what both push together is within the first one's bounds.
+    /// Whether the first two lines are one plane: they have the same slope and no bias, and what both push
+    /// together is within the first one's bounds.
     bool is_round = false;
     int pair = -1;              ///< row of the pair whose load bounds it, if it belongs to one
     Vec3 given = Vec3::Zero();  ///< part of its velocity that belongs to what moves as given [m/s, rad/s]
@@ -63,8 +65,9 @@ struct ElementBodies {
 };
 
 //! [force_elements]
-/// What is solved together with the pairs of an island: any number of elements, each known by its number. The lists that an element needs
-/// are those of its owner; here stand the four questions that the solve asks. None is asked for one element and round.
+/// What is solved together with the pairs of an island: any number of elements, each known by its number. The
+/// lists that an element needs are those of its owner; here stand the four questions that the solve asks.
+/// None is asked for one element and round.
 struct ForceElements {
     /// Once a response: all elements.
     std::function<std::vector<ElementBodies>(const World&)> bodies;

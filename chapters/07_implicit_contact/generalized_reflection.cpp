@@ -13,13 +13,14 @@ using Eigen::VectorXd;
 
 //! [reflection_limits]
 struct ReflectionLimits {
-    /// Of the fastest approach: what counts as none. A tenth: more sweeps. Ten times: a millionth of the speed stays, and the next
-    /// step answers it.
+    /// Of the fastest approach: what counts as none. A tenth: more sweeps. Ten times: a millionth of the
+    /// speed stays, and the next step answers it.
     double still = 1e-7;
-    /// Sweeps over the pairs that approach together. A line of n pairs takes about n^2 of them. A tenth: long lines are not stopped at
-    /// once, but reflected all the same. Ten times: nothing is gained.
+    /// Sweeps over the pairs that approach together. A line of n pairs takes about n^2 of them. A tenth: long
+    /// lines are not stopped at once, but reflected all the same. Ten times: nothing is gained.
     int max_sweeps = 1000;
-    /// Reflections of one impact. A line of n balls takes n. A tenth: the shock of a line of a hundred stops midway. Ten times: time only.
+    /// Reflections of one impact. A line of n balls takes n. A tenth: the shock of a line of a hundred stops
+    /// midway. Ten times: time only.
     int max_reflections = 1000;
 };
 constexpr ReflectionLimits reflection_limits;

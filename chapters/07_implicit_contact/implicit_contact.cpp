@@ -36,7 +36,8 @@ double springs_at_start(const World& world, const StepProblem& step)
     return sum;
 }
 
-/// The way that bodies which move as given take in the step against a pair's normal: they come nearer, whatever the pair answers [m].
+/// The way that bodies which move as given take in the step against a pair's normal: they come nearer,
+/// whatever the pair answers [m].
 double driven_approach(const World& world, const Contact& contact, const Vec3& normal)
 {
     double approach = 0;
@@ -49,8 +50,8 @@ double driven_approach(const World& world, const Contact& contact, const Vec3& n
     return std::max(0.0, approach);
 }
 
-/// How much farther a spring is pressed at the end of the step than at its start, over the size of its smaller body; the most of
-/// all. What pressed it before no shorter step mends, nor what a drive presses.
+/// How much farther a spring is pressed at the end of the step than at its start, over the size of its
+/// smaller body; the most of all. What pressed it before no shorter step mends, nor what a drive presses.
 double largest_compression(const World& world, const StepProblem& step)
 {
     double most = 0;
@@ -65,9 +66,9 @@ double largest_compression(const World& world, const StepProblem& step)
     return most;
 }
 
-/// By how much the pairs' impulses change, over what they become, both measured by the speed that they give [1].
-/// The residual would say too much: between stiff springs it is near 1 even where hardly anything moves, so elements would follow in each
-/// round, and no two rounds could be mixed.
+/// By how much the pairs' impulses change, over what they become, both measured by the speed that they give
+/// [1]. The residual would say too much: between stiff springs it is near 1 even where hardly anything moves,
+/// so elements would follow in each round, and no two rounds could be mixed.
 double changed_part(const ContactProblem& problem, const Eigen::VectorXd& before, const Eigen::VectorXd& next,
                     double least_speed)
 {
@@ -81,8 +82,9 @@ double changed_part(const ContactProblem& problem, const Eigen::VectorXd& before
 }
 
 //! [begin]
-/// The impulses of the last step act on the bodies: at rest they are the answer. Where other pairs are in touch now they balance no more, and
-/// a motion that turns a body too far for a step is no beginning: then the free motion is.
+/// The impulses of the last step act on the bodies: at rest they are the answer. Where other pairs are in
+/// touch now they balance no more, and a motion that turns a body too far for a step is no beginning: then
+/// the free motion is.
 void begin_with_last_impulses(World& world, StepProblem& step, double max_turn)
 {
     const Turns free_turns(world, step.bodies, step.problem.step.dt);
@@ -92,7 +94,8 @@ void begin_with_last_impulses(World& world, StepProblem& step, double max_turn)
 }
 //! [begin]
 
-/// The size of all pairs' impulses, each by the mass that its pair feels: pushes that cancel count, too [sqrt(kg) m/s].
+/// The size of all pairs' impulses, each by the mass that its pair feels: pushes that cancel count, too
+/// [sqrt(kg) m/s].
 double speed_of_pairs(const StepProblem& step, const Eigen::VectorXd& impulses)
 {
     double sum = 0;
@@ -103,10 +106,12 @@ double speed_of_pairs(const StepProblem& step, const Eigen::VectorXd& impulses)
 }
 
 //! [own_impulses]
-/// Gives each pair what its own law says of the motion found, with the limit of friction that this motion makes. Newton's tangents move
-/// the bodies in the same way, but leave open what no motion tells apart, as among seven vertices or between the jaws of a vice. One more step of
-/// Newton's method, from the laws' impulses, makes these add up to what moves the bodies.
-/// @param enough  part of the impulses by which they may miss their laws as they are; what rounding makes of them is enough, too
+/// Gives each pair what its own law says of the motion found, with the limit of friction that this motion
+/// makes. Newton's tangents move the bodies in the same way, but leave open what no motion tells apart, as
+/// among seven vertices or between the jaws of a vice. One more step of Newton's method, from the laws'
+/// impulses, makes these add up to what moves the bodies.
+/// @param enough  part of the impulses by which they may miss their laws as they are; what rounding makes of
+///     them is enough, too
 /// @return        steps of Newton's method: one, or none where the impulses obey their laws already
 int take_own_impulses(World& world, StepProblem& step, NewtonMatrix& matrix, double enough)
 {
@@ -136,8 +141,9 @@ struct IslandOutcome {
 };
 
 //! [last_problem]
-/// Where the rounds do not end: normals, levers and limits of friction stay those of the last motion, and their convex problem is solved to
-/// its end. Its impulses belong to its motion, so they take energy only; what errs is how much friction there is.
+/// Where the rounds do not end: normals, levers and limits of friction stay those of the last motion, and
+/// their convex problem is solved to its end. Its impulses belong to its motion, so they take energy only;
+/// what errs is how much friction there is.
 /// @param most  steps of Newton's method
 /// @return      whether it is solved
 bool solve_last_problem(World& world, StepProblem& step, NewtonMatrix& matrix,
@@ -174,14 +180,16 @@ IslandOutcome solve_island(World& world, const Island& island, const ImplicitSet
     record.pairs = static_cast<int>(step.of_row.size());
     outcome.solves = -matrix.solves();  // until now; at the end they are added
     const double least = least_speed(world, island, dt);
-    // Forces of joints that cancel each other are not determined, and mixing would enlarge what rounding makes of them.
+    // Forces of joints that cancel each other are not determined, and mixing would enlarge what rounding
+    // makes of them.
     const int mixed = island.elements.empty() ? settings.mixing_rounds : 0;
     AndersonMixing mixing(mixed);
     const bool is_soft = follows_end(world, island), has_budget = !is_soft && island.elements.empty();
     const int most_steps = has_budget ? std::min(settings.max_newton_steps, allowed.newton_steps)
                                       : settings.max_newton_steps;
     double missing = 0;  // of elastic forces, as a part of what the step changes
-    // Of velocities, back to before elements moved the pairs: springs are a thousand times as stiff, so a problem begins there.
+    // Of velocities, back to before elements moved the pairs: springs are a thousand times as stiff, so a
+    // problem begins there.
     Eigen::VectorXd before_move = Eigen::VectorXd::Zero(step.problem.size);
     for (;; ++record.rounds) {
         if (missing > small_imbalance) {

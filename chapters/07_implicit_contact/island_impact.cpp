@@ -114,7 +114,8 @@ IslandImpact impact_of(const World& world, const Island& part, const FrictionCoe
         island.pairs.push_back(pushed_pair(world, *contact, friction, dt));
         island.work.add(island.pairs.back(), contact->impulse + contact->friction, contact->friction);
     }
-    // The impulses acted with the levers of the free end: on a body that spins, those behind the commit would tell another energy.
+    // The impulses acted with the levers of the free end: on a body that spins, those behind the commit would
+    // tell another energy.
     const StepProblem acted = set_up(world, part, {}, friction, {1, dt}, false);
     const VectorXd momentum = momentum_of(acted),
                    halfway = velocities_of(world, acted) - times_response(acted.problem, momentum) / 2;

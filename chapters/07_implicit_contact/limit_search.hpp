@@ -23,8 +23,8 @@ private:
     double part_ = 1;  ///< of the error that a round takes
 };
 
-/// The problem of a round with the limits of friction that its own answer makes: convex problems, one after the other, whose
-/// limits a search brings nearer.
+/// The problem of a round with the limits of friction that its own answer makes: convex problems, one after
+/// the other, whose limits a search brings nearer.
 /// @param problem     its rows hold the limits to begin with
 /// @param tolerance   of the true residual
 /// @param max_steps  of Newton's method, over all convex problems, each of which counts as one more

@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// From here on a factor takes dense blocks. A tenth: both take the same time. Ten times and more: at 20 million operations a
-/// factor takes 7 ms column by column, and 2.5 ms in blocks.
+/// From here on a factor takes dense blocks. A tenth: both take the same time. Ten times and more: at 20
+/// million operations a factor takes 7 ms column by column, and 2.5 ms in blocks.
 constexpr double operations_for_blocks = 1e6;
 
 void add_whole(const BodyBlock& body, BlockMatrix& matrix)
@@ -128,8 +128,8 @@ void NewtonMatrix::factor(const ContactProblem& problem)
 //! [factor]
 
 //! [turns]
-/// What is taken out of K against turns, - b (G U^T + U G^T) = W C W^T with W = (G U), has rank 6 a body: (B + W C W^T)^-1 is
-/// B^-1 - B^-1 W (C^-1 + W^T B^-1 W)^-1 W^T B^-1 with the B that is factored (Woodbury).
+/// What is taken out of K against turns, - b (G U^T + U G^T) = W C W^T with W = (G U), has rank 6 a body: (B
+/// + W C W^T)^-1 is B^-1 - B^-1 W (C^-1 + W^T B^-1 W)^-1 W^T B^-1 with the B that is factored (Woodbury).
 void NewtonMatrix::factor_turns(const ContactProblem& problem)
 {
     Eigen::Index columns = 0;

@@ -10,8 +10,8 @@
 
 namespace enduring {
 
-/// Additions and multiplications of a factor, if each body is eliminated with what it touches of the bodies after it. What this
-/// fills in between these is left out.
+/// Additions and multiplications of a factor, if each body is eliminated with what it touches of the bodies
+/// after it. What this fills in between these is left out.
 double estimated_operations(const ContactProblem& problem);
 
 /// A + J^T S J where every pair is pressed and holds, its lower triangle: for measurements.
@@ -29,7 +29,8 @@ public:
         solves_ = solves;
     }
 
-    /// How often it was solved since the step began: once in each step of Newton's method, whichever loop asks.
+    /// How often it was solved since the step began: once in each step of Newton's method, whichever loop
+    /// asks.
     int solves() const { return solves_; }
 
     /// x of (A + J^T S J) x = b; zero where the matrix cannot be factored.
@@ -38,8 +39,8 @@ public:
     Eigen::VectorXd solve(const ContactProblem& problem, const std::vector<Mat3>& hessians,
                           const Eigen::VectorXd& b);
 
-    /// What the pairs would push if they answered a change of the velocities as straight as the last solve() took
-    /// them to: impulses - S J direction.
+    /// What the pairs would push if they answered a change of the velocities as straight as the last solve()
+    /// took them to: impulses - S J direction.
     /// @param impulses  where the direction begins, three numbers for each pair
     /// @param rates     of the pairs along the direction
     Eigen::VectorXd tangent(Eigen::VectorXd impulses, const std::vector<Vec3>& rates) const;

@@ -11,11 +11,13 @@ struct PairLaw {
     double stiffness = 0;         ///< k, along the normal and along the surface [N/m]
     Vec3 stretch = Vec3::Zero();  ///< of its friction at the start of the step, along the surface [m]
     double mu = 0;                ///< coefficient of friction
-    /// The normal impulse from which friction's limit follows [N s], that of an earlier motion. It is known, so the impulse is
-    /// the gradient of a convex potential of the velocity. With the normal impulse of the same motion there is no potential.
+    /// The normal impulse from which friction's limit follows [N s], that of an earlier motion. It is known,
+    /// so the impulse is the gradient of a convex potential of the velocity. With the normal impulse of the
+    /// same motion there is no potential.
     double lagged_normal_impulse = 0;
     double viscous = 0;  ///< of a film between the surfaces, see viscous_friction.hpp [s/m]
-    /// of a surface with a grain, from a velocity along the surface to the one that an equal friction in all directions would feel
+    /// of a surface with a grain, from a velocity along the surface to the one that an equal friction in all
+    /// directions would feel
     Mat3 grain = Mat3::Identity();
     bool has_grain = false;
 };
@@ -31,7 +33,8 @@ struct PairPush {
     Vec3 normal_impulse, friction = Vec3::Zero();  ///< on p [N s]
     double slope = 0;  ///< of the normal impulse over the depth at the end [N s/m]
     double limit = 0;  ///< of friction [N s]
-    /// the impulse of friction's spring without its limit, where there is one; on a grain the one that an equal friction would have [N s]
+    /// the impulse of friction's spring without its limit, where there is one; on a grain the one that an
+    /// equal friction would have [N s]
     Vec3 spring = Vec3::Zero();
     bool slips = false;
 

@@ -9,8 +9,9 @@
 namespace enduring {
 namespace {
 
-/// The largest stiffness that a pair may be given [N/m]: pressed as it is, its spring then holds no more than others can bring. What
-/// presses harder comes from what cannot give way. No stiffness makes that less deep, and each would ask for more.
+/// The largest stiffness that a pair may be given [N/m]: pressed as it is, its spring then holds no more than
+/// others can bring. What presses harder comes from what cannot give way. No stiffness makes that less deep,
+/// and each would ask for more.
 double most_stiffness(const Contact& contact, double depth_t0, double max_load)
 {
     const double pressed = contact.rest_offset - depth_t0;
@@ -62,8 +63,8 @@ void adapt_stiffness(Contact& contact, double depth_t0, double mass, const Stiff
                                   choice.at_once * contact.load;  // else it is wound up, and would throw
     if (wanted > contact.stiffness || (choice.at_once * wanted < contact.stiffness && carries_its_load))
         stiffen(contact, depth_t0, wanted);
-    // What pushes more than others can bring upon it does not move out, and is not wound up. Its load is that of impulses that
-    // moved something; a push that another one cancels is seen in its spring.
+    // What pushes more than others can bring upon it does not move out, and is not wound up. Its load is that
+    // of impulses that moved something; a push that another one cancels is seen in its spring.
     const double compressed = contact.rest_offset - depth_t0 - choice.depth();
     if (contact.rest_offset < 0 && std::max(contact.load, contact.stiffness * compressed) <= max_load)
         contact.rest_offset = std::min(choice.keep * contact.rest_offset,
@@ -124,8 +125,8 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
 //! [remember_pairs]
 namespace {
 
-/// Whether its surfaces were apart at the start of the step or just touched, or its spring began where they were, and carried nothing.
-/// What pressed then rests, or is an impact of an earlier step.
+/// Whether its surfaces were apart at the start of the step or just touched, or its spring began where they
+/// were, and carried nothing. What pressed then rests, or is an impact of an earlier step.
 bool was_open(const World& world, const Contact& contact)
 {
     const double least = restitution_limits.least_length * natural_length(world, contact);
@@ -133,7 +134,8 @@ bool was_open(const World& world, const Contact& contact)
            depth_at_start(world, contact) - std::min(0.0, contact.rest_offset) > -least;
 }
 
-/// A spring that is shorter than its pair's load says gets the length of this load. Where the pair is solved, both agree but for rounding.
+/// A spring that is shorter than its pair's load says gets the length of this load. Where the pair is solved,
+/// both agree but for rounding.
 void take_given_length(const World& world, Contact& contact)
 {
     const double given = contact_geometry(world, contact, 1).depth + contact.load / contact.stiffness;

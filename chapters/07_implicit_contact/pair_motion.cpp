@@ -39,9 +39,9 @@ Vec3 normal_of_path(const Vec3& one, const Vec3& other, const Vec3& velocity)
     return (one + std::min(1.0, std::max(0.0, part)) * (other - one)).normalized();
 }
 
-/// A vertex that slides along a surface which bends is pushed along the mean of two normals: that of the path on which it came,
-/// and that of this step's path. So what it loses in speed along the first it gains along the second. Its depth at the end stays
-/// that below the surface.
+/// A vertex that slides along a surface which bends is pushed along the mean of two normals: that of the path
+/// on which it came, and that of this step's path. So what it loses in speed along the first it gains along
+/// the second. Its depth at the end stays that below the surface.
 void push_between_paths(const Contact& contact, const StepLaw& step, PairRow& row)
 {
     const double depth_t1 = row.law.depth_t0 + step.dt * row.law.normal.dot(row.velocity);

@@ -17,8 +17,9 @@ using Eigen::VectorXd;
 namespace {
 
 //! [leaving]
-/// The velocities of the pairs behind the impact, at touch [m/s]: between those without restitution and those with all of it, each
-/// pair's impulse by its own coefficient. Those that were in touch before do not approach at first.
+/// The velocities of the pairs behind the impact, at touch [m/s]: between those without restitution and those
+/// with all of it, each pair's impulse by its own coefficient. Those that were in touch before do not
+/// approach at first.
 /// @param impulses  receives what the pairs get
 VectorXd leaving_velocities(const IslandImpact& island, VectorXd& impulses)
 {
@@ -62,8 +63,8 @@ Bounce bounce_of(const IslandImpact& island)
 }
 
 //! [impulses_for]
-/// How the step's friction has turned rigid bodies that are free to move, as a change of the coordinates. Its force moves them along their
-/// surfaces; its torque turns vertices beside each other up and down.
+/// How the step's friction has turned rigid bodies that are free to move, as a change of the coordinates. Its
+/// force moves them along their surfaces; its torque turns vertices beside each other up and down.
 VectorXd turned_by_friction(const StepProblem& step)
 {
     VectorXd momentum = VectorXd::Zero(step.problem.size);
@@ -77,8 +78,8 @@ VectorXd turned_by_friction(const StepProblem& step)
     return times_response(step.problem, momentum);
 }
 
-/// The velocities of those pairs that bounce along their normals [m/s], without what friction has turned in this step: it is not the
-/// bounce's to take away.
+/// The velocities of those pairs that bounce along their normals [m/s], without what friction has turned in
+/// this step: it is not the bounce's to take away.
 VectorXd speeds_without_friction(const IslandImpact& island, const Bounce& bounce)
 {
     const VectorXd change = turned_by_friction(island.step);
@@ -91,8 +92,9 @@ VectorXd speeds_without_friction(const IslandImpact& island, const Bounce& bounc
     return speeds;
 }
 
-/// The impulses, of all pairs, that bring those that bounce to their speeds; where more pairs meet than bodies can tell apart, the smallest
-/// ones that do. None pulls, together with that of the step: a pair that would have to gives back what it has, and the others are solved anew.
+/// The impulses, of all pairs, that bring those that bounce to their speeds; where more pairs meet than
+/// bodies can tell apart, the smallest ones that do. None pulls, together with that of the step: a pair that
+/// would have to gives back what it has, and the others are solved anew.
 VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
 {
     VectorXd all = VectorXd::Zero(static_cast<Eigen::Index>(island.pairs.size()));
@@ -135,7 +137,8 @@ std::pair<int, int> bodies_of(const Contact& contact)
     return std::minmax({contact.body_a, other});
 }
 
-/// Where a pair bounces, all pairs of its two bodies hold nothing any more: the impact is over, and all of it is in the velocities.
+/// Where a pair bounces, all pairs of its two bodies hold nothing any more: the impact is over, and all of it
+/// is in the velocities.
 void let_go(const IslandImpact& island, const Bounce& bounce)
 {
     std::set<std::pair<int, int>> leaving;
@@ -149,8 +152,8 @@ void let_go(const IslandImpact& island, const Bounce& bounce)
 }
 
 //! [rub]
-/// Friction of the impulses along the normals, against the slip at the moment at which the pairs that bounce are stopped: no more than
-/// mu times the impulse of its pair, and no more than stops it.
+/// Friction of the impulses along the normals, against the slip at the moment at which the pairs that bounce
+/// are stopped: no more than mu times the impulse of its pair, and no more than stops it.
 std::vector<Vec3> friction_of(const IslandImpact& island, const Bounce& bounce, const VectorXd& impulses)
 {
     const StepProblem& step = island.step;

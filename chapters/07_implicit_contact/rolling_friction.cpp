@@ -13,7 +13,8 @@
 namespace enduring {
 namespace {
 
-/// Turn rates of A against B: how they follow from the coordinates, and what a body that moves as given adds [rad/s].
+/// Turn rates of A against B: how they follow from the coordinates, and what a body that moves as given adds
+/// [rad/s].
 struct TurnRow {
     std::array<VertexMotion, 2> parts;
     std::size_t count = 0;

@@ -92,8 +92,8 @@ bool slides_on(const Contact& contact, double mass, const FrictionCoefficients& 
 //! [slides_on]
 
 //! [can_move]
-/// Whether any coordinate moves a pair's vertices along its normal. If all are held in this direction, a lock carries the load, and
-/// the pair's part of it is undefined.
+/// Whether any coordinate moves a pair's vertices along its normal. If all are held in this direction, a lock
+/// carries the load, and the pair's part of it is undefined.
 bool can_move(const PairRow& row)
 {
     constexpr double rounding = 1e-12;  // of a direction, and of a lever in metres
@@ -107,8 +107,9 @@ bool can_move(const PairRow& row)
 //! [can_move]
 
 //! [has_friction]
-/// A pair that began inside has no friction until it is nearly out. Its rest offset tells it from a loaded spring that was made
-/// stiffer: the offset of such a spring is no deeper than the depth to which its load pressed it at its first stiffness.
+/// A pair that began inside has no friction until it is nearly out. Its rest offset tells it from a loaded
+/// spring that was made stiffer: the offset of such a spring is no deeper than the depth to which its load
+/// pressed it at its first stiffness.
 bool has_friction(const Contact& contact, double mass, const StiffnessChoice& choice, double dt)
 {
     if (contact.rest_offset >= -choice.friction_offset * choice.depth())
@@ -164,7 +165,8 @@ double max_load(const World& world, const Island& island, double dt)
         load += load_of(body, world.gravity, dt);
         mass += body.mass();
     }
-    // A drive goes on whatever it meets: in a part of a step it stops nothing sooner, or halves would make what it squeezes stiffer.
+    // A drive goes on whatever it meets: in a part of a step it stops nothing sooner, or halves would make
+    // what it squeezes stiffer.
     load += lever_of_load * island.element_force;
     return load + mass * fastest_drive(world, island) / std::max(dt, world.whole_dt);
 }
@@ -255,7 +257,8 @@ void add_element_row(StepProblem& step, ElementLaw law, std::span<const VertexMo
 
 namespace {
 
-/// Calls visit(body, its vertices in touch, its part of a momentum of the coordinates) for each body that has coordinates.
+/// Calls visit(body, its vertices in touch, its part of a momentum of the coordinates) for each body that has
+/// coordinates.
 template <class Visit>
 void visit_bodies(World& world, const StepProblem& step, const Eigen::VectorXd& momentum, const Visit& visit)
 {

@@ -13,8 +13,8 @@
 
 namespace enduring {
 
-/// The problem of one island in a step, and where it comes from. Masses are those of the step, levers those that its bodies have
-/// (follow_levers()); the rest of its rows follows the prediction.
+/// The problem of one island in a step, and where it comes from. Masses are those of the step, levers those
+/// that its bodies have (follow_levers()); the rest of its rows follows the prediction.
 struct StepProblem {
     ContactProblem problem;        ///< with a block for each body, an empty one if it has no coordinates
     std::vector<Contact*> of_row;  ///< the contact of each row
@@ -38,7 +38,8 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
 
 /// How a vertex in touch, or that an element reads, moves with the coordinates of all.
 /// @param tau  moment of the step whose lever counts
-/// @return     none where nothing moves it: on a body without coordinates, and at a held node of one with all its nodes
+/// @return     none where nothing moves it: on a body without coordinates, and at a held node of one with all
+///     its nodes
 std::optional<VertexMotion> motion_of_vertex(const World& world, const StepProblem& step, int body,
                                              int vertex, double tau);
 
@@ -53,17 +54,18 @@ std::optional<std::size_t> place_of(const StepProblem& step, int body);
 /// Where a body's coordinates begin among those of all; -1 for a body that is not in the island or has none.
 int first_coordinate(const StepProblem& step, int body);
 
-/// Depth of a pair at the moment from which it pushes in this step (Contact::start) [m]: what lies behind a plane before, and
-/// beyond its feature, is not inside.
+/// Depth of a pair at the moment from which it pushes in this step (Contact::start) [m]: what lies behind a
+/// plane before, and beyond its feature, is not inside.
 double depth_at_start(const World& world, const Contact& contact);
 
-/// The mass that a pair feels along its normal: 1 / (n . W n), with W the change of its velocity per impulse; 0 for one
-/// that nothing moves [kg].
+/// The mass that a pair feels along its normal: 1 / (n . W n), with W the change of its velocity per impulse;
+/// 0 for one that nothing moves [kg].
 double mass_along(const Vec3& normal, const Mat3& response);
 
-/// What can be brought upon a pair of an island [N]: the weight of its bodies, forces and torques from outside and what elements push, all with a
-/// lever as a wedge has it; what stops their motion in this step; and what brings them to the speed of a drive in a whole step. What presses harder than this comes
-/// from the pairs themselves.
+/// What can be brought upon a pair of an island [N]: the weight of its bodies, forces and torques from
+/// outside and what elements push, all with a lever as a wedge has it; what stops their motion in this step;
+/// and what brings them to the speed of a drive in a whole step. What presses harder than this comes from the
+/// pairs themselves.
 double max_load(const World& world, const Island& island, double dt);
 
 /// A pair's normal where its force acts; zero where its features have none.
@@ -72,13 +74,14 @@ Vec3 normal_of(const PairStep& step, double tau);
 /// Sets a row to where the bodies move now: normal, depth, velocity, and what acts.
 void update_row(const World& world, const Contact& contact, const StepLaw& step, PairRow& row);
 
-/// Brings the levers of all rows to the motion found, where a body has turned from them by more than this [rad]: an impact with
-/// friction turns a body within the step. What acts turns its bodies by the new levers.
+/// Brings the levers of all rows to the motion found, where a body has turned from them by more than this
+/// [rad]: an impact with friction turns a body within the step. What acts turns its bodies by the new levers.
 /// @return  whether it did: then the prediction is another one, and what was factored does not hold
 bool follow_levers(World& world, StepProblem& step, double least_turn);
 
-/// Brings normals, velocities and acting impulses of all rows to the present prediction. Friction's limits are taken from the
-/// normal impulses that act, not from what the pairs answer to the motion: this enlarges an error of the motion by h.
+/// Brings normals, velocities and acting impulses of all rows to the present prediction. Friction's limits
+/// are taken from the normal impulses that act, not from what the pairs answer to the motion: this enlarges
+/// an error of the motion by h.
 void update_kinematics(const World& world, StepProblem& step);
 
 /// The impulses of all pairs in the last step, three numbers each [N s]: at rest they are the answer.

@@ -46,8 +46,8 @@ void for_each_index(std::size_t count, [[maybe_unused]] int threads,
 #ifdef ENDURING_TBB
     using namespace oneapi;
     if (threads > 1 && count > 1) {
-        // The library makes no more threads than there are cores, unless it is asked for them. Asked anew in each call, its
-        // threads would go to sleep in between.
+        // The library makes no more threads than there are cores, unless it is asked for them. Asked anew in
+        // each call, its threads would go to sleep in between.
         static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most_threads);
         tbb::task_arena arena(threads);
         arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });

@@ -5,8 +5,9 @@
 
 namespace enduring {
 
-/// How many threads solve islands: the number in the environment's ENDURING_THREADS, else one for each core that there is; one
-/// where the program was built without oneTBB. Results have the same bytes with any number.
+/// How many threads solve islands: the number in the environment's ENDURING_THREADS, else one for each core
+/// that there is; one where the program was built without oneTBB. Results have the same bytes with any
+/// number.
 /// @throws InputError  ENDURING_THREADS is no whole number from 1 to 1024
 int allowed_threads();
 

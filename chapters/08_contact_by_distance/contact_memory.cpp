@@ -28,8 +28,8 @@ using VertexKey = std::tuple<int, int, int>;
 VertexKey vertex_key(const Contact& contact) { return {contact.body_a, contact.feature_a, contact.body_b}; }
 
 //! [hand_on]
-/// Takes over from a face that the vertex has left: its spring stays compressed as it was, its stretch turns with the
-/// surface.
+/// Takes over from a face that the vertex has left: its spring stays compressed as it was, its stretch turns
+/// with the surface.
 bool hand_on(const World& world, const Contact& last, Contact& contact)
 {
     const ContactGeometry before = contact_geometry(world, last, 0),

@@ -132,7 +132,8 @@ bool any_passes_through(const SurfaceStep& a, const Edges& edges, const SurfaceS
     return false;
 }
 
-/// Whether the surfaces cross at a pair's features where the step ends: behind its face, or behind one to which it has slid.
+/// Whether the surfaces cross at a pair's features where the step ends: behind its face, or behind one to
+/// which it has slid.
 bool crosses_at_the_end(const World& world, const Contact& pair)
 {
     const SurfaceStep a = surface_of(world, pair.body_a), b = surface_of(world, pair.body_b);

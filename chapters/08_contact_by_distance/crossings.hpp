@@ -15,16 +15,17 @@ struct Crossings {
 //! [find_crossings]
 /// Asks the query about all candidates.
 ///
-/// Of two bodies that keep their shape only the first crossing counts, with what follows within a fiftieth of the step: an answer to it changes the
-/// motion of all their points, so later crossings are consequences. Of others the first of each vertex and each edge counts.
-/// A known pair may cross on its straight path if it is on its own side at both ends of the step: what turns goes in arcs. Where nothing
-/// else crosses, no edge of its features may pass through the other body at the end.
+/// Of two bodies that keep their shape only the first crossing counts, with what follows within a fiftieth of
+/// the step: an answer to it changes the motion of all their points, so later crossings are consequences. Of
+/// others the first of each vertex and each edge counts. A known pair may cross on its straight path if it is
+/// on its own side at both ends of the step: what turns goes in arcs. Where nothing else crosses, no edge of
+/// its features may pass through the other body at the end.
 Crossings find_crossings(const World& world, const CandidateSearch& search, const Nearness& nearness,
                          const Contacts& known);
 //! [find_crossings]
 
-/// Whether a pair that has crossed on its way is on its own side at both ends of the step, and no edge of its features passes through the
-/// other body at the end.
+/// Whether a pair that has crossed on its way is on its own side at both ends of the step, and no edge of its
+/// features passes through the other body at the end.
 bool ends_well(const World& world, const Contact& pair);
 
 }  // namespace enduring

@@ -79,7 +79,8 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
     if (crossings.let_through.empty() && (!is_last || world.attempt.may_be_halved)) {
         if (append(world, contacts, crossings.brought))
             return;
-        // what is left lies at the places of known pairs: so these let it through, and it may cross on its way as they may
+        // what is left lies at the places of known pairs: so these let it through, and it may cross on its
+        // way as they may
         std::erase_if(crossings.brought, [&](const Contact& contact) { return ends_well(world, contact); });
         hand_over(world, crossings.brought, dt);
     }

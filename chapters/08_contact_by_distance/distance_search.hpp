@@ -11,15 +11,18 @@ namespace enduring {
 //! [distance_search]
 /// One question: do these two surfaces cross on the way?
 ///
-/// A step begins with the pairs of what is nearer than the skins. After each answer the query looks at the whole way: what crosses first
-/// becomes a pair, and the step is solved again; a known pair that lets something through has the step halved; in a part that is not
-/// halved any more, what would cross stands still.
+/// A step begins with the pairs of what is nearer than the skins. After each answer the query looks at the
+/// whole way: what crosses first becomes a pair, and the step is solved again; a known pair that lets
+/// something through has the step halved; in a part that is not halved any more, what would cross stands
+/// still.
 ///
-/// The trees are shaped once, so a search belongs to one world. Nothing else that it keeps lasts beyond a step.
+/// The trees are shaped once, so a search belongs to one world. Nothing else that it keeps lasts beyond a
+/// step.
 class DistanceSearch : public CandidateSearch {
 public:
     /// In the first step: bodies get their skins.
-    /// @throws InputError  two bodies begin inside each other, and takes_what_begins_inside() does not hold for them
+    /// @throws InputError  two bodies begin inside each other, and takes_what_begins_inside() does not hold
+    ///     for them
     void begin(World& world, double dt);
     /// The pairs at the start of a step, ascending by their keys.
     virtual Contacts find(World& world, double dt);
@@ -38,7 +41,8 @@ protected:
     bool edge_may_meet(const Body& body, int edge) const override;
     /// Whether something else lets out two bodies that begin inside each other.
     virtual bool takes_what_begins_inside(const Body& /*a*/, const Body& /*b*/) const { return false; }
-    /// Whether something else keeps apart what a known pair lets through, from now on. Then both are left out for the rest of the step.
+    /// Whether something else keeps apart what a known pair lets through, from now on. Then both are left out
+    /// for the rest of the step.
     virtual bool takes_over(const World& /*world*/, const Contact& /*let_through*/, double /*dt*/) const
     {
         return false;
@@ -65,8 +69,8 @@ private:
     std::map<int, std::vector<double>> standing_;  ///< states of bodies that stand still in this step
 };
 
-/// The pairs of vertices that touch a plane or lie behind it when the step begins, or would so at its end without an answer: a plane goes on
-/// for ever, so what comes behind it does pass it.
+/// The pairs of vertices that touch a plane or lie behind it when the step begins, or would so at its end
+/// without an answer: a plane goes on for ever, so what comes behind it does pass it.
 void append_plane_pairs(const World& world, Contacts& contacts);
 
 }  // namespace enduring

@@ -5,15 +5,16 @@
 namespace enduring {
 namespace {
 
-/// Whether one of some faces looks that way; -1 stands for none. Where a surface is flat, it tells its outer side from
-/// its inner one.
+/// Whether one of some faces looks that way; -1 stands for none. Where a surface is flat, it tells its outer
+/// side from its inner one.
 bool any_faces(const SurfaceMoment& surface, std::span<const int> faces, const Vec3& direction)
 {
     return std::any_of(faces.begin(), faces.end(),
                        [&](int face) { return face >= 0 && surface.face_normal(face).dot(direction) > 0; });
 }
 
-/// From an edge into each of its two faces, at right angles to the edge, unit length; zero for none, and for a face without area.
+/// From an edge into each of its two faces, at right angles to the edge, unit length; zero for none, and for
+/// a face without area.
 std::array<Vec3, 2> into_faces(const SurfaceMoment& surface, int edge)
 {
     const Edge& ends = surface.step.edge(edge);

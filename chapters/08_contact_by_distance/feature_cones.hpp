@@ -4,13 +4,14 @@
 
 namespace enduring {
 
-/// The sine of the angle by which a surface folds at an edge, at right angles to it: positive where its two faces form
-/// a valley, negative where they form a ridge. An open border is a ridge of -1.
+/// The sine of the angle by which a surface folds at an edge, at right angles to it: positive where its two
+/// faces form a valley, negative where they form a ridge. An open border is a ridge of -1.
 double fold_at_edge(const SurfaceMoment& surface, int edge);
 
 //! [cones]
-/// Whether a direction lies in the normal cone of a vertex: whether no neighbour of the vertex is further along. So a vertex in a hollow and
-/// one between hills and valleys have none. It does not ask for the outer side, which an impact may turn inwards.
+/// Whether a direction lies in the normal cone of a vertex: whether no neighbour of the vertex is further
+/// along. So a vertex in a hollow and one between hills and valleys have none. It does not ask for the outer
+/// side, which an impact may turn inwards.
 /// @param direction  unit length, out of the body
 /// @param sine       by which a neighbour may pass the plane across it
 bool is_foremost(const SurfaceMoment& surface, int vertex, const Vec3& direction, double sine);

@@ -18,8 +18,8 @@ Vec3 normal_of(const Face& face, std::span<const Vec3> x)
     return (at(1) - at(0)).cross(at(2) - at(0));
 }
 
-/// How a vertex moves so that its planes move inwards by 1: least squares over the different ones, and not along
-/// directions about which they say little.
+/// How a vertex moves so that its planes move inwards by 1: least squares over the different ones, and not
+/// along directions about which they say little.
 Vec3 recess(const SurfaceTopology& surface, std::span<const Vec3> x, int vertex)
 {
     Mat3 planes = Mat3::Zero();
@@ -58,8 +58,8 @@ void mark_turned(const SurfaceTopology& surface, std::span<const Vec3> from, std
     }
 }
 
-/// Marks the vertices of features that would meet on the way in: the way is a step, and chapter 2's query is asked. Features
-/// with a common vertex are left out.
+/// Marks the vertices of features that would meet on the way in: the way is a step, and chapter 2's query is
+/// asked. Features with a common vertex are left out.
 class Meetings {
 public:
     Meetings(const SurfaceStep& step, std::vector<bool>& marked) : step_(step), marked_(marked) {}

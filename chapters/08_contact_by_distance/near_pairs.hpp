@@ -45,8 +45,8 @@ struct Nearness {
     LeftOut left_out;  ///< what another rule serves
 };
 
-/// Of each vertex against a body: the nearest of its pairs, and the direction from there to the vertex. It is where the vertex stands
-/// when a step begins.
+/// Of each vertex against a body: the nearest of its pairs, and the direction from there to the vertex. It is
+/// where the vertex stands when a step begins.
 class Grounds {
 public:
     void look_at(const Contact& contact, double distance);
@@ -58,12 +58,12 @@ private:
 };
 
 //! [near_pairs]
-/// The pairs at the start of a step: where the distance of two surfaces for contact is smallest in their neighbourhood, and the bodies' own
-/// surfaces touch or overlap there.
+/// The pairs at the start of a step: where the distance of two surfaces for contact is smallest in their
+/// neighbourhood, and the bodies' own surfaces touch or overlap there.
 ///
-/// A vertex has a pair with each feature of the other surface, a face, an edge or a vertex, that is nearer to it than the
-/// features around. Two edges have one if their nearest points lie inside both. The normal leads from point to point, and lies within
-/// the cones of both features.
+/// A vertex has a pair with each feature of the other surface, a face, an edge or a vertex, that is nearer to
+/// it than the features around. Two edges have one if their nearest points lie inside both. The normal leads
+/// from point to point, and lies within the cones of both features.
 /// @param search  after find_candidates with boxes that are larger by half of the distance, or more
 void append_near_pairs(const World& world, const CandidateSearch& search, const Nearness& nearness,
                        Contacts& contacts, Grounds& grounds);

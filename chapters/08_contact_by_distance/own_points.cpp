@@ -15,7 +15,8 @@ void put_edges(const PairVertices& x, Contact& contact)
         contact.weights = {1 - feet->s, feet->s, feet->t - 1, -feet->t};
 }
 
-/// Where on an edge a point has the other one straight above itself, from its first end on; one half for an edge along the normal.
+/// Where on an edge a point has the other one straight above itself, from its first end on; one half for an
+/// edge along the normal.
 double along_edge(const Vec3& p, const Vec3& from, const Vec3& to, const Vec3& normal)
 {
     const Vec3 edge = to - from, across = edge - normal.dot(edge) * normal;

@@ -11,8 +11,9 @@ enum class EndsOf {
 };
 
 //! [pairs_at_the_end]
-/// The pairs of what has none, and overlaps at the present end of the step, of the bodies' own surfaces: a vertex over a face, and two edges.
-/// Their surfaces for contact are still apart, so no query sees them, and they would press by both skins before they are found.
+/// The pairs of what has none, and overlaps at the present end of the step, of the bodies' own surfaces: a
+/// vertex over a face, and two edges. Their surfaces for contact are still apart, so no query sees them, and
+/// they would press by both skins before they are found.
 /// @param known  pairs of this step
 Contacts pairs_at_the_end(const World& world, const CandidateSearch& search, const Nearness& nearness,
                           const Contacts& known, EndsOf wanted);

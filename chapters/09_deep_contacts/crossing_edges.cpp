@@ -10,7 +10,8 @@
 namespace enduring {
 namespace {
 
-/// Two edges that cross are neighbours on the curve, but for the upright edges that it may pass at their corners.
+/// Two edges that cross are neighbours on the curve, but for the upright edges that it may pass at their
+/// corners.
 constexpr std::size_t max_ahead = 4;
 
 //! [near_on_the_curve]
@@ -30,7 +31,8 @@ std::set<FeaturePair> near_on_the_curve(const std::vector<Piercing>& curve)
 //! [near_on_the_curve]
 
 //! [pushes_out]
-/// Lets a pair act at its feet, if these lie on the edges, inside the other body, and it pushes along the separation direction.
+/// Lets a pair act at its feet, if these lie on the edges, inside the other body, and it pushes along the
+/// separation direction.
 bool pushes_out(const World& world, const Vec3& separation_direction, Contact& pair)
 {
     const PairSurfaces surfaces(world, pair, 0);

@@ -6,8 +6,8 @@
 namespace enduring {
 namespace {
 
-/// Halvings after which two bodies that given motion presses through each other are left to overlap: no step is short enough to keep
-/// them apart. One: grips slip; ten: jams take ten times as long.
+/// Halvings after which two bodies that given motion presses through each other are left to overlap: no step
+/// is short enough to keep them apart. One: grips slip; ten: jams take ten times as long.
 constexpr int squeezed_after = 1;
 
 bool moves_as_given(const Body& body)

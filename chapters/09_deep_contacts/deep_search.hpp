@@ -6,8 +6,9 @@
 namespace enduring {
 
 //! [deep_search]
-/// Chapter 8's search for what is apart. Where bodies overlap when a step begins they get pairs from where their surfaces cross, until
-/// they are apart by their skins: what is inside may come out across any face. So it needs no history. Elsewhere they stay apart.
+/// Chapter 8's search for what is apart. Where bodies overlap when a step begins they get pairs from where
+/// their surfaces cross, until they are apart by their skins: what is inside may come out across any face. So
+/// it needs no history. Elsewhere they stay apart.
 class DeepSearch : public DistanceSearch {
 public:
     Contacts find(World& world, double dt) override;

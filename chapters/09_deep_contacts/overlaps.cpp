@@ -135,8 +135,8 @@ public:
 
 private:
     //! [join_along_edges]
-    /// Where an edge goes in and comes out again, the piece between is inside: so both curves bound one volume, also if no vertex lies in
-    /// it, as of a body that a plate passes right through.
+    /// Where an edge goes in and comes out again, the piece between is inside: so both curves bound one
+    /// volume, also if no vertex lies in it, as of a body that a plate passes right through.
     void join_along_edges(const Intersection& intersection, const StillSurface& a, const StillSurface& b)
     {
         struct Passage {

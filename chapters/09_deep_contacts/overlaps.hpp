@@ -13,8 +13,8 @@ struct SurfaceRegions {
     int winding_of_vertex(int vertex) const { return winding[region_of_vertex[vertex]]; }
 };
 
-/// Floods a surface from vertex to vertex along the edges that nothing pierces: that is a region. Its first vertex asks
-/// with a ray on which side all of them lie.
+/// Floods a surface from vertex to vertex along the edges that nothing pierces: that is a region. Its first
+/// vertex asks with a ray on which side all of them lie.
 /// @param piercings    of A and B, from find_piercings
 /// @param of_a         whether the regions of A are wanted, else those of B
 /// @see Baraff, Witkin and Kass 2003, "Untangling cloth"
@@ -40,11 +40,11 @@ Vec3 nearest_normal(const StillSurface& surface, const Vec3& point);
 
 /// All volumes that two closed surfaces share.
 ///
-/// The separation direction is that in which the volume shrinks fastest: if A moves by a small s, it grows by s times
-/// the integral of A's normals over its surface inside B, so against the vector areas of the curves around
-/// it. Where those of several curves cancel, as of a beam through a plate, it is against the largest of them. A body that is wholly
-/// inside another one has no curve: then it is the one of the shortest path, of those along the normals of the faces that are
-/// nearest to its vertices.
+/// The separation direction is that in which the volume shrinks fastest: if A moves by a small s, it grows by
+/// s times the integral of A's normals over its surface inside B, so against the vector areas of the curves
+/// around it. Where those of several curves cancel, as of a beam through a plate, it is against the largest
+/// of them. A body that is wholly inside another one has no curve: then it is the one of the shortest path,
+/// of those along the normals of the faces that are nearest to its vertices.
 std::vector<Overlap> find_overlaps(const StillSurface& a, const StillSurface& b);
 
 /// Where a path from a point inside a surface leaves it.

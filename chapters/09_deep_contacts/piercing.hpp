@@ -34,7 +34,8 @@ struct StillSurface {
 struct Piercing {
     bool edge_of_a;  ///< else it is an edge of B, and a face of A
     int edge, face;
-    int entry;  ///< 1: from the smaller to the larger vertex it passes the face from the front; -1: from behind
+    int entry;  ///< 1: from the smaller to the larger vertex it passes the face from the front; -1: from
+                ///< behind
 
     int face_of_a(int face_at_edge) const { return edge_of_a ? face_at_edge : face; }
     int face_of_b(int face_at_edge) const { return edge_of_a ? face : face_at_edge; }
@@ -52,8 +53,8 @@ std::vector<Piercing> find_piercings(const StillSurface& a, const StillSurface& 
 /// Where the edge is in the face, but for rounding [m]; for an edge in the plane of the face its middle.
 Vec3 point_of(const Piercing& piercing, const StillSurface& a, const StillSurface& b);
 
-/// How often surface B winds around a point of A: 1 inside, 0 outside. It counts the faces that a path upwards
-/// to the outside passes, the point shifted as all of A is.
+/// How often surface B winds around a point of A: 1 inside, 0 outside. It counts the faces that a path
+/// upwards to the outside passes, the point shifted as all of A is.
 int winding_by_ray(const Vec3& point, const StillSurface& b, int shift);
 
 }  // namespace enduring

@@ -7,8 +7,9 @@
 
 namespace enduring {
 
-/// This chapter's solver: chapter 8's, with a search for contacts of any depth. What overlaps gets pairs from where the surfaces cross;
-/// no spring that begins at a depth brings energy. It keeps the trees of one world, so make one for each run.
+/// This chapter's solver: chapter 8's, with a search for contacts of any depth. What overlaps gets pairs from
+/// where the surfaces cross; no spring that begins at a depth brings energy. It keeps the trees of one world,
+/// so make one for each run.
 Solver chapter09_solver(const ContactParameters& parameters);
 /// The same with settings of one's own, and another search.
 Solver chapter09_solver(const ContactParameters& parameters, ImplicitSettings settings,

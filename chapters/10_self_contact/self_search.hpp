@@ -11,8 +11,8 @@ protected:
     void find_more(const World& world) override;
 };
 
-/// The pairs of features of one surface to look at, as collect_pairs() finds those of two: each once, and none
-/// of neighbours. Of two edges the smaller comes first.
+/// The pairs of features of one surface to look at, as collect_pairs() finds those of two: each once, and
+/// none of neighbours. Of two edges the smaller comes first.
 void collect_own_pairs(const FaceTree& tree, const RestNeighbours& neighbours, CandidatePairs& pairs);
 
 }  // namespace enduring

@@ -14,8 +14,8 @@ namespace {
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// So many unknowns, and a matrix of which less than this part is not zero, and it is factored sparse: at 1,000 unknowns of which
-/// each knows 50, both take the same time.
+/// So many unknowns, and a matrix of which less than this part is not zero, and it is factored sparse: at
+/// 1,000 unknowns of which each knows 50, both take the same time.
 constexpr int fewest_for_sparse = 500;
 constexpr double densest_for_sparse = 0.05;
 
@@ -44,7 +44,8 @@ struct Active {
 };
 
 //! [entries]
-/// Calls add(row, column, entry) for the matrix  1 - slope (1 - rho m (W + C))  among contacts that push, with r counted in sqrt(m).
+/// Calls add(row, column, entry) for the matrix  1 - slope (1 - rho m (W + C))  among contacts that push,
+/// with r counted in sqrt(m).
 template <class Add>
 void visit_entries(const SpringPass& pass, double rho, const std::vector<Mat3>& slopes, const Active& active,
                    const VectorXd& roots, const Add& add)

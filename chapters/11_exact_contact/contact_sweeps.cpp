@@ -119,7 +119,8 @@ double sweeps_of_newton_step(const FrictionProblem& problem, const VectorXd& imp
     return operations_of_newton_step(problem, unknowns) / operations_of_sweep(problem, settings);
 }
 
-/// Whether the sweeps that are left until the tolerance, if all bring as much as the last ones, cost less than passes.
+/// Whether the sweeps that are left until the tolerance, if all bring as much as the last ones, cost less
+/// than passes.
 bool are_worth(double error, double before, double tolerance, double newton_step,
                const SweepSettings& settings)
 {

@@ -11,12 +11,13 @@
 namespace enduring {
 namespace {
 
-/// The part of a gap or a depth that a step keeps: what passes have left is taken away slowly, as chapter 7 lets out what is inside. None of it: each step
-/// takes away what the last one left, a step too late, and stacks on soft springs sway more and more.
+/// The part of a gap or a depth that a step keeps: what passes have left is taken away slowly, as chapter 7
+/// lets out what is inside. None of it: each step takes away what the last one left, a step too late, and
+/// stacks on soft springs sway more and more.
 constexpr double kept_gap = 0.9;
 
-/// of a pair's length [1]: a pair that should end a step deeper than this began inside, and keeps to the speed at which it is let out, wherever
-/// its body is.
+/// of a pair's length [1]: a pair that should end a step deeper than this began inside, and keeps to the
+/// speed at which it is let out, wherever its body is.
 constexpr double still_let_out = 1e-4;
 
 /// @param aim  the depth at which the step should end [m]
@@ -42,7 +43,8 @@ std::vector<double> remembered_forces(const Contacts& contacts, double dt)
 }
 
 //! [begin_with_load]
-/// Pairs that are answered for the first time in this step begin with the force of the last one, at the depth that is left of it.
+/// Pairs that are answered for the first time in this step begin with the force of the last one, at the depth
+/// that is left of it.
 void begin_with_load(const World& world, Contacts& contacts)
 {
     for (Contact& contact : contacts)

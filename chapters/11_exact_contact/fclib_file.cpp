@@ -78,7 +78,8 @@ private:
 };
 
 //! [matrix]
-/// nz tells the form: at least 0, so many triplets (row i, column p); -1 compressed columns (starts p, rows i); -2 compressed rows.
+/// nz tells the form: at least 0, so many triplets (row i, column p); -1 compressed columns (starts p, rows
+/// i); -2 compressed rows.
 Matrix read_matrix(const FclibFile& file, const std::string& place)
 {
     const int rows = file.integer(place + "/m", 1, most_rows),

@@ -16,8 +16,8 @@ namespace {
 using Eigen::VectorXd;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// A new file, and what is written into it. Groups come with the first thing in them. It is made in memory: a library that meets a full
-/// disk while it closes a file tells nobody, and tries again when the program ends.
+/// A new file, and what is written into it. Groups come with the first thing in them. It is made in memory: a
+/// library that meets a full disk while it closes a file tells nobody, and tries again when the program ends.
 class NewFile {
 public:
     explicit NewFile(const std::filesystem::path& path)

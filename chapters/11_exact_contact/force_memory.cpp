@@ -16,12 +16,14 @@ namespace {
 /// With these a problem is begun again where its passes bring nothing any more.
 constexpr std::array other_h{1e6, 1e3, 1e9};
 
-/// A pass that leaves more than this part of the error has brought little; one that leaves more than the second, nothing.
+/// A pass that leaves more than this part of the error has brought little; one that leaves more than the
+/// second, nothing.
 constexpr double little = 0.3, nothing = 0.99;
 
 //! [next_springs]
-/// How stiff the springs of the next pass are. A pass that reached its answer and took little of the error has springs that give
-/// too much. One that did not reach it has springs that are too stiff, and for some passes none are as stiff.
+/// How stiff the springs of the next pass are. A pass that reached its answer and took little of the error
+/// has springs that give too much. One that did not reach it has springs that are too stiff, and for some
+/// passes none are as stiff.
 class SpringChoice {
 public:
     explicit SpringChoice(double h) : h_(std::clamp(h, softest_h, stiffest_h)) {}
@@ -85,8 +87,8 @@ void improve(const FrictionProblem& problem, const ExactSettings& settings, doub
 //! [passes]
 
 //! [begin_again]
-/// Passes from these impulses on, and again with another h where they bring nothing any more. Where there is not enough memory for
-/// them, the impulses stay as they are.
+/// Passes from these impulses on, and again with another h where they bring nothing any more. Where there is
+/// not enough memory for them, the impulses stay as they are.
 void improve_with_each_h(const FrictionProblem& problem, const ExactSettings& settings, ExactSolution& best)
 {
     try {
@@ -100,7 +102,8 @@ void improve_with_each_h(const FrictionProblem& problem, const ExactSettings& se
 }
 //! [begin_again]
 
-/// From where sweeps end, with a part of all passes and steps: what is hard takes another path from there, not a shorter one.
+/// From where sweeps end, with a part of all passes and steps: what is hard takes another path from there,
+/// not a shorter one.
 ExactSolution from_sweeps(const FrictionProblem& problem, ExactSettings settings)
 {
     constexpr int part = 4;

@@ -48,7 +48,8 @@ void require_entries(const Eigen::SparseMatrix<double>& matrix, const char* what
 /// More numbers of W take more than a gigabyte, and minutes to multiply.
 constexpr double most_of_response = 1e8;
 
-/// W has a number for each two columns of H that move one coordinate, so at least as many as the fullest row of H has, squared.
+/// W has a number for each two columns of H that move one coordinate, so at least as many as the fullest row
+/// of H has, squared.
 void require_sparse_response(const Eigen::SparseMatrix<double>& levers, const std::string& file)
 {
     std::vector<double> of_coordinate(static_cast<std::size_t>(levers.rows()), 0);

@@ -15,11 +15,12 @@ struct BodyEquations {
     Eigen::VectorXd given_velocity;      ///< w, of what moves by itself
 };
 
-/// One step of rigid contact with Coulomb's friction, as the public collections have it: r and u have `dimension` numbers for
-/// each contact, the first along its normal, and between them holds
-///   u = W r + q,   0 <= u_n, 0 <= r_n, u_n r_n = 0,   |r_t| <= mu r_n, and r_t against u_t with |r_t| = mu r_n where u_t is not 0.
-/// V. Acary, M. Bremond, T. Koziara, F. Perignon: FCLIB: a collection of discrete 3D frictional contact problems,
-/// INRIA technical report 444, 2014.
+/// One step of rigid contact with Coulomb's friction, as the public collections have it: r and u have
+/// `dimension` numbers for each contact, the first along its normal, and between them holds
+///   u = W r + q,   0 <= u_n, 0 <= r_n, u_n r_n = 0,   |r_t| <= mu r_n,
+///   and r_t against u_t with |r_t| = mu r_n where u_t is not 0.
+/// V. Acary, M. Bremond, T. Koziara, F. Perignon: FCLIB: a collection of discrete 3D frictional contact
+/// problems, INRIA technical report 444, 2014.
 struct FrictionProblem {
     int dimension = 3;                     ///< 2 or 3
     Eigen::SparseMatrix<double> response;  ///< W; where `bodies` are given, H^T M^-1 H

@@ -14,8 +14,8 @@ Eigen::VectorXd read_vector(FileWords& words, const char* what, Eigen::Index siz
     return numbers;
 }
 
-/// Whether a matrix H follows: its kind, the rows of M and the numbers of r stand there as whole numbers. Nothing in the file
-/// says which of the two forms it has; a vector q that begins so is not known.
+/// Whether a matrix H follows: its kind, the rows of M and the numbers of r stand there as whole numbers.
+/// Nothing in the file says which of the two forms it has; a vector q that begins so is not known.
 bool is_matrix_next(const FileWords& words, Eigen::Index rows, Eigen::Index columns)
 {
     const std::string_view kind = words.peek();

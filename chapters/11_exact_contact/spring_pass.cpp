@@ -15,12 +15,14 @@ using Eigen::VectorXd;
 
 /// How Newton's method of a pass ends. None of these has a unit.
 struct NewtonSettings {
-    /// of the energy that all momentum without contact has: an error of 1e-12. A thousand times: passes stop at 1e-8.
+    /// of the energy that all momentum without contact has: an error of 1e-12. A thousand times: passes stop
+    /// at 1e-8.
     double tolerance = 1e-24;
-    /// of a pass' first error, squared: less than this is an answer from which the next pass goes on. One: a pass that brought
-    /// nothing counts as solved, and its springs become stiffer.
+    /// of a pass' first error, squared: less than this is an answer from which the next pass goes on. One: a
+    /// pass that brought nothing counts as solved, and its springs become stiffer.
     double enough = 1e-8;
-    /// Steps within which the squared error has to halve. Three: rho changes where the line search would have come through.
+    /// Steps within which the squared error has to halve. Three: rho changes where the line search would have
+    /// come through.
     int patience = 15;
     /// of a line search: half a step, and so on down to 1 / 2048
     int halvings = 12;
@@ -29,7 +31,8 @@ struct NewtonSettings {
 };
 constexpr NewtonSettings newton;
 
-/// rho of the first Newton and of those that follow it. With 1 alone, half of the problems with mass ratios of 1e6 are not solved.
+/// rho of the first Newton and of those that follow it. With 1 alone, half of the problems with mass ratios
+/// of 1e6 are not solved.
 constexpr std::array reaches{1.0, 10.0, 0.1, 100.0, 0.01, 1000.0, 0.001};
 
 /// Where Newton's method stands: what springs wish, the error of the equation, and its square as an energy.
@@ -86,7 +89,8 @@ VectorXd felt_masses(const FrictionProblem& problem)
     for (int i = 0; i < problem.contacts(); ++i) {
         const int first = problem.dimension * i, along = problem.dimension - 1;
         double normal = response[first], surface = response.segment(first + 1, along).mean();
-        // where nothing moves along one of both, the other; where nothing moves at all, as the lightest contact
+        // where nothing moves along one of both, the other; where nothing moves at all, as the lightest
+        // contact
         normal = normal > 0 ? normal : (surface > 0 ? surface : any);
         surface = surface > 0 ? surface : normal;
         masses[first] = 1 / normal;

@@ -86,8 +86,9 @@ void set_drive(const JointDrive& drive, double mass, double coordinate, double d
 }
 
 //! [lock_line]
-/// A lock goes through its impulse at the velocity that acts now, less k dt times the error that is left at the end of the step. So its impulse is right where
-/// there is no error any more, however stiff k is. A limit is the same on one side.
+/// A lock goes through its impulse at the velocity that acts now, less k dt times the error that is left at
+/// the end of the step. So its impulse is right where there is no error any more, however stiff k is. A limit
+/// is the same on one side.
 /// @param error  of what is locked at the predicted end [m, rad]
 /// @param acting impulse now [N s]
 void aim(LineLaw& line, double error, double acting, double velocity, double dt)
@@ -110,7 +111,8 @@ void aim_at_limit(LineLaw& line, const JointDrive& drive, double coordinate, dou
 //! [lock_line]
 
 //! [rebound]
-/// What has struck a limit leaves it in the next step with this velocity: the limit pushes until then, and no further.
+/// What has struck a limit leaves it in the next step with this velocity: the limit pushes until then, and no
+/// further.
 void send_back(LineLaw& line, double rebound)
 {
     constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -140,7 +140,8 @@ Vec3 gear_axis(const World& world, const Joint& joint)
     return committed_pose(world, hinge_of(world, joint, 1)).axes_b.col(2);
 }
 
-/// Of a rigid body, the angular velocity is the one that belongs to its momentum: within a step a free body turns by another one.
+/// Of a rigid body, the angular velocity is the one that belongs to its momentum: within a step a free body
+/// turns by another one.
 EndRates end_rates(const World& world, const JointEnd& end, const Vec3& point, double dt)
 {
     const Body* const body = body_at(world, end);

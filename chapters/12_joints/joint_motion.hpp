@@ -8,21 +8,25 @@
 
 namespace enduring {
 
-/// How the velocity that a row sees follows from the coordinates of the bodies that answer forces, and what those that move as given add.
+/// How the velocity that a row sees follows from the coordinates of the bodies that answer forces, and what
+/// those that move as given add.
 struct RowMotion {
     std::vector<VertexMotion> parts;
     Vec3 given = Vec3::Zero();  ///< mean of the step [m/s, rad/s]
 };
 
-/// Of A's point against the point of B in the same place, but for a distance, which has two points; or of the turn.
+/// Of A's point against the point of B in the same place, but for a distance, which has two points; or of the
+/// turn.
 /// @param pose  at the start of the step
 /// @param part  see JointPart
 RowMotion motion_of_row(const World& world, const StepProblem& step, const Joint& joint,
                         const JointPose& pose, int part);
-/// The first number is the turn rate of a gear's second hinge, less its ratio times that of the first; the others are zero.
+/// The first number is the turn rate of a gear's second hinge, less its ratio times that of the first; the
+/// others are zero.
 RowMotion motion_of_gear(const World& world, const StepProblem& step, const Joint& joint);
 
-/// What a joint reads of soft bodies: the vertices of the faces that it holds, those of B with negative weights.
+/// What a joint reads of soft bodies: the vertices of the faces that it holds, those of B with negative
+/// weights.
 std::vector<VertexShare> soft_shares(const Joint& joint);
 
 /// Whether a joint holds: one that is broken does not, nor a gear of which a hinge is broken.

@@ -56,7 +56,8 @@ void add_row(const World& world, StepProblem& step, int element, const JointPose
     law.element = element;
     law.part = part;
     law.axes = axes_of(joint, pose, part);
-    // A step begins without forces: those of the last one that cancel each other then would not do so now, and grow from step to step.
+    // A step begins without forces: those of the last one that cancel each other then would not do so now,
+    // and grow from step to step.
     const Vec3 acting = joint.acts ? pushed_so_far(joint, part, law.axes, dt) : Vec3(Vec3::Zero());
     law.begin = acting;
     const RowMotion motion = joint.kind == JointKind::gear ? motion_of_gear(world, step, joint)

@@ -8,11 +8,12 @@ namespace enduring {
 /// The bodies of all joints that hold; a broken one joins nothing.
 std::vector<ElementBodies> joined_bodies(const World& world);
 
-/// Appends the rows of an island's joints. Levers and axes are those of the start of the step, so that impulses take no energy.
+/// Appends the rows of an island's joints. Levers and axes are those of the start of the step, so that
+/// impulses take no energy.
 void add_joint_rows(const World& world, StepProblem& step);
 
-/// The velocities of these rows, and laws that go through what acts: locks and limits aim at no error where the step ends as it is
-/// predicted now, by the true geometry there.
+/// The velocities of these rows, and laws that go through what acts: locks and limits aim at no error where
+/// the step ends as it is predicted now, by the true geometry there.
 void follow_joints(const World& world, StepProblem& step);
 
 /// What each joint's rows have pushed.

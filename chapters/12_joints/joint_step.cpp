@@ -35,9 +35,11 @@ JointRates rates_of(const World& world, const Joint& joint, double dt)
     return {end_rates(world, joint.a, pose.point_a, dt), end_rates(world, joint.b, other, dt)};
 }
 
-/// The rates that tell the work of an impulse. Of a rigid body the mean of those at both ends of the step: a step of a fall keeps E + dt / 2 g . p, and the
-/// other half is its. A soft body's implicit step gains the impulse times the velocity behind it, at most.
-/// @param fall  part of what gravity does in the step that is taken off: 1 for the change of E, 1/2 for that of E + dt / 2 g . p
+/// The rates that tell the work of an impulse. Of a rigid body the mean of those at both ends of the step: a
+/// step of a fall keeps E + dt / 2 g . p, and the other half is its. A soft body's implicit step gains the
+/// impulse times the velocity behind it, at most.
+/// @param fall  part of what gravity does in the step that is taken off: 1 for the change of E, 1/2 for that
+///     of E + dt / 2 g . p
 EndRates working_rates(const World& world, const JointEnd& end, const EndRates& before, const EndRates& after,
                        double fall, double dt)
 {
@@ -48,7 +50,8 @@ EndRates working_rates(const World& world, const JointEnd& end, const EndRates& 
             (before.about + after.about) / 2};
 }
 
-/// The work of springs and dampers of a joint, whose energy is held or lost, by the velocities of the step [J].
+/// The work of springs and dampers of a joint, whose energy is held or lost, by the velocities of the step
+/// [J].
 double spring_work(const JointDrive& drive, double coordinate, double rate, double dt)
 {
     return -dt * (drive.stiffness * (coordinate - drive.rest) + drive.damping * rate) * rate;

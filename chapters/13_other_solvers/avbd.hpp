@@ -9,8 +9,9 @@
 
 namespace enduring {
 
-/// Augmented vertex block descent: one rigid body after the other goes to the minimum of its own energy, six coordinates at a time, and one node of
-/// a soft body after the other, three at a time, as if all others stayed; behind each sweep the multipliers of all contacts follow.
+/// Augmented vertex block descent: one rigid body after the other goes to the minimum of its own energy, six
+/// coordinates at a time, and one node of a soft body after the other, three at a time, as if all others
+/// stayed; behind each sweep the multipliers of all contacts follow.
 /// @see Giles, Diaz, Yuksel 2025; Chen et al. 2024, "Vertex block descent", for soft bodies
 class Avbd {
 public:

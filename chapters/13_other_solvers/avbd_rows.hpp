@@ -13,7 +13,8 @@ struct AugmentedConstraint {
     double multiplier = 0;  ///< lambda [N]
     double stiffness = 0;   ///< k [N/m]
 };
-/// Behind a sweep: the multiplier becomes the force, and the stiffness grows by beta |C| where the force is not at a bound.
+/// Behind a sweep: the multiplier becomes the force, and the stiffness grows by beta |C| where the force is
+/// not at a bound.
 /// @param error   C [m]
 /// @param least, most  bounds of the force [N]
 /// @see Giles, Diaz, Yuksel 2025, "Augmented vertex block descent", (11), (12) and (16)
@@ -28,7 +29,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 Vector6 way_between(const Pose& from, const Pose& to);
 
 //! [avbd_row]
-/// A contact's three constraints: C = C_0 - alpha C_0 + J (x - x_0) to first order (18), positive where the contact has to push.
+/// A contact's three constraints: C = C_0 - alpha C_0 + J (x - x_0) to first order (18), positive where the
+/// contact has to push.
 struct AvbdRow {
     const ContactPoint* point;
     std::array<Vec3, 3> directions;  ///< the normal and the tangents

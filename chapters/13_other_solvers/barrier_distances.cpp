@@ -9,7 +9,8 @@
 namespace enduring {
 namespace {
 
-/// Sine of two edges, below which nearest points inside both mean nothing. A tenth: the Hessian is wrong in the sixth digit.
+/// Sine of two edges, below which nearest points inside both mean nothing. A tenth: the Hessian is wrong in
+/// the sixth digit.
 constexpr double least_sine = 1e-5;
 
 Vec3 sum_of(const std::array<double, 4>& weights, const FourPoints& x)

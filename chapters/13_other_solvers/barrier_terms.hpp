@@ -8,7 +8,8 @@
 namespace enduring {
 
 //! [log_barrier]
-/// The barrier over the ratio r = d^2 / d^hat^2 of squared distances, with its derivatives: -(r - 1)^2 ln r below r = 1, and 0 from there on.
+/// The barrier over the ratio r = d^2 / d^hat^2 of squared distances, with its derivatives: -(r - 1)^2 ln r
+/// below r = 1, and 0 from there on.
 struct BarrierValue {
     double value = 0, slope = 0, bend = 0;
 };
@@ -23,7 +24,8 @@ struct Places {
     std::vector<Vec3> nodes;
 };
 
-/// Two features within d^hat. Many pairs of features have the same nearest corners, as those around one edge: they count together.
+/// Two features within d^hat. Many pairs of features have the same nearest corners, as those around one edge:
+/// they count together.
 struct BarrierTerm {
     std::size_t point;  ///< the first of them, in MethodStep::points
     FourPoints x;
@@ -40,7 +42,8 @@ struct BarrierTerm {
 /// @param distance  d^hat [m], positive
 std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const Places& places, double distance);
 
-/// When the first pair meets, in (0, 1], if all vertices go straight from place to place; 1 too if none does. By chapter 2's certified query.
+/// When the first pair meets, in (0, 1], if all vertices go straight from place to place; 1 too if none does.
+/// By chapter 2's certified query.
 /// @return  and whether one meets
 std::pair<double, bool> first_meeting(const MethodStep& step, const Places& from, const Places& to,
                                       double distance);

@@ -149,7 +149,8 @@ private:
     }
 
     //! [row_of]
-    /// The near-rigid limit: R_n = beta^2 / (4 pi^2) w, so that no contact is faster than the step, and R_t = sigma w (Castro 2022, V.B).
+    /// The near-rigid limit: R_n = beta^2 / (4 pi^2) w, so that no contact is faster than the step, and R_t =
+    /// sigma w (Castro 2022, V.B).
     RelaxedRow row_of(const ContactPoint& point) const
     {
         RelaxedRow row;

@@ -59,8 +59,8 @@ IncrementalPotential::IncrementalPotential(const MethodStep& step, const Barrier
     kappa_ = settings.stiffness * mass / std::max(count, 1) * std::pow(distance / whole_dt, 2);
 }
 
-/// Gradient and Hessian of 1/2 tr((Q - Q^) J (Q - Q^)^T) by a rotation vector from Q: with B = Q J Q^^T, twice its antisymmetric part, and
-/// tr(B) 1 - B, made symmetric.
+/// Gradient and Hessian of 1/2 tr((Q - Q^) J (Q - Q^)^T) by a rotation vector from Q: with B = Q J Q^^T,
+/// twice its antisymmetric part, and tr(B) 1 - B, made symmetric.
 void IncrementalPotential::add_inertia(const Places& places, PotentialSlopes& slopes) const
 {
     const double rate = 1 / (step_.dt * step_.dt);

@@ -9,7 +9,8 @@
 namespace enduring {
 
 //! [smooth_friction]
-/// Friction of force 1 over a slip: its potential f0 [m], the force f1 in [0, 1] and its slope [1/m]. Full from `full` [m] on, and smooth through 0.
+/// Friction of force 1 over a slip: its potential f0 [m], the force f1 in [0, 1] and its slope [1/m]. Full
+/// from `full` [m] on, and smooth through 0.
 struct SmoothFriction {
     double potential = 0, force = 0, slope = 0;
 };
@@ -17,14 +18,16 @@ struct SmoothFriction {
 SmoothFriction smooth_friction(double slip, double full);
 //! [smooth_friction]
 
-/// The incremental potential of a step over the places of all bodies and nodes [J]: inertia, what elements store, a barrier for each pair of features,
-/// and friction with normal forces of places before.
-/// @see Li et al. 2020, (5); Ferguson et al. 2021, "Intersection-free rigid body dynamics", section on rigid bodies: the inertia of all points
+/// The incremental potential of a step over the places of all bodies and nodes [J]: inertia, what elements
+/// store, a barrier for each pair of features, and friction with normal forces of places before.
+/// @see Li et al. 2020, (5); Ferguson et al. 2021, "Intersection-free rigid body dynamics", section on rigid
+///     bodies: the inertia of all points
 class IncrementalPotential {
 public:
     /// @param step      its points are the pairs that can meet
     /// @param distance  d^hat [m], positive
-    /// @param whole_dt  of the step of which this one may be a part [s]: barriers do not stiffen where it is halved
+    /// @param whole_dt  of the step of which this one may be a part [s]: barriers do not stiffen where it is
+    ///     halved
     IncrementalPotential(const MethodStep& step, const BarrierSettings& settings, double distance,
                          double whole_dt);
 
@@ -37,8 +40,9 @@ public:
     void lag(const Places& places);
     /// The impulse on A of each point, normal and friction [N s].
     std::vector<Vec3> impulses(const Places& places) const;
-    /// The part of a displacement on which no pair meets and no body leaves the reach of the search: 1, or less; 0 if there is none.
-    /// Paths of vertices are straight from pose to pose. So what is behind them can be reached without a crossing.
+    /// The part of a displacement on which no pair meets and no body leaves the reach of the search: 1, or
+    /// less; 0 if there is none. Paths of vertices are straight from pose to pose. So what is behind them can
+    /// be reached without a crossing.
     /// @param reach  from the start of the step [m]
     double free_part(const Places& from, const Eigen::VectorXd& by, double reach) const;
 

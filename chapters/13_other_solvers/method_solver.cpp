@@ -65,7 +65,8 @@ public:
 
 private:
     //! [move_bodies]
-    /// Momenta with which the commit brings each body to the pose that the method has found; what the velocity at the end lacks comes behind it.
+    /// Momenta with which the commit brings each body to the pose that the method has found; what the
+    /// velocity at the end lacks comes behind it.
     void move_bodies(World& world)
     {
         kicks_.assign(world.bodies.size(), Eigen::VectorXd::Zero(6));

@@ -22,9 +22,11 @@ enum class SoftBodies : std::uint8_t {
 };
 
 //! [method_solver]
-/// A solver that is this method on the common search, from an empty list of passes: pairs, the method, and behind the commit the velocities where
-/// they are not the way of the step over dt. It keeps the trees and impulses of one world, so make one for each run.
-/// @throws InputError  when it runs: a body is held, pinned or driven, or soft in a way that the method has not; names it
+/// A solver that is this method on the common search, from an empty list of passes: pairs, the method, and
+/// behind the commit the velocities where they are not the way of the step over dt. It keeps the trees and
+/// impulses of one world, so make one for each run.
+/// @throws InputError  when it runs: a body is held, pinned or driven, or soft in a way that the method has
+///     not; names it
 Solver method_solver(const std::string& name, const ContactParameters& parameters, StepMethod method,
                      SoftBodies soft = SoftBodies::refused, const SearchSettings& search = {});
 /// The same with a search of its own.

@@ -16,8 +16,8 @@ class DeformableBody;
 Vec3 rotation_vector(const Quaternion& turn);
 
 //! [moving_body]
-/// A rigid body within a step, as a method moves it. What stands still or moves as given has no inverse mass, and its pose is the world's;
-/// so has a soft body, whose nodes move.
+/// A rigid body within a step, as a method moves it. What stands still or moves as given has no inverse mass,
+/// and its pose is the world's; so has a soft body, whose nodes move.
 struct MovingBody {
     bool moves = false;
     bool is_soft = false;

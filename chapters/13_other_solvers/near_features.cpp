@@ -10,8 +10,9 @@
 namespace enduring {
 namespace {
 
-/// Sine by which a neighbour may be further out than its feature. A hundredth: faces that are pressed together and tilt by a
-/// thousandth lose the pairs of one side, and an arch falls. Five times: every feature has a pair.
+/// Sine by which a neighbour may be further out than its feature. A hundredth: faces that are pressed
+/// together and tilt by a thousandth lose the pairs of one side, and an arch falls. Five times: every feature
+/// has a pair.
 constexpr double cone_sine = 0.2;
 constexpr double least_fold = 1e-4;  ///< sine between two faces, below which they are one
 constexpr double touching =
@@ -131,7 +132,8 @@ private:
     }
 
     /// @param side      1 outside, -1 inside
-    /// @param any_face  also one whose neighbour is nearer: from inside, a side may be, and be no way out for A
+    /// @param any_face  also one whose neighbour is nearer: from inside, a side may be, and be no way out for
+    ///     A
     /// @return          whether there is a pair that lets the vertex out
     bool append(const Found& found, double side, bool any_face, Contacts& contacts)
     {

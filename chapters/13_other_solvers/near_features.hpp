@@ -6,11 +6,13 @@
 namespace enduring {
 
 //! [near_features]
-/// The search that all methods of this chapter share: the pairs of features at the start of a step, with signs.
+/// The search that all methods of this chapter share: the pairs of features at the start of a step, with
+/// signs.
 ///
-/// A vertex outside has a pair with the nearest point of a surface around it, be it on a face, an edge or a vertex. A vertex inside has one
-/// with the face that it is least below. Two edges have one where their nearest points lie inside both. The normal is Contact::normal_t0, out of
-/// B; it has to lie within the cones of both features, for what is further out is another pair. Planes have pairs with vertices.
+/// A vertex outside has a pair with the nearest point of a surface around it, be it on a face, an edge or a
+/// vertex. A vertex inside has one with the face that it is least below. Two edges have one where their
+/// nearest points lie inside both. The normal is Contact::normal_t0, out of B; it has to lie within the cones
+/// of both features, for what is further out is another pair. Planes have pairs with vertices.
 class NearFeatures {
 public:
     explicit NearFeatures(SearchSettings settings = {}) : settings_(settings) {}
@@ -21,7 +23,8 @@ public:
     //! [near_features]
 
 private:
-    /// How a body moves in the step: the way of its vertices' mean, and how far one of them moves beside that [m].
+    /// How a body moves in the step: the way of its vertices' mean, and how far one of them moves beside that
+    /// [m].
     struct Way {
         Vec3 mean;
         double most;

@@ -43,7 +43,8 @@ Eigen::MatrixXd positive_part(const Eigen::MatrixXd& matrix)
     return own.eigenvectors() * own.eigenvalues().cwiseMax(0).asDiagonal() * own.eigenvectors().transpose();
 }
 
-/// Appends coordinates `first`, ... to those of a pair, unless it does not move. @return  their place among those of the pair, or -1
+/// Appends coordinates `first`, ... to those of a pair, unless it does not move. @return  their place among
+/// those of the pair, or -1
 int append(int first, int count, std::vector<int>& at)
 {
     if (first < 0)
@@ -87,8 +88,8 @@ void PotentialSlopes::add_nodes(const std::array<std::size_t, 4>& nodes, const D
 }
 
 //! [add_pair]
-/// A node is a corner itself. A corner of a rigid body moves by dx - r x dw, and its second derivative by the rotation vector is that of the
-/// exponential map.
+/// A node is a corner itself. A corner of a rigid body moves by dx - r x dw, and its second derivative by the
+/// rotation vector is that of the exponential map.
 void PotentialSlopes::add_pair(const ContactPoint& pair, const Places& places, const Derivatives& of)
 {
     const FourPoints x = corners_of(pair, places);

@@ -8,7 +8,8 @@
 
 namespace enduring {
 
-/// Where the coordinates of a step lie in one vector: six of each rigid body, its displacement and a rotation vector, and three of each node.
+/// Where the coordinates of a step lie in one vector: six of each rigid body, its displacement and a rotation
+/// vector, and three of each node.
 struct StepCoordinates {
     explicit StepCoordinates(const MethodStep& step);
 

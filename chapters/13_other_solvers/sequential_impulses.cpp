@@ -34,7 +34,8 @@ double depth_to_take_away(const MethodStep& step, const ContactPoint& point,
 }
 
 //! [target]
-/// What is apart may close in this step; a depth goes by a part of it each step (Baumgarte); an impact bounces.
+/// What is apart may close in this step; a depth goes by a part of it each step (Baumgarte); an impact
+/// bounces.
 double normal_target(const MethodStep& step, const ContactPoint& point, const SequentialSettings& settings)
 {
     double target = -std::max(0.0, point.separation) / step.dt;
@@ -48,7 +49,8 @@ double normal_target(const MethodStep& step, const ContactPoint& point, const Se
 //! [target]
 
 //! [solve_row]
-/// The impulse that makes one velocity right, within its bounds: the sum of impulses is clamped, and not each of them.
+/// The impulse that makes one velocity right, within its bounds: the sum of impulses is clamped, and not each
+/// of them.
 void solve_row(MethodStep& step, const ContactPoint& point, Row& row, double least, double most)
 {
     const double missing = row.target - row.direction.dot(step.relative_velocity(point));
@@ -86,7 +88,8 @@ void warm_start(MethodStep& step, std::vector<PointRows>& rows)
 }
 
 //! [split]
-/// Depths are taken away by velocities that move bodies in this step and are forgotten: they bring no kinetic energy.
+/// Depths are taken away by velocities that move bodies in this step and are forgotten: they bring no kinetic
+/// energy.
 std::vector<MovingBody> pushed_apart(const MethodStep& step, const SequentialSettings& settings)
 {
     MethodStep apart = step;

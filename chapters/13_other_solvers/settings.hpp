@@ -5,11 +5,13 @@ namespace enduring {
 //! [search_settings]
 /// How far the common search of this chapter looks.
 struct SearchSettings {
-    /// Of the size of the smaller body [1]: features nearer than this, and than the way of the step, get a pair. A tenth: a vertex that
-    /// a soft contact has let in is still found, but a tilting cube meets its edge a step late. Ten times: four times the pairs, none of which pushes.
+    /// Of the size of the smaller body [1]: features nearer than this, and than the way of the step, get a
+    /// pair. A tenth: a vertex that a soft contact has let in is still found, but a tilting cube meets its
+    /// edge a step late. Ten times: four times the pairs, none of which pushes.
     double reach = 0.02;
-    /// Of that size [1]: how deep inside a vertex or an edge may be and still be pushed out by what is nearest. A tenth: the block that
-    /// begins 10 cm deep falls through its floor. Twice: more candidates, none of which is let out another way.
+    /// Of that size [1]: how deep inside a vertex or an edge may be and still be pushed out by what is
+    /// nearest. A tenth: the block that begins 10 cm deep falls through its floor. Twice: more candidates,
+    /// none of which is let out another way.
     double depth = 0.5;
 };
 //! [search_settings]
@@ -19,13 +21,13 @@ struct SearchSettings {
 struct SequentialSettings {
     int iterations =
         10;  ///< over all contacts; Bullet's default. A stack of ten needs some hundreds from zero impulses.
-    double baumgarte =
-        0.2;  ///< part of a depth that a step takes away [1]; Box2D 2.4, Bullet. 1 overshoots: contacts answer one by one.
-    double slop =
-        0.005;  ///< of the size of a body [1]: depth that is left, so that contacts do not open and close; Box2D's 5 mm on 1 m
+    double baumgarte = 0.2;  ///< part of a depth that a step takes away [1]; Box2D 2.4, Bullet. 1 overshoots:
+                             ///< contacts answer one by one.
+    double slop = 0.005;  ///< of the size of a body [1]: depth that is left, so that contacts do not open and
+                          ///< close; Box2D's 5 mm on 1 m
     bool warm_start = true;  ///< begins with the impulses of the last step; without them a stack of ten sinks
-    bool split =
-        true;  ///< takes depths away by velocities of their own, which are forgotten; without it each push adds kinetic energy
+    bool split = true;  ///< takes depths away by velocities of their own, which are forgotten; without it
+                        ///< each push adds kinetic energy
     double restitution_threshold = 1;  ///< approach below which nothing bounces [m/s]; Box2D 2.4
 };
 //! [sequential_settings]
@@ -49,10 +51,10 @@ struct SoftStepSettings {
 //! [relaxation_settings]
 /// The convex relaxation (Anitescu 2006; Drake's SAP, Castro 2022).
 struct RelaxedSettings {
-    double beta =
-        1;  ///< near-rigid limit: the period of a contact is beta dt at least [1]; Drake. A tenth: worse condition, depth / 100.
-    double sigma =
-        1e-3;  ///< regularisation of friction, in the response of a contact [1]; Drake. Ten times: a visible creep on slopes.
+    double beta = 1;  ///< near-rigid limit: the period of a contact is beta dt at least [1]; Drake. A tenth:
+                      ///< worse condition, depth / 100.
+    double sigma = 1e-3;  ///< regularisation of friction, in the response of a contact [1]; Drake. Ten times:
+                          ///< a visible creep on slopes.
     double dissipation =
         1;  ///< time in which a depth relaxes, in steps [1]. Near 0 a depth goes in one step, and rings.
     double tolerance = 1e-10;    ///< of the gradient, in the momentum of the step [1]; ends Newton's method
@@ -85,26 +87,27 @@ struct AvbdSettings {
 //! [avbd_settings]
 
 //! [barrier_settings]
-/// The barrier method for rigid bodies (IPC, Li 2020; rigid-ipc, Ferguson 2021). Lengths are parts of the smallest moving body's size.
+/// The barrier method for rigid bodies (IPC, Li 2020; rigid-ipc, Ferguson 2021). Lengths are parts of the
+/// smallest moving body's size.
 struct BarrierSettings {
-    double distance =
-        1e-3;  ///< d^, from which on the barrier pushes [1]; both papers, of the scene. Ten times: bodies rest ten times as deep.
-    double stiffness =
-        1;  ///< kappa in m (d^ / dt)^2 [1], m the mean mass: to come to rest within d^ costs about one kappa. Ten times: nearer to d^, worse condition.
-    double friction_speed =
-        1e-3;  ///< slip at which friction is in full, sizes a second [1/s]; Li 2020. A tenth: a tenth of the creep on slopes, more steps.
-    int lags =
-        2;  ///< problems of a step, each with the normal forces of the one before; with 1, a landing has no friction
-    double tolerance =
-        1e-6;  ///< change of velocity that ends Newton's method, sizes a second [1/s]; Li 2020 has 1e-2, where loads are right to a percent
-    int max_steps = 100;         ///< of Newton's method for a problem; a stack of ten takes below 30
+    double distance = 1e-3;  ///< d^, from which on the barrier pushes [1]; both papers, of the scene. Ten
+                             ///< times: bodies rest ten times as deep.
+    double stiffness = 1;    ///< kappa in m (d^ / dt)^2 [1], m the mean mass: to come to rest within d^ costs
+                             ///< about one kappa. Ten times: nearer to d^, worse condition.
+    double friction_speed = 1e-3;  ///< slip at which friction is in full, sizes a second [1/s]; Li 2020. A
+                                   ///< tenth: a tenth of the creep on slopes, more steps.
+    int lags = 2;  ///< problems of a step, each with the normal forces of the one before; with 1, a landing
+                   ///< has no friction
+    double tolerance = 1e-6;  ///< change of velocity that ends Newton's method, sizes a second [1/s]; Li 2020
+                              ///< has 1e-2, where loads are right to a percent
+    int max_steps = 100;      ///< of Newton's method for a problem; a stack of ten takes below 30
     int line_search_steps = 60;  ///< below 2^-60 nothing changes
-    double reach =
-        4;  ///< of the longest way of a vertex as predicted [1]: how far bodies may go in a step. With 1, a light body is stopped that a heavy one hits.
+    double reach = 4;  ///< of the longest way of a vertex as predicted [1]: how far bodies may go in a step.
+                       ///< With 1, a light body is stopped that a heavy one hits.
     double least_reach =
-        0.02;  ///< and this beside it [1]: what rests may rock. Ten times: ten times the pairs.
-    int max_halvings =
-        6;  ///< of a step that turns a body too far, gains energy or ends unsolved; not in the papers. With 0, what spins fast gains when it hits.
+        0.02;              ///< and this beside it [1]: what rests may rock. Ten times: ten times the pairs.
+    int max_halvings = 6;  ///< of a step that turns a body too far, gains energy or ends unsolved; not in the
+                           ///< papers. With 0, what spins fast gains when it hits.
     double part_of_impact = 0.8;  ///< of the time of impact that a step may go [1]; Li 2020
 };
 //! [barrier_settings]

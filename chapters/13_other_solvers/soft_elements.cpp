@@ -13,7 +13,8 @@ std::variant<CorotatedLaw, NeoHookeanLaw> law_of(const ElasticMaterial& material
     return CorotatedLaw(lame);
 }
 
-/// How the stress at a point pulls at a corner, and a corner's motion changes the gradient there: rows j of column j.
+/// How the stress at a point pulls at a corner, and a corner's motion changes the gradient there: rows j of
+/// column j.
 using CornerMap = Eigen::Matrix<double, 9, 3>;
 
 CornerMap corner_map(const Vec3& gradient)

@@ -12,8 +12,9 @@
 namespace enduring {
 
 //! [soft_elements]
-/// The linear tetrahedra of a soft body, with the base's laws: what an element stores, and how this changes with its four corners. All methods
-/// with soft bodies minimise this energy, and so does the implicit step of the base.
+/// The linear tetrahedra of a soft body, with the base's laws: what an element stores, and how this changes
+/// with its four corners. All methods with soft bodies minimise this energy, and so does the implicit step of
+/// the base.
 class SoftElements {
 public:
     /// @param soft  outlives this

@@ -18,7 +18,8 @@ struct Softness {
 Softness softness(double hertz, double damping_ratio, double h);
 //! [softness]
 
-/// The soft step: substeps with one sweep of soft contacts each, and one without springs behind the move ("relax").
+/// The soft step: substeps with one sweep of soft contacts each, and one without springs behind the move
+/// ("relax").
 /// @param step  changed in place
 /// @see Catto 2024, "Solver2D"; Box2D 3, src/contact_solver.c
 void soft_step(MethodStep& step, const SoftStepSettings& settings);

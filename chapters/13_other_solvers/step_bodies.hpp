@@ -4,7 +4,8 @@
 
 namespace enduring {
 
-/// The bodies of a world as the methods see them when a step begins, and the ground behind them; no points yet.
+/// The bodies of a world as the methods see them when a step begins, and the ground behind them; no points
+/// yet.
 /// @param dt  [s]
 /// @throws InputError  a body that the method cannot move; names it and why
 MethodStep step_bodies(const World& world, double dt, SoftBodies soft);

@@ -41,7 +41,8 @@ public:
     //! [xpbd]
 
 private:
-    /// Forwards and backwards by turns: with one order alone, friction pumps a stack of ten until it is thrown apart.
+    /// Forwards and backwards by turns: with one order alone, friction pumps a stack of ten until it is
+    /// thrown apart.
     void sweep(bool backwards)
     {
         const std::size_t count = step_.points.size();
@@ -73,7 +74,8 @@ private:
     }
 
     //! [correct]
-    /// Moves the bodies so that an error c along a direction goes, but for its compliance (Mueller 2020, (2) to (9)).
+    /// Moves the bodies so that an error c along a direction goes, but for its compliance (Mueller 2020, (2)
+    /// to (9)).
     /// @return  the change of the multiplier [kg m]
     double correct(const ContactPoint& point, const Vec3& direction, double c, double lambda)
     {
@@ -103,8 +105,8 @@ private:
     //! [correct]
 
     //! [solve_position]
-    /// A depth goes; then a point that friction can hold goes back to where it was (Mueller 2020, 3.5), and a node that slips is moved back by what
-    /// friction can (Macklin 2014, (24)).
+    /// A depth goes; then a point that friction can hold goes back to where it was (Mueller 2020, 3.5), and a
+    /// node that slips is moved back by what friction can (Macklin 2014, (24)).
     void solve_position(const ContactPoint& point, Multipliers& lambda)
     {
         const double depth = point.normal.dot(step_.difference(point, elapsed_));
@@ -166,7 +168,8 @@ private:
     }
 
     //! [solve_velocity]
-    /// Dynamic friction (30), by the normal force lambda / h^2, and restitution (34), without which no contact leaves. Nodes leave by their elements.
+    /// Dynamic friction (30), by the normal force lambda / h^2, and restitution (34), without which no
+    /// contact leaves. Nodes leave by their elements.
     void solve_velocity(ContactPoint& point, Multipliers& lambda)
     {
         if (lambda.normal > 0 && !is_soft(point)) {

@@ -11,7 +11,8 @@ namespace {
 
 using StrainRate = Eigen::Matrix<double, 6, 3>;
 
-/// How the strains xx, yy, zz, xy, yz, zx (the shears doubled) change with a corner, in the frame of the element.
+/// How the strains xx, yy, zz, xy, yz, zx (the shears doubled) change with a corner, in the frame of the
+/// element.
 StrainRate strain_rate(const Vec3& g)
 {
     StrainRate rate;

@@ -5,11 +5,13 @@
 namespace enduring {
 
 //! [xpbd_elements]
-/// Elements of soft bodies as constraints of XPBD. The six strains C of an element are to vanish, with the compliance alpha = (V E)^-1 of Hooke's matrix E:
-/// then 1/2 C alpha^-1 C is the corotated energy of the base. All six are solved for together,
+/// Elements of soft bodies as constraints of XPBD. The six strains C of an element are to vanish, with the
+/// compliance alpha = (V E)^-1 of Hooke's matrix E: then 1/2 C alpha^-1 C is the corotated energy of the
+/// base. All six are solved for together,
 ///   (J M^-1 J^T + alpha / h^2) dlambda = -C - alpha lambda / h^2,   dx = M^-1 J^T dlambda,
 /// in the frame R of the element as it is now.
-/// @see Macklin, Mueller, Chentanez 2016, "XPBD", (18), and section on finite elements: the strains of an element as one constraint
+/// @see Macklin, Mueller, Chentanez 2016, "XPBD", (18), and section on finite elements: the strains of an
+///     element as one constraint
 class XpbdElements {
 public:
     /// @param step  outlives this; its soft bodies stay what they are

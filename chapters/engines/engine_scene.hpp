@@ -12,7 +12,8 @@
 
 namespace enduring::engines {
 
-/// A rigid body as every engine can take it. Lengths in metres, masses in kilograms, times in seconds; y points up.
+/// A rigid body as every engine can take it. Lengths in metres, masses in kilograms, times in seconds; y
+/// points up.
 struct EngineBody {
     std::string name;
     bool moves = false;

@@ -24,7 +24,8 @@ double moved_mm(const Trajectory& run);
 /// Of the fastest centre upwards from frame to frame, in the whole run [m/s].
 double thrown_m_per_s(const EngineScene& scene, const Trajectory& run);
 
-/// The part of its first angle to which a body comes back after one period in a pipe about z; 0 if it stops before.
+/// The part of its first angle to which a body comes back after one period in a pipe about z; 0 if it stops
+/// before.
 double amplitude_kept(const Trajectory& run, std::size_t body);
 
 /// The mean acceleration of a body along a direction in the last two thirds of a run [m/s^2].

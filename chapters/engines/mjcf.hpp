@@ -7,11 +7,11 @@
 
 namespace enduring::engines {
 
-/// A scene in MuJoCo's own XML, the bodies that move in their order. MuJoCo takes the hull of a mesh, so a static surface that is not
-/// convex becomes one wedge a triangle, 5 cm thick.
+/// A scene in MuJoCo's own XML, the bodies that move in their order. MuJoCo takes the hull of a mesh, so a
+/// static surface that is not convex becomes one wedge a triangle, 5 cm thick.
 ///
-/// A fine way has what the manual tells against slip and softness: elliptic cones, a tenfold impratio, and contacts as stiff as
-/// the step allows (solref of two steps).
+/// A fine way has what the manual tells against slip and softness: elliptic cones, a tenfold impratio, and
+/// contacts as stiff as the step allows (solref of two steps).
 /// @param step    MuJoCo's own [s]
 /// @param buffer  of contacts, which MuJoCo 2 has to be told
 /// @see https://mujoco.readthedocs.io/en/stable/modeling.html#preventing-slip

@@ -73,7 +73,8 @@ Pose pose_from(const json& n)
             Quaternion(n[3].get<double>(), n[4].get<double>(), n[5].get<double>(), n[6].get<double>())};
 }
 
-/// The process gets a scene as JSON, and prints a line of JSON a frame: {"ms": time, "poses": [[x, y, z, w, x, y, z], ...]}.
+/// The process gets a scene as JSON, and prints a line of JSON a frame: {"ms": time, "poses": [[x, y, z, w,
+/// x, y, z], ...]}.
 Trajectory run_process(const std::string& command, const Scene& scene, const Way& way, int steps,
                        double default_dt)
 {

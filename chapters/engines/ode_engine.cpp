@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t most_points = 64;  ///< of two bodies; ODE gives at most 8 of two boxes
 
-/// The joints of two bodies that are near. mu is a coefficient only with dContactApprox1: else ODE takes it for a force.
-/// Its cone is a pyramid along two axes of its own.
+/// The joints of two bodies that are near. mu is a coefficient only with dContactApprox1: else ODE takes it
+/// for a force. Its cone is a pyramid along two axes of its own.
 struct Touching {
     dWorldID world;
     dJointGroupID joints;
@@ -124,7 +124,8 @@ private:
 }  // namespace
 #endif
 
-/// Default: dWorldQuickStep with 20 iterations. Best, by its manual's list of step functions: dWorldStep, a direct solver.
+/// Default: dWorldQuickStep with 20 iterations. Best, by its manual's list of step functions: dWorldStep, a
+/// direct solver.
 Engine ode_engine()
 {
     Engine engine{"ODE",       "",

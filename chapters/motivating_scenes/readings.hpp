@@ -41,7 +41,8 @@ Gauge::Reading energy_after_bounce(const std::string& body);
 /// How far a body moves in the last second [mm].
 Gauge::Reading drift_after(const std::string& body, double time);
 
-/// How far the way that a block comes up a slope departs from v^2 / (2 g (sin + mu_d cos)) [%], once it lies still.
+/// How far the way that a block comes up a slope departs from v^2 / (2 g (sin + mu_d cos)) [%], once it lies
+/// still.
 /// @param exact  way by that formula [m]
 Gauge::Reading error_of_way(const std::string& body, double exact);
 
@@ -56,9 +57,9 @@ Gauge::Reading energy_gained_after(double time, const std::string& last, double 
 /// Kinetic energy at the end over that at the start, unless the body's middle is below height 0.
 Gauge::Reading energy_if_above(const std::string& body);
 
-/// Most edges of a body that passed, after a step, through faces that were `apart` from them at first [m], unless
-/// the body still stands higher than `standing` [m]. Surfaces that are pressed into each other by less than a
-/// millimetre do not cross.
+/// Most edges of a body that passed, after a step, through faces that were `apart` from them at first [m],
+/// unless the body still stands higher than `standing` [m]. Surfaces that are pressed into each other by less
+/// than a millimetre do not cross.
 Gauge::Reading edges_through(const std::string& body, double apart, double standing);
 
 }  // namespace enduring::motivating

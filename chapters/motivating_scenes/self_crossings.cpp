@@ -7,8 +7,8 @@
 namespace enduring::motivating {
 namespace {
 
-/// By the signs of volumes. They say nothing of what lies in one plane, far apart; so the boxes around both have
-/// to meet.
+/// By the signs of volumes. They say nothing of what lies in one plane, far apart; so the boxes around both
+/// have to meet.
 bool passes_through(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c)
 {
     const auto box = [](const Vec3& first, const auto&... others) {

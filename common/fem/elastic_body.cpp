@@ -22,8 +22,9 @@ const ElasticMaterial& checked(const ElasticMaterial& material)
 /// How a step comes to the forces of its end.
 struct Approach {
     int steps = 30;  ///< until a body settles, at most
-    /// Error of a change, over what the step changes: less than what another factor may leave between a run and a resumed one. A
-    /// tenth: the same motion, and an iteration more. Ten times: the same motion still; a change leaves far more.
+    /// Error of a change, over what the step changes: less than what another factor may leave between a run
+    /// and a resumed one. A tenth: the same motion, and an iteration more. Ten times: the same motion still;
+    /// a change leaves far more.
     double error = 1e-9;
     int halvings = 8;      ///< of the length of a change, at most, until ...
     double descent = 0.1;  ///< ... it takes away this share of what Newton's method promises

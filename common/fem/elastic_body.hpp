@@ -20,8 +20,9 @@ struct ElasticOptions {
     LinearSolverKind linear_solver = LinearSolverKind::supernodal;
 };
 
-/// Imbalance (ElasticBody::approach_end()) up to which a change is taken whole, and is the last one: it leaves about the square. A
-/// tenth: a third more time where soft bodies meet, and the same motion. Ten times: nothing is cut, and a pressed block gains energy.
+/// Imbalance (ElasticBody::approach_end()) up to which a change is taken whole, and is the last one: it
+/// leaves about the square. A tenth: a third more time where soft bodies meet, and the same motion. Ten
+/// times: nothing is cut, and a pressed block gains energy.
 inline constexpr double small_imbalance = 0.1;
 
 /// A deformable body: a mass that is spread over elements as their basis says, held together by their
@@ -86,16 +87,17 @@ public:
 
     /// One step of Newton's method on the equation of the step with elastic forces where it *ends*,
     ///   (M + dt alpha M + dt beta K) v_new = M v + dt (f_ext + M g + f_el(x + dt v_new)) + impulses,
-    /// from the present velocities, with all impulses since the prediction. Later responses take frames and K of where it began.
-    /// Without fixed nodes what f_el turns the body as a whole is left out, so angular momentum is kept to rounding.
-    /// Call after predict(.., dt).
-    /// @return  the imbalance that there was [1]: the change of the velocities, in the norm of the matrix, over what the step has
-    ///          changed them, or gravity could
+    /// from the present velocities, with all impulses since the prediction. Later responses take frames and K
+    /// of where it began. Without fixed nodes what f_el turns the body as a whole is left out, so angular
+    /// momentum is kept to rounding. Call after predict(.., dt).
+    /// @return  the imbalance that there was [1]: the change of the velocities, in the norm of the matrix,
+    ///          over what the step has changed them, or gravity could
     double approach_end(double dt);
     /// Does so until there was a small_imbalance, or thirty times.
     /// @return  the last imbalance
     double reach_end(double dt);
-    /// Whether one of both was called since the last predict(): only then do elastic forces follow the end of the step.
+    /// Whether one of both was called since the last predict(): only then do elastic forces follow the end of
+    /// the step.
     bool approaches_end() const { return approaches_; }
 
     /// What respond() would add to the velocities, up to what the elements have turned against each other
@@ -109,7 +111,8 @@ public:
     {
         solver_.nearly_solve(fixed_, impulses, turn());
     }
-    /// The matrix of a step of dt [s] over all nodes, with K as respond() has it. It belongs to velocities_at_nodes().
+    /// The matrix of a step of dt [s] over all nodes, with K as respond() has it. It belongs to
+    /// velocities_at_nodes().
     WholeMatrix whole_matrix(double dt) const;
     NodalVectors velocities_at_nodes() const { return whole_assembly().values(velocities_); }
     /// Additions and multiplications of a factor of it, about; 0 before the first predict().
@@ -131,7 +134,8 @@ public:
     Vec3 angular_momentum(const Vec3& about) const;  ///< [kg m^2/s]
     int inverted_elements() const { return enduring::inverted_elements(mesh_, positions_); }
 
-    /// All that the next step depends on but what the linear solver keeps; `visit` is given each field in turn.
+    /// All that the next step depends on but what the linear solver keeps; `visit` is given each field in
+    /// turn.
     template <class Visit>
     void visit_state(Visit& visit)
     {
@@ -142,7 +146,8 @@ public:
             visit(rotation);
     }
 
-    /// What the linear solver keeps is made anew in the next step, as in a body that has just been placed in this state.
+    /// What the linear solver keeps is made anew in the next step, as in a body that has just been placed in
+    /// this state.
     void forget_factor() { solver_.forget_factor(); }
 
     const ElementRotations& rotations() const { return rotations_; }  ///< of the last predict()
@@ -180,7 +185,8 @@ private:
     NodalVectors last_prediction_, last_response_;  ///< changes of the velocities [m/s]
     /// since the last predict(), by mend_response(): impulses [N s], and what they changed [m/s]
     NodalVectors mended_impulses_, mended_response_;
-    /// since the last predict(): velocities when it began [m/s]; momenta then, with all that acts but elastic forces [N s]
+    /// since the last predict(): velocities when it began [m/s]; momenta then, with all that acts but elastic
+    /// forces [N s]
     NodalVectors start_velocities_, loads_;
     bool approaches_ = false;  ///< since the last predict()
     double least_change_ = 0;  ///< of the velocities, that counts at all [sqrt(kg) m/s]

@@ -29,8 +29,8 @@ public:
     /// @param rhs             [N s]
     /// @param v               a first guess, and the solution on return [m/s]; without fixed nodes its linear
     ///                        momentum is exact to rounding, whatever the tolerance
-    /// @param given           solution times rhs of what this one is added to: an error that is small for both
-    ///                        together is small enough
+    /// @param given           solution times rhs of what this one is added to: an error that is small for
+    ///                        both together is small enough
     /// @param turn            if any, K is taken without what it holds against a turn of the whole body, and
     ///                        the angular momentum of the solution is exact to rounding, too
     /// @throws std::runtime_error  no convergence even with a fresh factor
@@ -38,7 +38,8 @@ public:
                double stiffness_scale, const NodalVectors& rhs, NodalVectors& v, double given = 0,
                const WholeTurn* turn = nullptr);
 
-    /// The next solve makes a new factor: a node that was fixed is free, and the old factor answers nothing there.
+    /// The next solve makes a new factor: a node that was fixed is free, and the old factor answers nothing
+    /// there.
     void forget_factor() { is_stale_ = true; }
 
     /// One application of the preconditioner: the solution for rhs but for what elements have turned against

@@ -8,8 +8,9 @@ namespace enduring {
 namespace {
 
 //! [points]
-/// A quadratic element is strained at its four corners and at its centroid. With these weights of its volume the rule is exact
-/// for products of two barycentric coordinates: 1/20 + 4/5 * 1/16 = 1/10 for a square, 4/5 * 1/16 = 1/20 else.
+/// A quadratic element is strained at its four corners and at its centroid. With these weights of its volume
+/// the rule is exact for products of two barycentric coordinates: 1/20 + 4/5 * 1/16 = 1/10 for a square, 4/5
+/// * 1/16 = 1/20 else.
 constexpr double corner_weight = 1.0 / 20, centroid_weight = 4.0 / 5;
 
 template <class B>

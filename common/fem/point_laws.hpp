@@ -26,8 +26,8 @@ private:
     LameConstants lame_;
 };
 
-/// Stable Neo-Hookean: psi = mu/2 (|F|^2 - 3) - mu/2 log(|F|^2 + 1) + lambda/2 (det F - alpha)^2, up to a constant.
-/// It is finite and smooth also for F that are flat or inverted.
+/// Stable Neo-Hookean: psi = mu/2 (|F|^2 - 3) - mu/2 log(|F|^2 + 1) + lambda/2 (det F - alpha)^2, up to a
+/// constant. It is finite and smooth also for F that are flat or inverted.
 /// @see Smith, de Goes, Kim 2018, equations 13 to 16, and section 4 for the eigenvectors of its stiffness
 class NeoHookeanLaw {
 public:

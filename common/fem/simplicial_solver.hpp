@@ -6,7 +6,8 @@
 
 namespace enduring {
 
-/// Eigen's factor. It would look up where each entry stands in the new order at every factorisation: here once.
+/// Eigen's factor. It would look up where each entry stands in the new order at every factorisation: here
+/// once.
 class OrderedCholesky : public Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> {
 public:
     void analyze(Eigen::SparseMatrix<double> pattern)

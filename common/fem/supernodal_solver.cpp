@@ -28,8 +28,8 @@ cholmod_sparse lower_triangle(const Eigen::SparseMatrix<double>& matrix)
     return view;
 }
 
-/// Where most entries are there, no order fills in less than another. As it stands, nothing is permuted before each factor,
-/// which takes a fifth of the time of a soft body in contact.
+/// Where most entries are there, no order fills in less than another. As it stands, nothing is permuted
+/// before each factor, which takes a fifth of the time of a soft body in contact.
 bool is_nearly_full(const Eigen::SparseMatrix<double>& lower)
 {
     return 4 * lower.nonZeros() > lower.rows() * (lower.rows() + 1);
@@ -37,8 +37,8 @@ bool is_nearly_full(const Eigen::SparseMatrix<double>& lower)
 
 /// While it lives, CHOLMOD's own loops (OpenMP) and OpenBLAS, where that is the system's BLAS, keep to one
 /// thread: a sum must not depend on how many there are, and the blocks are too small to gain. Neither has to
-/// be there: both are asked for by name. The settings are those of the whole program, so two bodies that are factored on two
-/// threads wait for each other.
+/// be there: both are asked for by name. The settings are those of the whole program, so two bodies that are
+/// factored on two threads wait for each other.
 class OneThread {
 public:
     OneThread()

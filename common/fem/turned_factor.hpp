@@ -25,7 +25,8 @@ public:
     TurnedFactor(const ElasticMesh& mesh, LinearSolverKind kind) : mesh_(mesh), kind_(kind) {}
 
     /// Factors the matrix with the present rotations.
-    /// @throws std::runtime_error  the factorisation broke down (out of memory, or masses and stiffness without a common scale)
+    /// @throws std::runtime_error  the factorisation broke down (out of memory, or masses and stiffness
+    ///     without a common scale)
     void factor(const Elasticity& elasticity, const Eigen::SparseMatrix<double>& mass_matrix,
                 const std::vector<char>& fixed, double mass_scale, double stiffness_scale);
     /// Is there a factor, of these scales?

@@ -9,13 +9,14 @@
 
 namespace enduring {
 
-/// The matrix A of a body's step over all its nodes, for a solver that adds to it. Its coordinates are the velocities *at* the nodes, three
-/// each: of the middle of an edge in place of its control point. So what pushes a vertex of the surface pushes three coordinates only.
+/// The matrix A of a body's step over all its nodes, for a solver that adds to it. Its coordinates are the
+/// velocities *at* the nodes, three each: of the middle of an edge in place of its control point. So what
+/// pushes a vertex of the surface pushes three coordinates only.
 struct WholeMatrix {
     Eigen::SparseMatrix<double>
         elastic;  ///< a M + b K, the lower triangle [kg]; of a fixed node the identity
-    /// G and U, three columns each: A is `elastic` less b (G U^T + U G^T), which is what K holds against a turn of the whole body.
-    /// Without columns where K is taken as it is.
+    /// G and U, three columns each: A is `elastic` less b (G U^T + U G^T), which is what K holds against a
+    /// turn of the whole body. Without columns where K is taken as it is.
     Eigen::MatrixXd turn;
     double stiffness_scale = 0;  ///< b [s^2]
     Eigen::VectorXd masses;      ///< the diagonal of M [kg]: what a norm takes in place of A
@@ -26,9 +27,9 @@ struct WholeMatrix {
     Eigen::VectorXd times(const Eigen::VectorXd& x) const;
 };
 
-/// Builds it, again and again for the same fixed nodes. A linear element's coefficients are values at its nodes; of a quadratic one
-/// c_ab = 2 x_ab - (c_a + c_b) / 2 with the value x_ab in the middle of an edge. Both are bases of the same fields, so that their
-/// matrices have the same pattern.
+/// Builds it, again and again for the same fixed nodes. A linear element's coefficients are values at its
+/// nodes; of a quadratic one c_ab = 2 x_ab - (c_a + c_b) / 2 with the value x_ab in the middle of an edge.
+/// Both are bases of the same fields, so that their matrices have the same pattern.
 class WholeAssembly {
 public:
     /// @param mass_matrix  M of the mesh, one row a node; as the mesh it outlives this

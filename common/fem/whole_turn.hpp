@@ -7,8 +7,9 @@
 
 namespace enduring {
 
-/// The turns of a whole body as it is now, v = omega x r with r from its centre of mass: what is to be kept apart from
-/// deformation. In the mass matrix's product a field of velocities is the sum of its turn and a rest without angular momentum.
+/// The turns of a whole body as it is now, v = omega x r with r from its centre of mass: what is to be kept
+/// apart from deformation. In the mass matrix's product a field of velocities is the sum of its turn and a
+/// rest without angular momentum.
 class WholeTurn {
 public:
     WholeTurn(const NodalVectors& positions, const Eigen::SparseMatrix<double>& mass_matrix);
@@ -23,8 +24,8 @@ public:
     void remove_turn(NodalVectors& v) const { add_turn(-angular_momentum(v), v); }
     /// Without what turns the body: the transpose of remove_turn().
     void remove_torque(NodalVectors& forces) const;
-    /// Velocities of a turn about an axis of the world [m], and the field whose product with velocities is how fast they turn
-    /// about it [1/m].
+    /// Velocities of a turn about an axis of the world [m], and the field whose product with velocities is
+    /// how fast they turn about it [1/m].
     NodalVectors turn_about(int axis) const;
     NodalVectors share_of_turn(int axis) const;
 

@@ -16,7 +16,8 @@ struct ClosestOnTriangle {
 };
 
 /// A triangle without area is a segment or a point.
-/// @see Ericson 2005, "Real-time collision detection", section 5.1.5: in which of the seven regions around a triangle a point lies
+/// @see Ericson 2005, "Real-time collision detection", section 5.1.5: in which of the seven regions around a
+///     triangle a point lies
 ClosestOnTriangle closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// The points of two segments that are nearest to each other, where both are inside.

@@ -94,8 +94,8 @@ void copy_coordinates(GmshCopy& copy)
     copy.text << '\n';
 }
 
-/// Version 4.1: counts of blocks and entries, smallest and largest number; then blocks, each with the dimension and number of its
-/// entity, one number of its own and a count.
+/// Version 4.1: counts of blocks and entries, smallest and largest number; then blocks, each with the
+/// dimension and number of its entity, one number of its own and a count.
 /// @param copy_entries  is given the dimension, that number and that count
 template <class CopyEntries>
 void copy_blocks(GmshCopy& copy, const CopyEntries& copy_entries)
@@ -179,7 +179,8 @@ void copy_elements(GmshCopy& copy)
     }
 }
 
-/// One line for each entity: its number, its place, and the groups that it belongs to; what bounds it is left out.
+/// One line for each entity: its number, its place, and the groups that it belongs to; what bounds it is left
+/// out.
 void copy_entities(GmshCopy& copy)
 {
     std::array<std::uint64_t, 4> counts{};

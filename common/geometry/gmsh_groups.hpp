@@ -11,14 +11,16 @@
 
 namespace enduring {
 
-/// Nodes of a solid mesh that stand under one name: corners of its elements, and the edges whose middles belong to them.
+/// Nodes of a solid mesh that stand under one name: corners of its elements, and the edges whose middles
+/// belong to them.
 struct NodeGroup {
     std::vector<int> nodes;   ///< ascending, each once
     std::vector<Edge> edges;  ///< the same
 };
 using NodeGroups = std::map<std::string, NodeGroup>;
 
-/// The physical groups of a Gmsh file while it is read: their names, and the elements of any dimension that are in them.
+/// The physical groups of a Gmsh file while it is read: their names, and the elements of any dimension that
+/// are in them.
 class GmshGroups {
 public:
     /// The section $PhysicalNames: a count, then dimension, number and name of each group.
@@ -33,7 +35,8 @@ public:
     /// @param corners  of the element, by their places in the file
     void add(int dimension, long group, std::span<const int> corners);
 
-    /// @param renumbered  the node of the solid mesh for each place in the file, or one from `count` on, or -1
+    /// @param renumbered  the node of the solid mesh for each place in the file, or one from `count` on, or
+    ///     -1
     NodeGroups on_nodes(std::span<const int> renumbered, int count) const;
 
 private:
@@ -43,7 +46,8 @@ private:
     NodeGroups by_place_;
 };
 
-/// Of an element type of Gmsh: dimension, and how many corners it has; no corners for a type that is not known.
+/// Of an element type of Gmsh: dimension, and how many corners it has; no corners for a type that is not
+/// known.
 struct GmshElementType {
     int dimension = 0, corners = 0;
 };

@@ -115,7 +115,8 @@ int take_flat_faces_out(SurfaceMesh& mesh)
 }
 //! [flat_faces]
 
-/// Of faces over the same vertices one is left, if more of them face one way than the other; else none, as of a wall between two rooms.
+/// Of faces over the same vertices one is left, if more of them face one way than the other; else none, as of
+/// a wall between two rooms.
 int take_double_faces_out(std::vector<Face>& faces)
 {
     std::map<Face, std::array<std::vector<std::size_t>, 2>> same;
@@ -139,7 +140,8 @@ int take_double_faces_out(std::vector<Face>& faces)
 }
 
 //! [flaps]
-/// Patches are faces that are neighbours over edges of two faces. One that has a border and touches another one, which has none, hangs on it.
+/// Patches are faces that are neighbours over edges of two faces. One that has a border and touches another
+/// one, which has none, hangs on it.
 int take_flaps_out(std::vector<Face>& faces, std::size_t vertices)
 {
     const SidesOfEdges sides = sides_of_edges(faces);
@@ -173,8 +175,8 @@ int take_flaps_out(std::vector<Face>& faces, std::size_t vertices)
 //! [flaps]
 
 //! [around_an_edge]
-/// The sides at an edge in pairs that have the inside between them. Seen along the edge from its smaller vertex, a face that runs along it has
-/// the inside below its own angle, and one that runs against it above.
+/// The sides at an edge in pairs that have the inside between them. Seen along the edge from its smaller
+/// vertex, a face that runs along it has the inside below its own angle, and one that runs against it above.
 std::vector<std::pair<FaceSide, FaceSide>> pairs_around(const SurfaceMesh& mesh, const Edge& edge,
                                                         const std::vector<FaceSide>& sides)
 {

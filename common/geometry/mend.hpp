@@ -25,9 +25,10 @@ struct MendedSurface {
     MendCounts counts;
 };
 
-/// Mends what check_surface() refuses and what has one sensible answer. Where more than two faces share an edge, neighbours are those that
-/// have the inside between them, so parts that touch become parts with vertices of their own at the same place. What is not mended
-/// (holes, faces that face the wrong way) is left for check_surface() to tell.
+/// Mends what check_surface() refuses and what has one sensible answer. Where more than two faces share an
+/// edge, neighbours are those that have the inside between them, so parts that touch become parts with
+/// vertices of their own at the same place. What is not mended (holes, faces that face the wrong way) is left
+/// for check_surface() to tell.
 /// @param mesh    faces name existing vertices, which are finite
 /// @param border  allowed: what hangs on an open surface is part of it, and stays
 MendedSurface mended(const SurfaceMesh& mesh, Border border);

@@ -8,8 +8,8 @@
 
 namespace enduring {
 
-/// A triangle surface as read or generated: positions [m] and faces, counter-clockwise seen from outside. Without faces it is a wire
-/// frame, or without edges, too, a cloud of points.
+/// A triangle surface as read or generated: positions [m] and faces, counter-clockwise seen from outside.
+/// Without faces it is a wire frame, or without edges, too, a cloud of points.
 struct SurfaceMesh {
     std::vector<Vec3> vertices;
     std::vector<Face> faces;

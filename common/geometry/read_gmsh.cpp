@@ -74,8 +74,8 @@ void read_counted(TextLines& lines, const std::string& section, const ReadLine& 
                    std::to_string(entries));
 }
 
-/// Reads one section of version 4.1: the counts of blocks and entries, then for each block a line with its entity, one number
-/// of its own and the count of its entries, and these.
+/// Reads one section of version 4.1: the counts of blocks and entries, then for each block a line with its
+/// entity, one number of its own and the count of its entries, and these.
 /// @param read_block  is given the dimension and number of the entity, that number and that count
 template <class ReadBlock>
 void read_blocks(TextLines& lines, const std::string& section, const ReadBlock& read_block)
@@ -147,7 +147,8 @@ std::array<Vec3, N> positions_of(const GmshContent& content, const std::array<in
     return x;
 }
 
-/// Whether the element is a tetrahedron, and of the same kind as those before it; false if it bounds or marks the solid.
+/// Whether the element is a tetrahedron, and of the same kind as those before it; false if it bounds or marks
+/// the solid.
 bool is_wanted(TextLines& lines, const std::string& name, long type, GmshContent& content)
 {
     const GmshElementType kind = gmsh_element_type(type);

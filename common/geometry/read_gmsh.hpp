@@ -9,16 +9,17 @@
 
 namespace enduring {
 
-/// Reads the tetrahedra of a Gmsh file, version 2.2 or 4.1, text or binary: element type 4, or the corners of type 11.
+/// Reads the tetrahedra of a Gmsh file, version 2.2 or 4.1, text or binary: element type 4, or the corners of
+/// type 11.
 ///
-/// Points, lines and surface elements are passed over, but for the physical groups that they mark, and so are nodes that no
-/// tetrahedron uses; the others keep their order in the file. Units are taken as they stand.
+/// Points, lines and surface elements are passed over, but for the physical groups that they mark, and so are
+/// nodes that no tetrahedron uses; the others keep their order in the file. Units are taken as they stand.
 ///
-/// @throws InputError  "file:line: reason", of a binary file "file, byte N: reason" or with the line of the text that holds the
-///                     same: missing, empty or truncated file, another version, a
-///                     number that is not finite or not a number, a node that is named twice or does not
-///                     exist, an inverted or flat element, no tetrahedra, another kind of solid element, or
-///                     both kinds of tetrahedra
+/// @throws InputError  "file:line: reason", of a binary file "file, byte N: reason" or with the line of the
+///                     text that holds the same: missing, empty or truncated file, another version, a number
+///                     that is not finite or not a number, a node that is named twice or does not exist, an
+///                     inverted or flat element, no tetrahedra, another kind of solid element, or both kinds
+///                     of tetrahedra
 TetrahedralMesh read_gmsh(const std::filesystem::path& file);
 TetrahedralMesh read_gmsh(std::istream& stream, const std::string& name);
 

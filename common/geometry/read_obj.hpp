@@ -18,10 +18,11 @@ namespace enduring {
 SurfaceMesh read_obj(const std::filesystem::path& file);
 SurfaceMesh read_obj(std::istream& stream, const std::string& name);
 
-/// Reads points and edges alone of such a file: all its vertices, and the edges of its lines ("l 1 2 3" has two of them).
+/// Reads points and edges alone of such a file: all its vertices, and the edges of its lines ("l 1 2 3" has
+/// two of them).
 ///
-/// @throws InputError  "file:line: reason": as above, and a face, a line with one vertex or with a vertex that does not exist, no
-///                     vertices, more than `most` of them or of edges
+/// @throws InputError  "file:line: reason": as above, and a face, a line with one vertex or with a vertex
+///                     that does not exist, no vertices, more than `most` of them or of edges
 SurfaceMesh read_obj_frame(const std::filesystem::path& file, int most);
 SurfaceMesh read_obj_frame(std::istream& stream, const std::string& name, int most);
 

@@ -7,16 +7,18 @@
 
 namespace enduring {
 
-/// Reads the triangles of a surface, by the ending of the file's name, in small or capital letters: .obj (read_obj()), .off,
-/// .stl (text and binary) or .ply (text, and binary of both orders of bytes). Polygons, also with dents, are cut into triangles;
-/// what is neither vertex nor face is passed over, and so are vertices that no face uses. Units are taken as they stand.
+/// Reads the triangles of a surface, by the ending of the file's name, in small or capital letters: .obj
+/// (read_obj()), .off, .stl (text and binary) or .ply (text, and binary of both orders of bytes). Polygons,
+/// also with dents, are cut into triangles; what is neither vertex nor face is passed over, and so are
+/// vertices that no face uses. Units are taken as they stand.
 ///
-/// These readers are our own, and not Assimp's (5.2): a broken PLY file of 200 bytes keeps it busy for ever, it has single
-/// precision, and its messages name no line.
+/// These readers are our own, and not Assimp's (5.2): a broken PLY file of 200 bytes keeps it busy for ever,
+/// it has single precision, and its messages name no line.
 ///
-/// @throws InputError  "file: reason", and "file:line: reason" where the file is text: missing, empty or broken file, another
-///     ending, no faces, a coordinate that is not finite, a face with fewer than three corners or with a vertex that does not
-///     exist, a polygon that cannot be cut into triangles, more entries promised than there are
+/// @throws InputError  "file: reason", and "file:line: reason" where the file is text: missing, empty or
+///     broken file, another ending, no faces, a coordinate that is not finite, a face with fewer than three
+///     corners or with a vertex that does not exist, a polygon that cannot be cut into triangles, more
+///     entries promised than there are
 SurfaceMesh read_surface(const std::filesystem::path& file);
 
 /// The same from the bytes of a file.

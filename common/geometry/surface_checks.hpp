@@ -19,8 +19,8 @@ enum class Border { refused, allowed };
 /// with an area and no face twice, manifold, neighbours facing the same way; and,
 /// unless a border is allowed, closed and facing outwards.
 /// @param what   names the mesh in the message, e.g. its file
-/// @param nodes  of a solid's surface: which of the solid's nodes each vertex is. Then messages name nodes, and no faces,
-///               whose numbers nobody knows
+/// @param nodes  of a solid's surface: which of the solid's nodes each vertex is. Then messages name nodes,
+///               and no faces, whose numbers nobody knows
 /// @throws InputError  "what: reason", naming the vertex, face or edge (counted from 0)
 void check_surface(const SurfaceMesh& mesh, const std::string& what, Border border = Border::refused,
                    const std::vector<int>& nodes = {});

@@ -23,7 +23,8 @@ public:
     /// @throws InputError   an index out of range, or a face that names a vertex twice
     SurfaceTopology(int vertex_count, std::vector<Face> faces);
 
-    /// What has points and edges alone: a wire frame, or with no edges a cloud of points. It has no inside, and is not closed.
+    /// What has points and edges alone: a wire frame, or with no edges a cloud of points. It has no inside,
+    /// and is not closed.
     /// @param edges         vertex indices in [0, vertex_count), in any order
     /// @throws InputError   an index out of range, an edge that names a vertex twice, an edge twice
     static SurfaceTopology of_edges(int vertex_count, std::vector<Edge> edges);

@@ -12,7 +12,8 @@ namespace enduring {
 
 /// How the cells of a bar are cut into tetrahedra. Both ways the diagonals of neighbouring cells agree.
 enum class CellSplit {
-    /// six tetrahedra around the cell's diagonal: all cells alike, but a bar of linear elements moves sideways when it bends
+    /// six tetrahedra around the cell's diagonal: all cells alike, but a bar of linear elements moves
+    /// sideways when it bends
     six,
     /// a middle one and four corners, mirrored from cell to cell: no preferred direction over two cells
     five

@@ -10,7 +10,8 @@ inline constexpr double least_area = 1e-12;
 /// Of a volume to the cube of its longest edge or extent: a flatter element has lost its gradients.
 inline constexpr double least_volume = 1e-12;
 
-/// Of a body's least moment of inertia to its largest: below, its points lie on one line, by a millionth of their extent.
+/// Of a body's least moment of inertia to its largest: below, its points lie on one line, by a millionth of
+/// their extent.
 inline constexpr double least_inertia = 1e-12;
 
 /// Of a middle node's distance from the middle of its edge to the edge: files hold six digits or more.

@@ -12,8 +12,8 @@ namespace {
 
 using Key = std::array<double, 3>;
 
-/// Where the vertices that are kept lie, by the cells of a grid; a cell's edge is four distances, so most points
-/// are near the vertices of one cell only.
+/// Where the vertices that are kept lie, by the cells of a grid; a cell's edge is four distances, so most
+/// points are near the vertices of one cell only.
 class KeptVertices {
 public:
     explicit KeptVertices(double distance) : distance_(distance) {}

@@ -6,10 +6,10 @@ namespace enduring {
 
 /// One step of a body that turns freely (thesis 3.6 without torque): angular velocity in body axes after dt.
 ///
-/// Solves  exp(Theta) J w1 = J w0  with  Theta = dt (w0 + w1) / 2,  where exp(Theta) is the turn by the vector Theta.
-/// The equation says that the angular momentum stays where it is in space while the body turns by the mean of both
-/// velocities. Energy then stays as well: w1.J w1 - w0.J w0 = (w0 + w1).(J w1 - J w0), and a turn about Theta leaves
-/// the component along Theta of any vector, here J w1, as it was.
+/// Solves  exp(Theta) J w1 = J w0  with  Theta = dt (w0 + w1) / 2,  where exp(Theta) is the turn by the
+/// vector Theta. The equation says that the angular momentum stays where it is in space while the body turns
+/// by the mean of both velocities. Energy then stays as well: w1.J w1 - w0.J w0 = (w0 + w1).(J w1 - J w0),
+/// and a turn about Theta leaves the component along Theta of any vector, here J w1, as it was.
 ///
 /// @param principal_inertia  J, diagonal, positive [kg m^2]
 /// @param w0                 angular velocity in body axes [rad/s]

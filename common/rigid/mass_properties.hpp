@@ -25,17 +25,19 @@ struct MassProperties {
 ///     inconsistently oriented; volume not positive
 MassProperties mass_properties(const SurfaceMesh& mesh, double density);
 
-/// The same of a sheet: all of its mass lies on the faces, as on thin metal. Exact as well; it need not be closed.
+/// The same of a sheet: all of its mass lies on the faces, as on thin metal. Exact as well; it need not be
+/// closed.
 /// @param mesh          faces with an area
 /// @param area_density  [kg/m^2], positive
 /// @throws InputError   density not positive and finite
 MassProperties sheet_properties(const SurfaceMesh& mesh, double area_density);
 
-/// The same of points and edges alone, as of threads and pins. The mass lies on the edges, shared by their lengths, if there are any;
-/// else each point has an equal share. Exact.
+/// The same of points and edges alone, as of threads and pins. The mass lies on the edges, shared by their
+/// lengths, if there are any; else each point has an equal share. Exact.
 ///
-/// About a line on which all points lie they have no inertia, and no force on one of them turns them about it. There the largest
-/// moment stands in place of none, so that an inverse exists: nothing that moves the points depends on it.
+/// About a line on which all points lie they have no inertia, and no force on one of them turns them about
+/// it. There the largest moment stands in place of none, so that an inverse exists: nothing that moves the
+/// points depends on it.
 /// @param mesh  without faces; two or more points
 /// @param mass  [kg], positive
 /// @throws InputError  mass not positive and finite; all points at one place; an edge without length

@@ -36,8 +36,8 @@ PrincipalAxes principal_axes(const Mat3& inertia)
 }
 
 //! [inverse_of_free]
-/// How angular momentum about free axes turns a body whose turns about other axes are held: the inverse of the inertia's free
-/// part, and zero elsewhere.
+/// How angular momentum about free axes turns a body whose turns about other axes are held: the inverse of
+/// the inertia's free part, and zero elsewhere.
 Mat3 inverse_of_free(const Mat3& inertia, const FreeDirections& free)
 {
     const Mat3 chosen = free.rotation.asDiagonal(), along_axes = free.axes.transpose() * inertia * free.axes;
@@ -96,7 +96,8 @@ void RigidMotion::hold(const FreeDirections& free)
 }
 
 //! [pin]
-/// About the pin the inertia is larger, by Steiner's theorem. All that follows is that of a body whose translations are held.
+/// About the pin the inertia is larger, by Steiner's theorem. All that follows is that of a body whose
+/// translations are held.
 void RigidMotion::pin(const Vec3& point, const Vec3& free_turns, const Mat3& axes)
 {
     if (!velocity_.isZero(0))
@@ -146,8 +147,8 @@ void RigidMotion::predict(const Vec3& gravity, double dt)
 //! [predict]
 
 //! [held_turn]
-/// The part of the momentum about free axes stays, while the body turns by the mean of the velocities at both ends. About one
-/// axis this is exact. About two the energy is right to second order.
+/// The part of the momentum about free axes stays, while the body turns by the mean of the velocities at both
+/// ends. About one axis this is exact. About two the energy is right to second order.
 Vec3 RigidMotion::mean_angular_velocity(double dt) const
 {
     const Mat3 axes = pose_.orientation.toRotationMatrix();

@@ -5,8 +5,8 @@
 
 namespace enduring {
 
-/// Where a rigid body is: body coordinates to world coordinates. Their origin is the centre of mass, or of a body that is
-/// pinned its pin; their axes are the principal ones of the inertia about it.
+/// Where a rigid body is: body coordinates to world coordinates. Their origin is the centre of mass, or of a
+/// body that is pinned its pin; their axes are the principal ones of the inertia about it.
 struct Pose {
     Vec3 position = Vec3::Zero();                     ///< of the origin [m]
     Quaternion orientation = Quaternion::Identity();  ///< unit length
@@ -55,11 +55,13 @@ public:
     /// Takes the coordinates out that are held: their velocities are zero for good, whatever pushes.
     /// @throws InputError  a velocity along or about what is held
     void hold(const FreeDirections& free);
-    /// Holds a point [m] of the body, as a hinge or a ball joint does: it stays where it is in the world, and the body turns
-    /// about it, about the free axes alone. Three coordinates remain at most. Body coordinates begin at the pin from now on.
+    /// Holds a point [m] of the body, as a hinge or a ball joint does: it stays where it is in the world, and
+    /// the body turns about it, about the free axes alone. Three coordinates remain at most. Body coordinates
+    /// begin at the pin from now on.
     /// @param free_turns  1 for each of the axes about which it may turn, 0 for the others
     /// @param axes        as those of FreeDirections
-    /// @throws InputError  a velocity of the centre of mass (it follows from the turning), or a turn about what is held
+    /// @throws InputError  a velocity of the centre of mass (it follows from the turning), or a turn about
+    ///     what is held
     void pin(const Vec3& point, const Vec3& free_turns, const Mat3& axes = Mat3::Identity());
     const FreeDirections& free_directions() const { return free_; }
 
@@ -95,16 +97,18 @@ public:
     /// [r]x^T with r from the centre to the point.
     Mat3 inverse_mass_at(const Vec3& point) const;
 
-    /// What gravity [m/s^2] alone makes of the motion of the point at `point` in the committed pose: less than itself where the
-    /// body is held [m/s^2].
+    /// What gravity [m/s^2] alone makes of the motion of the point at `point` in the committed pose: less
+    /// than itself where the body is held [m/s^2].
     Vec3 acceleration_at(const Vec3& point, const Vec3& gravity) const;
     /// The turning part of it [rad/s^2].
     Vec3 angular_acceleration(const Vec3& gravity) const;
 
-    /// What the lock has given since predict(): the momentum [N s] that changed though nothing pushed. It does no work.
+    /// What the lock has given since predict(): the momentum [N s] that changed though nothing pushed. It
+    /// does no work.
     Vec3 lock_impulse() const { return linear_momentum() - momentum_t0_ - pushed_; }
 
-    /// about the pose's position, world axes, of the committed pose [1/(kg m^2)]; of the free turns alone, and zero for those held
+    /// about the pose's position, world axes, of the committed pose [1/(kg m^2)]; of the free turns alone,
+    /// and zero for those held
     const Mat3& inverse_inertia() const { return inverse_inertia_; }
 
     double mass() const { return mass_; }
@@ -130,7 +134,8 @@ private:
     FreeDirections free_;
     /// at predict(), and by gravity and impulses since [N s]
     Vec3 momentum_t0_ = Vec3::Zero(), pushed_ = Vec3::Zero();
-    /// angular momentum about the origin, world axes: what a free body keeps; without its parts about axes that are held
+    /// angular momentum about the origin, world axes: what a free body keeps; without its parts about axes
+    /// that are held
     Vec3 spin_momentum_ = Vec3::Zero();
 };
 

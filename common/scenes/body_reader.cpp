@@ -20,8 +20,8 @@ namespace {
 
 bool is_frame(const SurfaceMesh& mesh) { return mesh.faces.empty(); }
 
-/// A shape's surface where the body lies; a border is for static bodies and sheets only, as all others need an inside. Points and
-/// edges alone have none, and need none.
+/// A shape's surface where the body lies; a border is for static bodies and sheets only, as all others need
+/// an inside. Points and edges alone have none, and need none.
 SurfaceMesh placed_surface(const JsonValue& shape, const Placement& placement,
                            const SceneSurroundings& surroundings, Border border)
 {
@@ -43,8 +43,8 @@ void refuse_sheet_of_frame(const JsonValue& value, const SurfaceMesh& mesh)
         value.at("sheet").complain("points and edges alone have no faces; leave the key out");
 }
 
-/// A surface pushes out of its front alone. So a sheet that holds on both sides has each face twice, the second time turned over,
-/// on vertices of its own: both layers are manifold, and neither knows of the other.
+/// A surface pushes out of its front alone. So a sheet that holds on both sides has each face twice, the
+/// second time turned over, on vertices of its own: both layers are manifold, and neither knows of the other.
 SurfaceMesh on_both_sides(SurfaceMesh mesh)
 {
     const std::vector<Vec3> front = mesh.vertices;
@@ -185,7 +185,8 @@ std::unique_ptr<Body> read_rigid(const JsonValue& value, const SceneSurroundings
     }
 }
 
-/// The grain's direction is that of the shape before it is placed. A body that moves as given has the axes of its place.
+/// The grain's direction is that of the shape before it is placed. A body that moves as given has the axes of
+/// its place.
 void give_grain(const JsonValue& value, const JsonValue& grain, Body& body)
 {
     const Grain read = read_grain(grain);

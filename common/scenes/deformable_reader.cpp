@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::size_t max_driven = 100, max_forces = 100;
 
-/// The keys "fixed" and "driven": nodes that stay, and nodes that move as given. No node is in two of them. Nodes that stay until
-/// a time are driven nowhere.
+/// The keys "fixed" and "driven": nodes that stay, and nodes that move as given. No node is in two of them.
+/// Nodes that stay until a time are driven nowhere.
 void read_grips(const JsonValue& body, const NamedNodes& of_body, const Placement& placement,
                 DeformableSettings& settings)
 {

@@ -7,7 +7,8 @@
 namespace enduring {
 namespace {
 
-/// Of the body's size [1]: thinner rods vanish in a small picture, thicker ones hide how far bodies are apart.
+/// Of the body's size [1]: thinner rods vanish in a small picture, thicker ones hide how far bodies are
+/// apart.
 constexpr double rod_radius = 0.006, point_radius = 0.02;
 
 /// A rod has a triangle at each end, a point the same with a twist: six vertices and eight faces.

@@ -6,8 +6,8 @@
 
 namespace enduring {
 
-/// What pictures, films and files for viewers show of a body: its own surface, or of points and edges alone a rod along each edge and a
-/// small octahedron at each point without one.
+/// What pictures, films and files for viewers show of a body: its own surface, or of points and edges alone a
+/// rod along each edge and a small octahedron at each point without one.
 
 /// The drawn vertices where the body is now [m]; always as many.
 std::vector<Vec3> drawn_points(const Body& body);

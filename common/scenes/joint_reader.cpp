@@ -122,7 +122,8 @@ int read_body_name(const JsonValue& value, const World& world, JointKind kind)
     value.complain("there is no body \"" + name + "\"");
 }
 
-/// The farthest that a joint's point may be from the surface of a soft body that it holds, over the body's size.
+/// The farthest that a joint's point may be from the surface of a soft body that it holds, over the body's
+/// size.
 constexpr double farthest_from_surface = 0.05;
 
 /// A soft body is held at the point of its surface that is nearest to the one of the file.

@@ -180,8 +180,9 @@ TimedVector read_force(const JsonValue& entry)
 }
 
 //! [slow_springs]
-/// A spring that swings with omega is stable while omega dt < 2; at 1, its period is 5 percent off. All springs of a body swing no
-/// faster than with the sum of their squares, each with the least mass that its point has.
+/// A spring that swings with omega is stable while omega dt < 2; at 1, its period is 5 percent off. All
+/// springs of a body swing no faster than with the sum of their squares, each with the least mass that its
+/// point has.
 void require_slow_springs(const JsonValue& body, const RigidBody& of, double dt)
 {
     const std::optional<JsonValue> list = body.find("forces");

@@ -32,7 +32,8 @@ std::vector<OutsideLoad> read_loads(const JsonValue& body, const Placement& plac
 /// The force of an entry of "forces" [N], constant or a table of forces alone.
 TimedVector read_force(const JsonValue& entry);
 
-/// Springs between a body and the world, whose forces are those of the start of a step, have to be slow beside it.
+/// Springs between a body and the world, whose forces are those of the start of a step, have to be slow
+/// beside it.
 /// @throws InputError  one of the body's springs is too stiff for steps of dt [s]
 void require_slow_springs(const JsonValue& body, const RigidBody& of, double dt);
 

@@ -53,8 +53,8 @@ struct Scene {
 ///     what was expected and what stands there
 Scene load_scene(const std::filesystem::path& path, const std::string& patch = "");
 
-/// @throws InputError  the scene asks for exact contact, and the springs of this solver give, or for joints, for bodies of points and
-///     edges alone, or for a law of surfaces that it does not have: names the place
+/// @throws InputError  the scene asks for exact contact, and the springs of this solver give, or for joints,
+///     for bodies of points and edges alone, or for a law of surfaces that it does not have: names the place
 void require_asked(const Scene& scene, const Solver& solver);
 
 /// A scene that ships with the course: common/scenes/NAME.json.

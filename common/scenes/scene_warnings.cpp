@@ -84,7 +84,8 @@ std::string sentence_on_weight(const DeformableBody& body, const Vec3& gravity)
            readable(strain_by_weight(body, gravity), 3) + "); is \"young\" in pascal?";
 }
 
-/// Each linear element keeps its volume from here on, nearly, and there are more elements than coordinates that could.
+/// Each linear element keeps its volume from here on, nearly, and there are more elements than coordinates
+/// that could.
 constexpr double locking_poisson = 0.4;
 
 bool locks(const DeformableBody& body)
@@ -110,7 +111,8 @@ void warn_of(const DeformableBody& body, const Scene& scene, const std::string& 
         warnings.push_back(file + ": " + sentence_on_locking(body));
 }
 
-/// Beyond what the course has measured. A tenth: scenes of its own are warned of. Ten times: a run of hours begins without a word.
+/// Beyond what the course has measured. A tenth: scenes of its own are warned of. Ten times: a run of hours
+/// begins without a word.
 constexpr std::size_t many_bodies = 1000;
 constexpr double long_step = 1;  ///< [s]; the same: in a step of 1 s a body falls 10 m
 

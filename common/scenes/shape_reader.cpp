@@ -202,7 +202,8 @@ constexpr std::array<NamedReader, 7> generated{{{"bar", read_bar},
                                                 {"sphere", read_sphere},
                                                 {"tetrahedron", read_tetrahedron}}};
 
-/// The one entry of the object that says which shape it is; "scale", "transform", "weld" and "mend" may stand beside it.
+/// The one entry of the object that says which shape it is; "scale", "transform", "weld" and "mend" may stand
+/// beside it.
 Shape read_unscaled(const JsonValue& value, const SceneSurroundings& surroundings)
 {
     value.require_keys({"bar", "bowl", "box", "file", "plane_grid", "points", "slope", "sphere",

@@ -34,8 +34,8 @@ struct Shape {
     NodeGroups groups{};  ///< of the solid, by their names in its file
 };
 
-/// Reads {"box": {...}}, {"file": "part.stl", "scale": 0.001, "weld": true, "mend": true} and the other shapes of the scene format.
-/// The one who knows whether it may have a border mends it (mend_if_asked()).
+/// Reads {"box": {...}}, {"file": "part.stl", "scale": 0.001, "weld": true, "mend": true} and the other
+/// shapes of the scene format. The one who knows whether it may have a border mends it (mend_if_asked()).
 /// @throws InputError  anything the format does not allow, with the JSON path
 Shape read_shape(const JsonValue& value, const SceneSurroundings& surroundings);
 

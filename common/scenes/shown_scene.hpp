@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <string>
 
-/// What the book's laboratory is told of a scene and of its steps: by the layers in the page (live/lab/bindings.cpp), and by the file of
-/// a run (common/experiments/own_scene/replay.hpp).
+/// What the book's laboratory is told of a scene and of its steps: by the layers in the page
+/// (live/lab/bindings.cpp), and by the file of a run (common/experiments/own_scene/replay.hpp).
 namespace enduring {
 
 /// Of one step.
@@ -30,9 +30,9 @@ StepNumbers step_numbers(const World& world, const Contacts& contacts);
 /// Each number by its name.
 nlohmann::json shown_numbers(const StepNumbers& numbers);
 
-/// A pair as numbers: kind, bodies A and B, features of A and B, point of A [m], normal out of B, depth [m], impulse and friction impulse
-/// on A in the last step [N s], stiffness, rest offset, load, slip, whether it may push, and the step in which its features met.
-/// live/lab/pairs.js gives them their names again.
+/// A pair as numbers: kind, bodies A and B, features of A and B, point of A [m], normal out of B, depth [m],
+/// impulse and friction impulse on A in the last step [N s], stiffness, rest offset, load, slip, whether it
+/// may push, and the step in which its features met. live/lab/pairs.js gives them their names again.
 using PairNumbers = std::array<double, 24>;
 
 /// @param since  the step in which these features met; -1 where nobody knows

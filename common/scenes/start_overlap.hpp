@@ -33,8 +33,8 @@ struct StartSelfOverlap {
     int faces;  ///< that lie in another part of it, at least with a piece
 };
 
-/// A piece of a face is inside if the place just outside of it is; seven places of each face are looked at. Of
-/// bodies that do not meet themselves nothing is said; what lies exactly face upon face counts as crossed.
+/// A piece of a face is inside if the place just outside of it is; seven places of each face are looked at.
+/// Of bodies that do not meet themselves nothing is said; what lies exactly face upon face counts as crossed.
 std::vector<StartSelfOverlap> start_self_overlaps(const World& world);
 
 }  // namespace enduring

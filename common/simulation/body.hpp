@@ -39,8 +39,8 @@ struct VertexMotion {
 ///
 /// The order within one step (thesis 3.3):
 ///   predict(g, dt)             new velocities from the body's own dynamics; positions_t1 follow
-///   apply_impulse(v, I) ...    changes the predicted velocities only: positions_t1 stay, so that all impulses
-///                              of one pass come from one prediction
+///   apply_impulse(v, I) ...    changes the predicted velocities only: positions_t1 stay, so that
+///                              all impulses of one pass come from one prediction
 ///   update_prediction(dt)      positions_t1 from the changed velocities
 ///   commit()                   velocities, then positions: positions_t1 become positions_t0
 class Body {
@@ -64,7 +64,8 @@ public:
         const auto i = static_cast<std::size_t>(vertex);
         return lerp(positions_t0_[i], positions_t1_[i], tau);
     }
-    /// The same of the surface that a search for contact sees: its own, or the one that it took for this. Springs act on its own.
+    /// The same of the surface that a search for contact sees: its own, or the one that it took for this.
+    /// Springs act on its own.
     std::span<const Vec3> contact_t0() const { return contact_t0_.empty() ? positions_t0_ : contact_t0_; }
     std::span<const Vec3> contact_t1() const { return contact_t1_.empty() ? positions_t1_ : contact_t1_; }
     /// Where a vertex of that surface is at tau in [0, 1] of the step [m].
@@ -78,12 +79,13 @@ public:
     /// As it was made, however it bends since (see surface_size()) [m].
     double size() const { return size_; }
 
-    /// The time of the committed state [s], from which what is given as a function of time is taken; the step tells it
-    /// before it predicts.
+    /// The time of the committed state [s], from which what is given as a function of time is taken; the step
+    /// tells it before it predicts.
     void set_time(double time) { time_ = time; }
     double time() const { return time_; }
 
-    /// New velocities from gravity [m/s^2], inner forces, damping and forces from outside over dt [s]; then positions_t1.
+    /// New velocities from gravity [m/s^2], inner forces, damping and forces from outside over dt [s]; then
+    /// positions_t1.
     virtual void predict(const Vec3& gravity, double dt) = 0;
     /// Positions_t1 from the present predicted velocities.
     virtual void update_prediction(double dt) = 0;
@@ -119,8 +121,9 @@ public:
     {
         return {};
     }
-    /// Where the predicted end of the step is turned by more than `least_turn` [rad] from the one whose levers contact_motion() takes,
-    /// it takes those of the predicted end from now on. Impulses that act keep the levers with which they were applied.
+    /// Where the predicted end of the step is turned by more than `least_turn` [rad] from the one whose
+    /// levers contact_motion() takes, it takes those of the predicted end from now on. Impulses that act keep
+    /// the levers with which they were applied.
     /// @return  whether it did; never for a body whose vertices move for themselves
     virtual bool follow_levers(double /*least_turn*/, double /*dt*/) { return false; }
     /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
@@ -128,7 +131,8 @@ public:
     {}
     /// Their values in the state.
     virtual Eigen::VectorXd contact_velocity(std::span<const int> /*touched*/) const { return {}; }
-    /// After a step of dt [s] is committed, adds an impulse on the coordinates to the velocities; nothing moves.
+    /// After a step of dt [s] is committed, adds an impulse on the coordinates to the velocities; nothing
+    /// moves.
     void kick(std::span<const int> touched, const Eigen::VectorXd& impulse, double dt)
     {
         apply_contact_impulse(touched, impulse);
@@ -142,38 +146,44 @@ public:
         positions_t1_ = positions_t0_;
         contact_t1_ = contact_t0_;
     }
-    /// Between steps: a rigid body is at rest from now on. A soft one keeps its velocities, by which its elements go on.
+    /// Between steps: a rigid body is at rest from now on. A soft one keeps its velocities, by which its
+    /// elements go on.
     virtual void stop() {}
 
     /// Brings inner forces to where the step ends as it is predicted: contact is answered there.
     /// @return  the imbalance that is left [1]
     virtual double reach_end(double /*dt*/) { return 0; }
-    /// Whether it has reached its end in this step (reach_end()), so that inner forces can follow what contact changes.
+    /// Whether it has reached its end in this step (reach_end()), so that inner forces can follow what
+    /// contact changes.
     virtual bool approaches_end() const { return false; }
     /// Brings them nearer to where the step ends now.
     /// @return  the imbalance that there was [1]
     virtual double approach_end(double /*dt*/) { return 0; }
-    /// What presses it beside its weight: forces from outside, torques at the arm of its size, and its own elements [N].
+    /// What presses it beside its weight: forces from outside, torques at the arm of its size, and its own
+    /// elements [N].
     virtual double pressing_force(double /*dt*/) const { return 0; }
 
     /// The work of forces from outside but gravity in the step as it is predicted [J].
     virtual double driven_work(double /*dt*/) const { return 0; }
-    /// The work of gravity in the step as it is predicted, less that at the velocities: of a body that turns about a pin off its
-    /// centre, the lever of gravity turns within the step, and this is what the turn gives [J].
+    /// The work of gravity in the step as it is predicted, less that at the velocities: of a body that turns
+    /// about a pin off its centre, the lever of gravity turns within the step, and this is what the turn
+    /// gives [J].
     virtual double turned_lever_work(const Vec3& /*gravity*/, double /*dt*/) const { return 0; }
-    /// What gravity alone makes of the motion of a surface vertex: nothing where a body stands or moves as given, and another
-    /// acceleration than its own where it is held [m/s^2].
+    /// What gravity alone makes of the motion of a surface vertex: nothing where a body stands or moves as
+    /// given, and another acceleration than its own where it is held [m/s^2].
     virtual Vec3 acceleration(int /*vertex*/, const Vec3& gravity) const
     {
         return is_static() ? Vec3(Vec3::Zero()) : gravity_on(gravity);
     }
-    /// Its surface vertices in coordinates that move with it, where it has such: of a rigid body its own, of a driven one those of
-    /// its place without the motion; else those of the world [m].
+    /// Its surface vertices in coordinates that move with it, where it has such: of a rigid body its own, of
+    /// a driven one those of its place without the motion; else those of the world [m].
     virtual std::span<const Vec3> shape() const { return positions_t0_; }
-    /// From now on a search for contact sees another surface with the same faces. For bodies that keep their shape.
+    /// From now on a search for contact sees another surface with the same faces. For bodies that keep their
+    /// shape.
     /// @param shape  in the coordinates of shape() [m]
     virtual void take_contact_surface(const std::vector<Vec3>& shape) { contact_t0_ = contact_t1_ = shape; }
-    /// Writes or reads all that the next step depends on. It is asked between steps: what was predicted is not kept.
+    /// Writes or reads all that the next step depends on. It is asked between steps: what was predicted is
+    /// not kept.
     virtual void visit_state(StateArchive& archive) { archive(positions_t0_); }
 
     /// Gravity does nothing to a rigid or soft body from now on.
@@ -186,13 +196,13 @@ public:
     /// Of its whole surface; a soft body, whose parts turn against each other, has none.
     void set_grain(const Grain& grain) { grain_ = grain; }
     const Grain& grain() const { return grain_; }
-    /// How its surface runs though the body stands, as a conveyor's belt does [m/s]; what is along the normal of a pair has no
-    /// effect. For those solvers that read it.
+    /// How its surface runs though the body stands, as a conveyor's belt does [m/s]; what is along the normal
+    /// of a pair has no effect. For those solvers that read it.
     void set_surface_velocity(const Vec3& velocity) { surface_velocity_ = velocity; }
     const Vec3& surface_velocity() const { return surface_velocity_; }
 
-    /// Whether anything drives it that a body's start does not tell: given motion, a surface that runs, forces, held directions,
-    /// gravity that is off. Who takes bodies over into another engine asks.
+    /// Whether anything drives it that a body's start does not tell: given motion, a surface that runs,
+    /// forces, held directions, gravity that is off. Who takes bodies over into another engine asks.
     virtual bool is_driven() const { return !has_weight_ || !surface_velocity_.isZero(0); }
     virtual bool is_static() const { return false; }
     virtual double mass() const = 0;                       ///< [kg]; 0 for a static body

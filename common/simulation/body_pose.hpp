@@ -5,8 +5,9 @@
 
 namespace enduring {
 
-/// Where a body is that keeps its shape: a rigid one, and one that moves as given, whose coordinates are those of its place without
-/// the motion. The identity for all others: what is fixed in a standing body is fixed in the world.
+/// Where a body is that keeps its shape: a rigid one, and one that moves as given, whose coordinates are
+/// those of its place without the motion. The identity for all others: what is fixed in a standing body is
+/// fixed in the world.
 Pose committed_pose(const Body& body);
 /// At the predicted end of a step of dt [s].
 Pose predicted_pose(const Body& body, double dt);

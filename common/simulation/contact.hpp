@@ -24,7 +24,8 @@ enum class ContactCategory : std::uint8_t { unknown, regular, hooked };
 /// impulse I on p reaches vertex i as weights[i] I.
 ///   vertex_plane  vertices {v, -, -, -}          weights {1, 0, 0, 0}, and q is the foot on the plane
 ///   vertex_face   vertices {v, f0, f1, f2}       weights {1, -w0, -w1, -w2}; normal (f1-f0) x (f2-f0)
-///   edge_edge     vertices {a0, a1, b0, b1}      weights {1-s, s, -(1-t), -t}; normal orientation * (a1-a0) x (b1-b0)
+///   edge_edge     vertices {a0, a1, b0, b1}      weights {1-s, s, -(1-t), -t};
+///                                                normal orientation * (a1-a0) x (b1-b0)
 /// The normal points out of B, towards A; depth is n . (p - q) - gap, negative inside.
 struct Contact {
     ContactKind kind = ContactKind::vertex_face;
@@ -46,16 +47,19 @@ struct Contact {
     double rest_offset = 0;        ///< depth at which the spring of such a pair pushes nothing [m]
     double load = 0;               ///< normal force that such a pair carried at the end of the last step [N]
     double outward = 1;            ///< part of the way out of the other body that lies along its normal
-    /// normal of the path on which the pair's vertex came along a surface that bends in this step; zero where it did not
+    /// normal of the path on which the pair's vertex came along a surface that bends in this step; zero where
+    /// it did not
     Vec3 sliding_normal = Vec3::Zero();
-    /// from q to p at the start of the step, unit length, which turns with the features; zero where these tell the normal
+    /// from q to p at the start of the step, unit length, which turns with the features; zero where these
+    /// tell the normal
     Vec3 normal_t0 = Vec3::Zero();
     double gap = 0;  ///< distance below which it counts as inside [m]
     ContactCategory category = ContactCategory::unknown;
     ContactState state = ContactState::waiting;
     /// separated in this step, whatever its state: seen by the probes, gone with the next
     bool resolved = false;
-    /// found when springs are remembered: apart or just touched when this step began, without a load on its spring. Such pairs may bounce
+    /// found when springs are remembered: apart or just touched when this step began, without a load on its
+    /// spring. Such pairs may bounce
     bool began_open = false;
 
     bool waiting() const { return state == ContactState::waiting && !resolved; }

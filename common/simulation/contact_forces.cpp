@@ -11,7 +11,8 @@ namespace enduring {
 //! [last_part]
 double last_part(const World& world, double dt)
 {
-    // A body is told the time at which each part of a step begins; one that moves as given is already at its end.
+    // A body is told the time at which each part of a step begins; one that moves as given is already at its
+    // end.
     double began = world.time;
     for (const auto& body : world.bodies)
         began = std::min(began, body->time());

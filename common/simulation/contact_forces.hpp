@@ -9,8 +9,8 @@ namespace enduring {
 
 /// Pairs tell impulses. What a reader of forces divides them by, and where the forces act, is said here once.
 
-/// The time in which the pairs gave the impulses that they tell [s]: dt, but after a step that was taken in halves its last
-/// part, dt / 2^n. For a world as advance() leaves it.
+/// The time in which the pairs gave the impulses that they tell [s]: dt, but after a step that was taken in
+/// halves its last part, dt / 2^n. For a world as advance() leaves it.
 /// @param dt  of the whole step [s], positive
 double last_part(const World& world, double dt);
 

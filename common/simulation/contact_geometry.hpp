@@ -27,7 +27,8 @@ PairStep pair_step(const World& world, const Contact& contact);
 /// Stiffness of a pair [N/m]: its plane's own where it has one, else that of all pairs.
 double pair_stiffness(const World& world, const Contact& contact, double of_all_pairs);
 
-/// Coefficients of a pair: those between its two materials where the scene has materials, else those of all pairs.
+/// Coefficients of a pair: those between its two materials where the scene has materials, else those of all
+/// pairs.
 const FrictionCoefficients& pair_friction(const World& world, const Contact& contact,
                                           const FrictionCoefficients& of_all_pairs);
 

@@ -4,8 +4,8 @@
 
 namespace enduring {
 
-/// Mass matrix A of a body's coordinates in contact, and how they answer: an impulse P on them changes them by
-/// A^-1 P. Who asks needs both, and each body knows one of them best.
+/// Mass matrix A of a body's coordinates in contact, and how they answer: an impulse P on them changes them
+/// by A^-1 P. Who asks needs both, and each body knows one of them best.
 struct ContactMass {
     Eigen::MatrixXd mass;      ///< A
     Eigen::MatrixXd response;  ///< A^-1

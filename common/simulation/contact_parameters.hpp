@@ -75,10 +75,11 @@ struct ContactParameters {
     FrictionParameters friction{};
     SurfaceLaws surface_laws{};
     NormalLaw law{};  ///< a normal law of one's own, in place of the method's
-    /// of what begins inside another body or a plane, under a solver that lets it out [m/s]; without it, a part
-    /// of what is natural for bodies of their size (see ScaleParts)
+    /// of what begins inside another body or a plane, under a solver that lets it out [m/s]; without it, a
+    /// part of what is natural for bodies of their size (see ScaleParts)
     std::optional<double> max_depenetration_velocity{};
-    /// how deep the load of a pair may press it, under a solver that finds its stiffness [m]; the same without it
+    /// how deep the load of a pair may press it, under a solver that finds its stiffness [m]; the same
+    /// without it
     std::optional<double> wanted_depth{};
 };
 

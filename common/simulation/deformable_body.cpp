@@ -188,8 +188,9 @@ void DeformableBody::add_force(const TimedVector& force, std::vector<NodeWeight>
 }
 
 //! [move_grips]
-/// Nodes that are gripped stand at the end of the step when the elements are asked for their forces, and count as at rest there. The
-/// pairs see them move. What both changes give to the body is the work of what grips.
+/// Nodes that are gripped stand at the end of the step when the elements are asked for their forces, and
+/// count as at rest there. The pairs see them move. What both changes give to the body is the work of what
+/// grips.
 void DeformableBody::move_grips(const Vec3& weight, double dt)
 {
     const double before = energy_of(elastic_, weight).total();

@@ -13,8 +13,9 @@
 
 namespace enduring {
 
-/// How contact impulses change a deformable body's velocities, for a solver that gives them pair by pair. One that solves for the
-/// velocities of all vertices in touch (contact_mass()) always takes the implicit response.
+/// How contact impulses change a deformable body's velocities, for a solver that gives them pair by pair. One
+/// that solves for the velocities of all vertices in touch (contact_mass()) always takes the implicit
+/// response.
 enum class ImpulseResponse {
     /// At once, each node by its row sum of the mass matrix alone, as the thesis does. The linear momentum is
     /// exact. The body between the nodes lags behind them, though: it gains less than the lever's angular
@@ -62,7 +63,8 @@ public:
                    const DeformableSettings& settings);
 
     /// A force from now on [N]; any number of them. On nodes that are held it does nothing.
-    /// @param shares  of nodes in it, together 1; if none, it is spread over the body by its mass as gravity is
+    /// @param shares  of nodes in it, together 1; if none, it is spread over the body by its mass as gravity
+    ///     is
     void add_force(const TimedVector& force, std::vector<NodeWeight> shares = {});
 
     void predict(const Vec3& gravity, double dt) override;
@@ -79,8 +81,9 @@ public:
     /// blocks are the learned ones, turned with their elements, so the mass is an approximation, made stiffer
     /// than it is nowhere: a solver has to look at what its impulses really did.
     ContactMass contact_mass(std::span<const int> touched) const override;
-    /// What contact_mass() is made of, for a body that is solved for with all its nodes (ElasticBody::whole_matrix()): block (u, v) of
-    /// the learned response, kept for as long as the step has the same length.
+    /// What contact_mass() is made of, for a body that is solved for with all its nodes
+    /// (ElasticBody::whole_matrix()): block (u, v) of the learned response, kept for as long as the step has
+    /// the same length.
     Mat3 learned_response(int u, int v) const { return vertex_response_.block(u, v); }
     void learn_responses(std::span<const int> touched) const { vertex_response_.learn(touched); }
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
@@ -97,8 +100,8 @@ public:
         return dt * elastic_.external_forces().cwiseProduct(elastic_.velocities()).sum() + grip_work_;
     }
     void visit_state(StateArchive& archive) override;
-    /// What solves have learned, which is no part of the state: the next step then has the same bytes as that of a body whose
-    /// state was restored.
+    /// What solves have learned, which is no part of the state: the next step then has the same bytes as that
+    /// of a body whose state was restored.
     void forget_learned()
     {
         elastic_.forget_factor();
@@ -113,12 +116,14 @@ public:
 
     /// See ElasticBody::approach_end().
     double approach_end(double dt) override;
-    /// Approaches until the imbalance is small (ElasticBody::reach_end()). All impulses take the implicit response from here on.
+    /// Approaches until the imbalance is small (ElasticBody::reach_end()). All impulses take the implicit
+    /// response from here on.
     double reach_end(double dt) override;
     bool approaches_end() const override { return elastic_.approaches_end(); }
 
-    /// For a solver that finds the whole motion itself: predicted velocities of all nodes in place of those there are, and positions_t1 from them.
-    /// Behind a commit it takes stand_still() after it, and only velocities change.
+    /// For a solver that finds the whole motion itself: predicted velocities of all nodes in place of those
+    /// there are, and positions_t1 from them. Behind a commit it takes stand_still() after it, and only
+    /// velocities change.
     /// @param velocities  one a node (control point), zero where a node is fixed [m/s]
     void take_velocities(const NodalVectors& velocities, double dt);
 

@@ -62,7 +62,8 @@ ValueAndSlope DeformingBody::at(double time, std::size_t vertex) const
 }
 //! [at]
 
-/// By the time alone, so rounding does not add up, and parts of a step lead to the same place as the whole one.
+/// By the time alone, so rounding does not add up, and parts of a step lead to the same place as the whole
+/// one.
 void DeformingBody::place(double time, std::vector<Vec3>& positions) const
 {
     for (std::size_t i = 0; i < positions.size(); ++i)

@@ -5,8 +5,9 @@
 
 namespace enduring {
 
-/// A surface whose shape changes as given, whatever pushes it: a hand that closes, a membrane that swings. It takes impulses as a
-/// static body does. Pairs feel its velocity by where its vertices are at both ends of the step.
+/// A surface whose shape changes as given, whatever pushes it: a hand that closes, a membrane that swings. It
+/// takes impulses as a static body does. Pairs feel its velocity by where its vertices are at both ends of
+/// the step.
 class DeformingBody final : public Body {
 public:
     /// Where its vertices are at one time.
@@ -15,8 +16,9 @@ public:
         std::vector<Vec3> vertices;  ///< in the world [m]
     };
 
-    /// Each coordinate of a vertex is a cubic between two shapes, as in the table of a given motion (GivenMotion::through): it stays
-    /// between the values of both, and the velocity is continuous. Before the first shape and after the last one the body rests.
+    /// Each coordinate of a vertex is a cubic between two shapes, as in the table of a given motion
+    /// (GivenMotion::through): it stays between the values of both, and the velocity is continuous. Before
+    /// the first shape and after the last one the body rests.
     /// @param shapes  two or more, with times that ascend and one position for each vertex of `surface`
     /// @param time    at which it begins [s]
     /// @throws std::invalid_argument  other shapes

@@ -17,7 +17,8 @@ DrivenBody::DrivenBody(std::string name, const SurfaceMesh& mesh, const Vec3& ce
 }
 
 //! [place]
-/// By the time alone, so rounding does not add up, and parts of a step lead to the same place as the whole one.
+/// By the time alone, so rounding does not add up, and parts of a step lead to the same place as the whole
+/// one.
 void DrivenBody::place(double time, const std::vector<Vec3>& placed, std::vector<Vec3>& positions) const
 {
     const GivenPlace now = motion_.at(time);

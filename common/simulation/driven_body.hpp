@@ -7,8 +7,8 @@
 
 namespace enduring {
 
-/// A surface that moves as given, whatever pushes it: a turntable, a drum, a piston. It takes impulses as a static body does.
-/// Pairs feel its velocity by where its vertices are at both ends of the step.
+/// A surface that moves as given, whatever pushes it: a turntable, a drum, a piston. It takes impulses as a
+/// static body does. Pairs feel its velocity by where its vertices are at both ends of the step.
 class DrivenBody final : public Body {
 public:
     /// @param mesh    as it is placed, without its motion [m]
@@ -42,7 +42,8 @@ public:
 
     /// From where it was placed to where the motion has brought it at a time [s].
     Pose pose(double time) const;
-    /// Where a point of the world [m] would lie if it had moved along since the body was placed, and now came back.
+    /// Where a point of the world [m] would lie if it had moved along since the body was placed, and now came
+    /// back.
     Vec3 brought_back(const Vec3& point) const;
 
 private:

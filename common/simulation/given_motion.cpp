@@ -11,8 +11,9 @@ namespace enduring {
 namespace {
 
 //! [slopes]
-/// Of the parabola through three values, at the middle one; no steeper than three times the rise to either neighbour. Then the cubic
-/// goes one way from row to row: it stands between equal values, and has its highest and lowest ones at rows.
+/// Of the parabola through three values, at the middle one; no steeper than three times the rise to either
+/// neighbour. Then the cubic goes one way from row to row: it stands between equal values, and has its
+/// highest and lowest ones at rows.
 double slope_between(double first, double middle, double last, double before, double after)
 {
     const double rise = (middle - first) / before, next = (last - middle) / after;

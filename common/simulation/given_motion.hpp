@@ -40,10 +40,11 @@ public:
 
     /// Through the rows of a table, at rest before the first and after the last of them.
     ///
-    /// Each coordinate of displacement and turn is a cubic between two rows (Hermite). Its slope at a row is the one given there. If none
-    /// is, it is that of the parabola through the row and its neighbours, no steeper than keeps the cubic between the values of its rows;
-    /// at both ends it is zero. So velocities jump only at an end, and there only if one is given. The turn is interpolated as one vector,
-    /// axis times angle: about one axis the angle follows the cubic.
+    /// Each coordinate of displacement and turn is a cubic between two rows (Hermite). Its slope at a row is
+    /// the one given there. If none is, it is that of the parabola through the row and its neighbours, no
+    /// steeper than keeps the cubic between the values of its rows; at both ends it is zero. So velocities
+    /// jump only at an end, and there only if one is given. The turn is interpolated as one vector, axis
+    /// times angle: about one axis the angle follows the cubic.
     /// @throws std::invalid_argument  fewer than two rows, or times that do not ascend
     /// @see Hyman 1983, Accurate monotonicity preserving cubic interpolation; Fritsch and Carlson 1980
     static GivenMotion through(std::vector<Row> rows);
@@ -69,8 +70,8 @@ private:
     double until_ = std::numeric_limits<double>::infinity();
 };
 
-/// Of the parabola through three values, at the middle one, and for each coordinate no steeper than three times the rise to either
-/// neighbour: the cubics through such rows go one way from row to row.
+/// Of the parabola through three values, at the middle one, and for each coordinate no steeper than three
+/// times the rise to either neighbour: the cubics through such rows go one way from row to row.
 /// @param before, after  from one value to the next [s]
 /// @return               over time [1/s]
 Vec3 slope_between(const Vec3& first, const Vec3& middle, const Vec3& last, double before, double after);
@@ -84,8 +85,10 @@ struct ValueAndSlope {
 ValueAndSlope hermite(const Vec3& from, const Vec3& slope_from, const Vec3& to, const Vec3& slope_to,
                       double length, double s);
 
-/// How fast the vector axis times angle of a body changes that has turned by it and has an angular velocity [rad/s].
-/// @return  none after about a whole turn, or several, for a body that turns about another axis: the vector cannot follow
+/// How fast the vector axis times angle of a body changes that has turned by it and has an angular velocity
+/// [rad/s].
+/// @return  none after about a whole turn, or several, for a body that turns about another axis: the vector
+///     cannot follow
 std::optional<Vec3> turn_rate(const Vec3& turn, const Vec3& angular_velocity);
 
 }  // namespace enduring

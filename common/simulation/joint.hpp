@@ -22,14 +22,16 @@ struct World;
 ///   hinge      the turn about the axis
 ///   slider     the way along the axis
 ///   cylinder   both of these
-///   universal  turns about the first axis of A's frame and the second of B's, which stay at right angles (Cardan's joint)
+///   universal  turns about the first axis of A's frame and the second of B's, which stay at
+///              right angles (Cardan's joint)
 ///   fixed      nothing
 ///   distance   all but the length between its two points, which is its way: a rod, a rope, a spring
 ///   gear       all but that the turns of two hinges keep a ratio
 enum class JointKind : std::uint8_t { ball, hinge, slider, cylinder, universal, fixed, distance, gear };
 
-/// Where a joint holds a body. Without a body, or on one that stands, it is the world. On a soft body it is a point of a face of its surface,
-/// which moves with the face's vertices and has no axes of its own: a joint there may lock ways, and no turns.
+/// Where a joint holds a body. Without a body, or on one that stands, it is the world. On a soft body it is a
+/// point of a face of its surface, which moves with the face's vertices and has no axes of its own: a joint
+/// there may lock ways, and no turns.
 struct JointEnd {
     int body = -1;  ///< index into World::bodies, -1 for the world
     Vec3 point =
@@ -55,14 +57,16 @@ struct JointDrive {
     double rest = 0;                       ///< where the spring pushes nothing [m, rad]
 
     bool pushes() const { return motor_most > 0 || stiffness > 0 || damping > 0; }
-    /// Of what a motor of this strength or a spring stretched by its coordinate pushes, whichever is more [N, N m].
+    /// Of what a motor of this strength or a spring stretched by its coordinate pushes, whichever is more [N,
+    /// N m].
     double most(double coordinate) const
     {
         return std::max(motor_most, stiffness * std::abs(coordinate - rest));
     }
 };
 
-/// Two bodies, or a body and the world, and what is left free between them. All that lasts from step to step stands here.
+/// Two bodies, or a body and the world, and what is left free between them. All that lasts from step to step
+/// stands here.
 struct Joint {
     std::string name;
     JointKind kind = JointKind::ball;
@@ -98,14 +102,15 @@ JointPose committed_pose(const World& world, const Joint& joint);
 /// At the end of the step as it is predicted.
 JointPose predicted_pose(const World& world, const Joint& joint, double dt);
 
-/// Directions in the columns along which a joint measures how far its ends are apart, and about which it measures
-/// how far they are turned; zero where it measures nothing.
+/// Directions in the columns along which a joint measures how far its ends are apart, and about which it
+/// measures how far they are turned; zero where it measures nothing.
 struct JointAxes {
     Mat3 along = Mat3::Zero(), about = Mat3::Zero();
 };
 JointAxes joint_axes(JointKind kind, const JointPose& pose);
 
-/// The numbers that belong to these directions: zero where the joint locks, the way and the turn where it does not.
+/// The numbers that belong to these directions: zero where the joint locks, the way and the turn where it
+/// does not.
 struct JointMeasure {
     Vec3 along = Vec3::Zero();  ///< [m]
     Vec3 about = Vec3::Zero();  ///< [rad]

@@ -17,7 +17,8 @@ Mat3 turning_stiffness(const Vec3& force, const Vec3& lever)
     return force.dot(lever) * Mat3::Identity() - (both + both.transpose()) / 2;
 }
 
-/// Of a soft body's point, no less than the change of its velocity per impulse in any direction [1/kg]; 0 for what is not soft.
+/// Of a soft body's point, no less than the change of its velocity per impulse in any direction [1/kg]; 0 for
+/// what is not soft.
 double soft_response(const World& world, const JointEnd& end)
 {
     double sum = 0;

@@ -22,16 +22,19 @@ struct FrictionCoefficients {
     SurfaceLaws laws{};
 };
 
-/// A surface that rubs otherwise along one direction than at right angles to it, as brushed metal or a blade does.
+/// A surface that rubs otherwise along one direction than at right angles to it, as brushed metal or a blade
+/// does.
 struct Grain {
-    /// unit length, in the coordinates of the body's pose (body_pose.hpp), or of the world; zero for a surface without a grain
+    /// unit length, in the coordinates of the body's pose (body_pose.hpp), or of the world; zero for a
+    /// surface without a grain
     Vec3 direction = Vec3::Zero();
     double across = 1;  ///< the coefficients across it, over those along it
 
     bool any() const { return !direction.isZero(0); }
 };
 
-/// The coefficients of friction between each two materials of a scene, for those solvers that take them per pair.
+/// The coefficients of friction between each two materials of a scene, for those solvers that take them per
+/// pair.
 struct MaterialFriction {
     static constexpr int none = -1;  ///< the material of a body that names none
 

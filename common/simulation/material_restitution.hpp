@@ -8,11 +8,13 @@
 
 namespace enduring {
 
-/// The coefficient of restitution between each two materials of a scene, in [0, 1], for those solvers that let bodies bounce. The
-/// place `none` has that of bodies without a material, so a world without materials has one entry.
+/// The coefficient of restitution between each two materials of a scene, in [0, 1], for those solvers that
+/// let bodies bounce. The place `none` has that of bodies without a material, so a world without materials
+/// has one entry.
 struct MaterialRestitution {
     int materials = 0;
-    /// (materials + 1) squared: for each material, MaterialFriction::none first, that with each material, `none` first
+    /// (materials + 1) squared: for each material, MaterialFriction::none first, that with each material,
+    /// `none` first
     std::vector<double> between{0.0};
 
     std::size_t place_of(int one, int other) const

@@ -7,8 +7,8 @@
 
 namespace enduring {
 
-/// A vector that is the same at all times, or given at some times and linear between them; zero before the first of these
-/// and after the last.
+/// A vector that is the same at all times, or given at some times and linear between them; zero before the
+/// first of these and after the last.
 class TimedVector {
 public:
     struct Row {
@@ -31,7 +31,8 @@ private:
     std::vector<Row> rows_;
 };
 
-/// A spring between a point that stands in the world and a point of a body; its force lies along the line between both.
+/// A spring between a point that stands in the world and a point of a body; its force lies along the line
+/// between both.
 struct AnchoredSpring {
     Vec3 anchor;             ///< that stands [m]
     double stiffness;        ///< [N/m]
@@ -45,7 +46,8 @@ struct AnchoredSpring {
 struct OutsideLoad {
     TimedVector force{};   ///< [N]
     TimedVector torque{};  ///< [N m]
-    /// of the body, on which the force acts, in the world as the body is when the load is added [m]; else its centre of mass
+    /// of the body, on which the force acts, in the world as the body is when the load is added [m]; else its
+    /// centre of mass
     std::optional<Vec3> point{};
     bool turns_along = false;  ///< with the body: both are in world axes only when the load is added
     /// between its anchor and the point; its force is that of the start of the step

@@ -164,8 +164,9 @@ ContactMass RigidBody::contact_mass(std::span<const int>) const
     return of;
 }
 
-// All impulses of a step have one lever, however often they are mended: that of the end to which the body turns as fast as it does
-// at the start, until it is told to follow the motion found. So what rests has the levers of its rest, whatever torques it bears.
+// All impulses of a step have one lever, however often they are mended: that of the end to which the body
+// turns as fast as it does at the start, until it is told to follow the motion found. So what rests has the
+// levers of its rest, whatever torques it bears.
 VertexMotion RigidBody::contact_motion(std::span<const int> touched, std::size_t index, double tau) const
 {
     const Vec3& point = body_points_[static_cast<std::size_t>(touched[index])];

@@ -71,8 +71,8 @@ public:
     Vec3 angular_momentum(const Vec3& about) const override { return motion_.angular_momentum(about); }
 
     const RigidMotion& motion() const { return motion_; }
-    /// How a point of the body moves with its coordinates in contact, velocity and angular velocity, by the lever from the origin of
-    /// its pose [m]: nothing along or about what is held.
+    /// How a point of the body moves with its coordinates in contact, velocity and angular velocity, by the
+    /// lever from the origin of its pose [m]: nothing along or about what is held.
     Eigen::Matrix<double, 3, 6> motion_of_point(const Vec3& lever) const;
     /// How it turns with them.
     Eigen::Matrix<double, 3, 6> motion_of_turn() const;

@@ -14,8 +14,9 @@
 
 namespace enduring {
 
-/// The numbers that a state is made of, in both directions: written into a list, or read back from one. A class names its
-/// fields once, in one function that is given an archive, so nothing that is written can be forgotten in reading.
+/// The numbers that a state is made of, in both directions: written into a list, or read back from one. A
+/// class names its fields once, in one function that is given an archive, so nothing that is written can be
+/// forgotten in reading.
 class StateArchive {
 public:
     /// Writes.

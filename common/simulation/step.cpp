@@ -275,8 +275,8 @@ void try_step(World& world, Contacts& contacts, const Solver& solver, double dt,
         world.attempt.trouble = StepTrouble::gains_energy;
 }
 
-/// Whether a body that nothing touches turns so far in a step that it has to be taken in halves from the first, or swings so fast in
-/// its joints.
+/// Whether a body that nothing touches turns so far in a step that it has to be taken in halves from the
+/// first, or swings so fast in its joints.
 bool begins_too_long(const World& world, double max_turn, double dt)
 {
     constexpr double max_parts = 1024;

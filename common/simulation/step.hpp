@@ -77,7 +77,8 @@ struct World {
     MaterialRestitution restitution;
 };
 
-/// Pushes a vertex of a body, from a pass; the step's energy takes the work of the push for what was put in on purpose.
+/// Pushes a vertex of a body, from a pass; the step's energy takes the work of the push for what was put in
+/// on purpose.
 void push_from_outside(World& world, std::size_t body, int vertex, const Vec3& impulse);
 
 /// A layer of the course works as a pass: a plain function over the world and the one list of contacts.
@@ -90,11 +91,12 @@ struct Pass {
 
 /// When in a step a pass runs.
 enum class StepStage {
-    refresh,  ///< once, before any detection: resolve, dismiss or redefine the pairs that endure
-    detect,   ///< append new crossings as waiting contacts
-    respond,  ///< give every waiting contact its impulses; the step applies them, all together
-    finish,   ///< once, from the last prediction, before it becomes the state: friction anchors move
-    after_commit  ///< once, when the prediction is the state: velocities may change (Body::kick()), and nothing moves
+    refresh,      ///< once, before any detection: resolve, dismiss or redefine the pairs that endure
+    detect,       ///< append new crossings as waiting contacts
+    respond,      ///< give every waiting contact its impulses; the step applies them, all together
+    finish,       ///< once, from the last prediction, before it becomes the state: friction anchors move
+    after_commit  ///< once, when the prediction is the state: velocities may change (Body::kick()), and
+                  ///< nothing moves
 };
 
 /// A chapter's solver is its lists of passes, so "what did this chapter add?" reads as one more line: a
@@ -106,7 +108,8 @@ enum class StepStage {
 class Solver {
 public:
     std::string name;
-    /// How often a step may be halved that does not end well (StepTrouble). None: every step is taken as it comes.
+    /// How often a step may be halved that does not end well (StepTrouble). None: every step is taken as it
+    /// comes.
     int max_halvings = 0;
     /// How often a step answers what its own answers brought about (thesis 3.3, item 4).
     int max_responses = 5;
@@ -162,16 +165,16 @@ void apply_impulses(World& world, Contacts& contacts);
 ///   impulses, update the prediction) until nothing new
 ///   appears; finish; commit velocities, then positions; after_commit. Pairs found by the
 ///   last detection stay, waiting, for the next step.
-/// A step that does not end well is thrown away and taken in halves, each of them a step of its own with half of dt, as far
-/// as the solver's max_halvings goes; the pairs then tell their impulses of the last part.
+/// A step that does not end well is thrown away and taken in halves, each of them a step of its own with half
+/// of dt, as far as the solver's max_halvings goes; the pairs then tell their impulses of the last part.
 ///
 /// @param world     bodies, changed in place
 /// @param contacts  pairs that live on from the last step; on return those alive after this one
 /// @param dt        length of the step [s], positive
 /// @param done      is told of each pass, and of "predict", "apply
 ///     impulses", "update prediction" and "commit"
-/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex; or a body turns a
-///     thousand times too far for a solver that takes halves: names step and body
+/// @throws std::runtime_error  a position or velocity became NaN or infinite: names step, body and vertex; or
+///     a body turns a thousand times too far for a solver that takes halves: names step and body
 void advance(World& world, Contacts& contacts, const Solver& solver, double dt,
              const PassObserver& done = nobody_observes);
 

@@ -4,7 +4,8 @@
 
 namespace enduring {
 
-/// What a step has cost, or one attempt at it. Counts alone and no clock, so they are the same for any number of threads.
+/// What a step has cost, or one attempt at it. Counts alone and no clock, so they are the same for any number
+/// of threads.
 struct StepWork {
     long attempts = 0;      ///< at the step and at its parts
     long parts = 0;         ///< attempts that were kept: 1 where nothing was halved
@@ -16,7 +17,8 @@ struct StepWork {
     long unsolved = 0;      ///< islands that a part has kept without solving them to the tolerance
     double residual = 0;    ///< the worst one with which a part has kept an island [1]
 
-    /// Takes an attempt that has ended: what it cost counts in any case, how well it was solved only if it is kept.
+    /// Takes an attempt that has ended: what it cost counts in any case, how well it was solved only if it is
+    /// kept.
     void add(const StepWork& attempt, bool kept)
     {
         ++attempts;

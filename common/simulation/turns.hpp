@@ -16,8 +16,9 @@ public:
     /// The same of all bodies.
     Turns(const World& world, double dt);
 
-    /// Whether impulses turn a body so far that its vertices leave their straight lines: by more than `max_turn` [rad] beyond its turn
-    /// without them. An answer that turns a body by radians may end beside what pressed it: that solves the equation, too, with any energy.
+    /// Whether impulses turn a body so far that its vertices leave their straight lines: by more than
+    /// `max_turn` [rad] beyond its turn without them. An answer that turns a body by radians may end beside
+    /// what pressed it: that solves the equation, too, with any energy.
     bool exceeded(const World& world, double max_turn) const;
 
 private:

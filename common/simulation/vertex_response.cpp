@@ -23,8 +23,8 @@ std::vector<int> elements_at(const ElasticMesh& mesh, int node)
 }
 
 //! [softened]
-/// Ten times the part of the diagonal that makes it positive keeps it off the border. What nothing moves, since
-/// its nodes are fixed, gets a mass a million times as large as the least that there is.
+/// Ten times the part of the diagonal that makes it positive keeps it off the border. What nothing moves,
+/// since its nodes are fixed, gets a mass a million times as large as the least that there is.
 /// @param response  its lower half
 ContactMass softened(Eigen::MatrixXd response)
 {

@@ -84,8 +84,8 @@ TEST_CASE("bounce: a short step keeps the speed that was asked for")
     }
 }
 
-// The way of the next bounces is known in closed form. With a = k dt^2 / m and v = dt = 1 the first height is 1/2, the first step takes
-// v to -1 + a/8, and so on; all numbers are fractions.
+// The way of the next bounces is known in closed form. With a = k dt^2 / m and v = dt = 1 the first height is
+// 1/2, the first step takes v to -1 + a/8, and so on; all numbers are fractions.
 TEST_CASE("bounce: with a = k dt^2 / m = 2 it lasts two steps and keeps half of the speed")
 {
     for (const double speed : {1e-3, 1.0, 1e3}) {

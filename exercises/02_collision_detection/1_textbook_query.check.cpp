@@ -216,8 +216,8 @@ TEST_CASE("tolerance: it is yours to pass on, whatever its size: on the weights,
               " before its own end");
         expect_none(falling_edge(2 * tolerance, 1, -3), {.weight = tolerance});
     }
-    // The face's corner f1 moves along x, so the cubic is (1 - 2 tau)(1 + 0.1 tau): its last coefficient is dropped
-    // where the tolerance is 0.2 of the largest, and what is left is 1 - 1.9 tau.
+    // The face's corner f1 moves along x, so the cubic is (1 - 2 tau)(1 + 0.1 tau): its last coefficient is
+    // dropped where the tolerance is 0.2 of the largest, and what is left is 1 - 1.9 tau.
     VertexFaceStep growing = over_a_face({0.2, 1, 0.2}, {0.2, -1, 0.2});
     growing.f1_t1 = Vec3(1.1, 0, 0);
     given(

@@ -51,7 +51,8 @@ TEST_CASE("measurement: with the discrete method all of g dt^2 is missing from t
 TEST_CASE(
     "measurement: half the step damps half as much, and at the end of the scene the cube still swings a little")
 {
-    // The swing falls by exp(-zeta omega t) = exp(-5) of 24 mm in the 10 s of the scene: zeta = k' dt / (4 sqrt(k' m)), k' of four pairs.
+    // The swing falls by exp(-zeta omega t) = exp(-5) of 24 mm in the 10 s of the scene: zeta = k' dt / (4
+    // sqrt(k' m)), k' of four pairs.
     const RestingCube cube = cube_of(1, 0.005);
     given(name_of(cube));
     expect("depth", 1000 * depth_at_rest(cube), springs(4) - 0.5 * 9810 * 0.005 * 0.005, 24.5 * std::exp(-5),

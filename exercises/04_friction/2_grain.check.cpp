@@ -102,7 +102,8 @@ TEST_CASE("floor: a block that friction would throw back stays where it is")
 
 TEST_CASE("floor: a block whose motion turns by less than a right angle goes on")
 {
-    // Along and across, v = (1.2, 0.8) loses (0.6, 1.6): (0.6, -0.8) points forward. What comes next would not.
+    // Along and across, v = (1.2, 0.8) loses (0.6, 1.6): (0.6, -0.8) points forward. What comes next would
+    // not.
     const Grain grain{{1, 0}, 0.5, 1};
     for (const double sign : {1.0, -1.0}) {
         const Vec2 velocity = sign * Vec2(1.2, 0.8);

@@ -14,8 +14,8 @@ struct BristleStep {
     double impulse;  ///< on the point that slides [N s]
 };
 
-/// One step at constant velocity, exactly: the bend z obeys  dz/dt = v - (stiffness |v| / limit) z,  and the bristles push with
-/// the force -stiffness z.
+/// One step at constant velocity, exactly: the bend z obeys  dz/dt = v - (stiffness |v| / limit) z,  and the
+/// bristles push with the force -stiffness z.
 ///
 /// @param bend      z at the start of the step [m]
 /// @param velocity  v [m/s]

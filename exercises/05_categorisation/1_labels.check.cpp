@@ -36,7 +36,8 @@ Contact exchanged(Contact pair)
     return pair;
 }
 
-/// A body at rest, by default a floor, and a cube of 1 m, both round the origin, which turns by 80 degrees about z in its step.
+/// A body at rest, by default a floor, and a cube of 1 m, both round the origin, which turns by 80 degrees
+/// about z in its step.
 World turning_cube(const SurfaceMesh& other = plane_grid(4, 4, {4, 4}))
 {
     World world;
@@ -247,7 +248,8 @@ TEST_CASE("moment: a surface that turns has at each moment another label, as A a
         expect_that(named + ", at the start it is regular", categorise(world, pair, 0) == regular);
         expect_that(named + ", at the end it is hooked", categorise(world, pair, 1) == hooked);
     }
-    // At the end the cube's sole looks along x, and so does the push: against the side of the step, whose top was pushed before.
+    // At the end the cube's sole looks along x, and so does the push: against the side of the step, whose top
+    // was pushed before.
     const World step = turning_cube(box({1, 1, 1}));
     const Contact sole = pushed_up(step, {0, -0.5, 0.5}, {-0.5, 0.5, 0});
     given("the same cube, its lower edge across the axis against the upper edge of a resting cube");

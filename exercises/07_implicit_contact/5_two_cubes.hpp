@@ -8,8 +8,8 @@
 
 namespace enduring {
 
-/// A pair of two cubes on one another, or of a cube on the floor. Nothing turns, so it has two directions: along the surface,
-/// and along the normal, upwards.
+/// A pair of two cubes on one another, or of a cube on the floor. Nothing turns, so it has two directions:
+/// along the surface, and along the normal, upwards.
 struct CubePair {
     double gap;        ///< at the start of the step, negative where the cubes are in each other [m]
     double stiffness;  ///< k [N/m]
@@ -17,8 +17,8 @@ struct CubePair {
     double mu;
 };
 
-/// A step of cubes on one another. Pair i is the one below cube i; below cube 0 is the floor. Vectors of velocities have two
-/// numbers for each cube: along the surface, and upwards.
+/// A step of cubes on one another. Pair i is the one below cube i; below cube 0 is the floor. Vectors of
+/// velocities have two numbers for each cube: along the surface, and upwards.
 struct PileStep {
     std::vector<double> masses;   ///< [kg]
     std::vector<CubePair> pairs;  ///< one below each cube
@@ -56,7 +56,8 @@ inline double objective(const PileStep& step, const std::vector<double>& limits,
     return sum;
 }
 
-/// The slope of the objective: A (v - v*) less the impulses of all pairs [N s]. A pair pushes the cube above and the one below.
+/// The slope of the objective: A (v - v*) less the impulses of all pairs [N s]. A pair pushes the cube above
+/// and the one below.
 Eigen::VectorXd gradient(const PileStep& step, const std::vector<double>& limits, const Eigen::VectorXd& v);
 
 /// Given: A and the contact Hessians of all pairs [kg].
@@ -77,8 +78,8 @@ inline Eigen::MatrixXd hessian(const PileStep& step, const std::vector<double>& 
     return sum;
 }
 
-/// Given: the line search. The part of a direction to take: all of it if the slope at its end is less than a tenth of that at its
-/// beginning, else a part by bisection.
+/// Given: the line search. The part of a direction to take: all of it if the slope at its end is less than a
+/// tenth of that at its beginning, else a part by bisection.
 inline double part_to_take(const PileStep& step, const std::vector<double>& limits, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& direction)
 {
@@ -109,8 +110,8 @@ struct PileMotion {
     std::vector<double> limits;  ///< of friction, mu times the normal impulse of this motion [N s]
 };
 
-/// Formula 5: from limits of zero on, the problem is solved and the limits are taken from its normal impulses, until none
-/// changes by more than 1e-12 of itself any more. At most 100 rounds.
+/// Formula 5: from limits of zero on, the problem is solved and the limits are taken from its normal
+/// impulses, until none changes by more than 1e-12 of itself any more. At most 100 rounds.
 PileMotion after_step(const PileStep& step);
 
 }  // namespace enduring

@@ -2,8 +2,8 @@
 
 namespace enduring {
 
-/// A cube that slides down between two walls. Both lean by the same angle, and each has one pair with the cube. So the
-/// cube moves only up and down, and both pairs do the same.
+/// A cube that slides down between two walls. Both lean by the same angle, and each has one pair with the
+/// cube. So the cube moves only up and down, and both pairs do the same.
 struct Wedge {
     double mass;        ///< [kg]
     double stiffness;   ///< k of each of the two pairs [N/m]
@@ -24,9 +24,9 @@ struct WedgeMotion {
 /// @param limit  [N s]
 WedgeMotion solved_with(const Wedge& wedge, double limit);
 
-/// Rounds from a limit of zero on. A round solves with the limit and compares it with mu times the normal impulse that
-/// was found. If the two differ by the tolerance at most, this round is the last one. Else the limit takes a part of the
-/// difference.
+/// Rounds from a limit of zero on. A round solves with the limit and compares it with mu times the normal
+/// impulse that was found. If the two differ by the tolerance at most, this round is the last one. Else the
+/// limit takes a part of the difference.
 /// @param part       of the difference; 1: the limit becomes mu times the normal impulse
 /// @param tolerance  [N s]
 /// @return how many rounds there were, the last one among them; 0 if `most` rounds are not enough
@@ -38,7 +38,8 @@ double factor_of_a_round(const Wedge& wedge);
 /// The part with which the limit is right after one change.
 double best_part(const Wedge& wedge);
 
-/// Your prediction: between very stiff walls at this angle, the smallest coefficient for which rounds with part 1 do not end.
+/// Your prediction: between very stiff walls at this angle, the smallest coefficient for which rounds with
+/// part 1 do not end.
 double predicted_mu(double angle);
 
 }  // namespace enduring

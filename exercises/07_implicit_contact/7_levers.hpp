@@ -41,14 +41,16 @@ inline double turning(const Eigen::Vector2d& lever, const Eigen::Vector2d& impul
     return lever.x() * impulse.y() - lever.y() * impulse.x();
 }
 
-/// The lever of a vertex: the part tau of the straight line from where it is at the start of the step to where it is at the end [m].
+/// The lever of a vertex: the part tau of the straight line from where it is at the start of the step to
+/// where it is at the end [m].
 /// @param vertex  from the centre of mass, at the start of the step [m]
 /// @param turn    of the body in the whole step [rad]
 /// @param tau     0: lever of the start, 1: of the end
 Eigen::Vector2d lever_at(const Eigen::Vector2d& vertex, double turn, double tau);
 
-/// The turn of the body in the step [rad], dt times the angular velocity behind all impulses. They have the levers of this turn itself.
-/// Turns that are not found yet come nearer: dt times the sum of |vertex| |impulse| is at most 0.8 times the inertia.
+/// The turn of the body in the step [rad], dt times the angular velocity behind all impulses. They have the
+/// levers of this turn itself. Turns that are not found yet come nearer: dt times the sum of |vertex|
+/// |impulse| is at most 0.8 times the inertia.
 double turn_found(const PlaneBody& body, const std::vector<VertexPush>& pushes, double tau, double dt);
 
 /// The lever of that point of a wheel's rim which is lowest at the end of the step [m].
@@ -59,8 +61,9 @@ Eigen::Vector2d lever_of_the_lowest(const Wheel& wheel, double turn, double tau)
 /// @param impulse  of the floor; dt times |impulse| times the radius is at most 0.8 times the inertia [N s]
 double wheel_turn(const Wheel& wheel, const Eigen::Vector2d& impulse, double tau, double dt);
 
-/// Angular velocity of a wheel that has rolled on level ground for so many steps [rad/s]. In each of them the floor carries the
-/// weight at the point that is lowest at the end, and friction keeps the wheel rolling: v = -radius * spin.
+/// Angular velocity of a wheel that has rolled on level ground for so many steps [rad/s]. In each of them the
+/// floor carries the weight at the point that is lowest at the end, and friction keeps the wheel rolling: v =
+/// -radius * spin.
 double rolled(const Wheel& wheel, double tau, int steps, double dt);
 
 /// Your prediction: the part of its kinetic energy that a rolling wheel loses in one step.

@@ -61,16 +61,17 @@ MeshFeature feature_at(const Face& face, const std::array<double, 3>& weights);
 /// Whether no face at this feature comes nearer to p than a distance, by more than 1e-9 m.
 bool is_locally_nearest(const SurfaceMesh& mesh, const MeshFeature& feature, const Vec3& p, double distance);
 
-/// All places of a surface that are locally nearest to p, and no farther than a distance, in the order of the faces on which they are
-/// found. Two places closer to each other than 1e-9 m are one: the first. The surface does not hold p itself.
+/// All places of a surface that are locally nearest to p, and no farther than a distance, in the order of the
+/// faces on which they are found. Two places closer to each other than 1e-9 m are one: the first. The surface
+/// does not hold p itself.
 std::vector<PointPair> near_pairs(const SurfaceMesh& mesh, const Vec3& p, double distance);
 
-/// How many edges at a vertex of a closed surface are ridges: the third corner of one of the two faces lies behind the plane of the
-/// other face, by more than 1e-4 of its distance from the vertex.
+/// How many edges at a vertex of a closed surface are ridges: the third corner of one of the two faces lies
+/// behind the plane of the other face, by more than 1e-4 of its distance from the vertex.
 int ridges_at(const SurfaceMesh& mesh, int vertex);
 
-/// Whether a vertex of a closed surface has directions of its own. A vertex inside a flat side has none, and one on a straight edge
-/// of a body has none either: what touches there, touches the side or the edge.
+/// Whether a vertex of a closed surface has directions of its own. A vertex inside a flat side has none, and
+/// one on a straight edge of a body has none either: what touches there, touches the side or the edge.
 bool has_directions(const SurfaceMesh& mesh, int vertex);
 
 }  // namespace enduring

@@ -12,7 +12,8 @@ namespace enduring {
 
 using Vec2 = Eigen::Vector2d;  // in a plane
 
-/// A body that stands: its corners, counter-clockwise. Side i leads from corner i to the next one, the last side to corner 0.
+/// A body that stands: its corners, counter-clockwise. Side i leads from corner i to the next one, the last
+/// side to corner 0.
 using Outline = std::vector<Vec2>;
 
 /// A moving point passes a side of a body.
@@ -47,7 +48,8 @@ inline bool is_known(const Passage& passage, const std::vector<SidePair>& known)
 /// Passages of the point and one body within this part of the step are one impact [1].
 constexpr double together = 0.02;
 
-/// Given: the query. All sides that a straight path passes, in no order. A path that ends on a line, up to 1e-9 m, does not pass it.
+/// Given: the query. All sides that a straight path passes, in no order. A path that ends on a line, up to
+/// 1e-9 m, does not pass it.
 inline std::vector<Passage> passages(const std::vector<Outline>& bodies, const Vec2& from, const Vec2& to)
 {
     std::vector<Passage> found;
@@ -67,8 +69,8 @@ inline std::vector<Passage> passages(const std::vector<Outline>& bodies, const V
     return found;
 }
 
-/// Given: a solve. The end that is nearest to the free one, of those in front of the lines of all pairs: free, on one line, or where two
-/// lines meet.
+/// Given: a solve. The end that is nearest to the free one, of those in front of the lines of all pairs:
+/// free, on one line, or where two lines meet.
 inline Vec2 nearest_end(const Vec2& free_end, const std::vector<SidePair>& pairs)
 {
     std::vector<Vec2> ends{free_end};
@@ -99,8 +101,9 @@ inline Vec2 nearest_end(const Vec2& free_end, const std::vector<SidePair>& pairs
 /// A solve: from the end without contact and all pairs to the end of the step.
 using Solve = std::function<Vec2(const Vec2& free_end, const std::vector<SidePair>& pairs)>;
 
-/// What becomes of passages. Of each body only the first one counts, with those that follow it within `together`; later ones are
-/// consequences. What counts becomes a pair, if it is none yet. If all that counts of a body are known pairs, the step is halved.
+/// What becomes of passages. Of each body only the first one counts, with those that follow it within
+/// `together`; later ones are consequences. What counts becomes a pair, if it is none yet. If all that counts
+/// of a body are known pairs, the step is halved.
 /// @param found  in no order
 /// @return       new pairs, ascending by body, and for one body by time
 Decision decide(std::vector<Passage> found, const std::vector<SidePair>& known);
@@ -108,8 +111,8 @@ Decision decide(std::vector<Passage> found, const std::vector<SidePair>& known);
 /// The pair of a side that the point passes in a step which begins at `start`, not on the line.
 SidePair pair_with(const std::vector<Outline>& bodies, const Passage& passage, const Vec2& start);
 
-/// The end of a step: the query, the decision, and a solve of the whole step with all pairs so far, again and again until nothing is
-/// passed any more. None if the step is to be halved.
+/// The end of a step: the query, the decision, and a solve of the whole step with all pairs so far, again and
+/// again until nothing is passed any more. None if the step is to be halved.
 std::optional<Vec2> end_by_first(const std::vector<Outline>& bodies, const Vec2& start, const Vec2& free_end,
                                  const Solve& solve);
 

@@ -8,8 +8,8 @@ namespace {
 
 std::string told(const LatticePoint& p) { return in_words("(", p.x, ", ", p.y, ")"); }
 
-/// Coordinates of at most 20, made so large that e is a whole number: e = (5000, 1) / 5000^2, which is too small to
-/// change an answer that is no tie.
+/// Coordinates of at most 20, made so large that e is a whole number: e = (5000, 1) / 5000^2, which is too
+/// small to change an answer that is no tie.
 constexpr std::int64_t fine = 5000;
 
 LatticePoint magnified(const LatticePoint& p) { return {p.x * fine * fine, p.y * fine * fine}; }

@@ -10,12 +10,12 @@ struct LatticePoint {
     std::int64_t x, y;
 };
 
-/// A closed polygon: its corners in order, to the left of its edges is its inside. The last corner is joined to
-/// the first.
+/// A closed polygon: its corners in order, to the left of its edges is its inside. The last corner is joined
+/// to the first.
 using LatticePolygon = std::vector<LatticePoint>;
 
-/// On which side of the line from a to b the point p lies, after p was shifted by e = (eps, eps^2) times `shift`.
-/// Here eps is larger than zero and smaller than every number.
+/// On which side of the line from a to b the point p lies, after p was shifted by e = (eps, eps^2) times
+/// `shift`. Here eps is larger than zero and smaller than every number.
 /// @param shift  1 or -1
 /// @return       1 to the left, -1 to the right; 0 only if a and b are the same
 int side_of_line(const LatticePoint& p, const LatticePoint& a, const LatticePoint& b, int shift);
@@ -25,8 +25,8 @@ int side_of_line(const LatticePoint& p, const LatticePoint& a, const LatticePoin
 int crosses(const LatticePoint& p, const LatticePoint& q, const LatticePoint& a, const LatticePoint& b,
             int shift);
 
-/// How often a polygon winds around a point that was shifted by e times `shift`: 1 inside, 0 outside of one that
-/// runs around its inside once.
+/// How often a polygon winds around a point that was shifted by e times `shift`: 1 inside, 0 outside of one
+/// that runs around its inside once.
 int winding_number(const LatticePoint& point, const LatticePolygon& polygon, int shift);
 
 }  // namespace enduring

@@ -27,7 +27,8 @@ struct SoftShape {
 using Neighbours = std::vector<std::vector<bool>>;
 
 /// Two vertices of the surface are neighbours if, at rest,
-/// - the straight line between them is no longer than the longest edge of the surface that ends at one of the two, and
+/// - the straight line between them is no longer than the longest edge of the surface that ends at one of the
+/// two, and
 /// - the path along the bonds is no longer than twice the longest edge of the whole surface.
 /// Each vertex is a neighbour of itself.
 Neighbours find_neighbours(const SoftShape& shape);
@@ -38,13 +39,13 @@ struct FoundPairs {
     std::vector<std::array<int, 2>> edge_edge;  ///< the smaller edge first
 };
 
-/// The pairs of features that lie near each other now and may push: each once, both lists ascending. They may not push
-/// if some vertex of the one is a neighbour of some vertex of the other.
+/// The pairs of features that lie near each other now and may push: each once, both lists ascending. They may
+/// not push if some vertex of the one is a neighbour of some vertex of the other.
 /// @param margin  see are_near() [m]
 FoundPairs find_own_pairs(const SoftShape& shape, const Neighbours& neighbours, double margin);
 
-/// Given: how far it is at rest from one vertex to each of all vertices along the bonds [m]; INFINITY where no bonds
-/// lead (Dijkstra).
+/// Given: how far it is at rest from one vertex to each of all vertices along the bonds [m]; INFINITY where
+/// no bonds lead (Dijkstra).
 inline std::vector<double> paths_from(const SoftShape& shape, int vertex)
 {
     using Reached = std::pair<double, int>;
@@ -67,8 +68,8 @@ inline std::vector<double> paths_from(const SoftShape& shape, int vertex)
     return path;
 }
 
-/// Given: whether the boxes around some vertices and around others, as they lie now, each larger by the margin on all
-/// sides, have a point in common.
+/// Given: whether the boxes around some vertices and around others, as they lie now, each larger by the
+/// margin on all sides, have a point in common.
 inline bool are_near(const SoftShape& shape, std::span<const int> one, std::span<const int> other,
                      double margin)
 {

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Whether friction holds a corner that is pulled by 1 N on one side and by `pull` [N] on the other: the post's push is in its cone.
+/// Whether friction holds a corner that is pulled by 1 N on one side and by `pull` [N] on the other: the
+/// post's push is in its cone.
 bool holds(double mu, double turn, double pull)
 {
     const Vec3 held(-1, 0, 0),

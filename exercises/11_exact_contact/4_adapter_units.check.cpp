@@ -32,8 +32,8 @@ std::string told(const EngineUnits& units)
            std::to_string(units.time) + " s";
 }
 
-/// A step of an engine that knows numbers, and no units: the box falls, its lowest point is at `arm`, and the floor stops this point,
-/// without friction.
+/// A step of an engine that knows numbers, and no units: the box falls, its lowest point is at `arm`, and the
+/// floor stops this point, without friction.
 struct Landed {
     Vec3 velocity, angular_velocity, impulse;
 };

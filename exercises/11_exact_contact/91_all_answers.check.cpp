@@ -17,7 +17,8 @@ double off_the_rules(const OneContact& contact, const Vec2& r)
     return std::max({-u.y(), -r.y(), std::abs(u.y() * r.y()), -left, std::abs(left * u.x()), r.x() * u.x()});
 }
 
-/// A rod of two metres whose lower end touches the ground; it leans by an angle whose tangent is given, its lower end to the left.
+/// A rod of two metres whose lower end touches the ground; it leans by an angle whose tangent is given, its
+/// lower end to the left.
 OneContact rod(double mass, double tangent, double mu, const Vec2& q)
 {
     const double angle = std::atan(tangent), x = -std::cos(angle), y = -std::sin(angle), inertia = mass / 3;

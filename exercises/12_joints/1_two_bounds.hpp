@@ -16,13 +16,15 @@ struct Line {
 /// The impulse at a velocity u [m/s].
 double impulse(const Line& line, double u);
 
-/// What keeps a lift from falling through its floor: it pushes upwards only, and is pressed by `depth` where the step begins.
+/// What keeps a lift from falling through its floor: it pushes upwards only, and is pressed by `depth` where
+/// the step begins.
 /// @param stiffness  [N/m]
 /// @param depth      how far the lift is below the floor [m], positive inside
 /// @param dt         length of the step [s]; the spring is that of the end of the step
 Line floor_line(double stiffness, double depth, double dt);
 
-/// A rope that holds the lift from above and pulls upwards only. It is slack by `slack` [m] where the step begins, below zero if it is stretched.
+/// A rope that holds the lift from above and pulls upwards only. It is slack by `slack` [m] where the step
+/// begins, below zero if it is stretched.
 Line rope_line(double stiffness, double slack, double dt);
 
 /// A brake with a largest force [N]: it holds the lift still, if it can.

@@ -10,11 +10,13 @@ struct Servo {
     double fastest = 1e9;  ///< [rad/s]
 };
 
-/// The speed with which the wheel may go on in a step, if `left` [rad] are still to go: so that behind the step, at this speed, the part `braking` of the torque stops it before the
-/// target.  It has the sign of `left`, and is no faster than `fastest`.
+/// The speed with which the wheel may go on in a step, if `left` [rad] are still to go: so that behind the
+/// step, at this speed, the part `braking` of the torque stops it before the target.  It has the sign of
+/// `left`, and is no faster than `fastest`.
 double wanted_speed(const Servo& servo, double left, double dt);
 
-/// The torque of a step [N m]: it brings the wheel to the wanted speed, as far as the largest torque can, against a load.
+/// The torque of a step [N m]: it brings the wheel to the wanted speed, as far as the largest torque can,
+/// against a load.
 /// @param speed  with which the step begins [rad/s]
 /// @param load   torque on the wheel from outside [N m]
 double torque_of_step(const Servo& servo, double left, double speed, double load, double dt);
@@ -24,7 +26,8 @@ struct Arrival {
     double farthest = 0;  ///< that it has come [rad]
 };
 
-/// Turns a wheel from rest by `way` [rad]: in each step the torque and the load change the speed, and the new speed the angle. It looks for ten seconds.
+/// Turns a wheel from rest by `way` [rad]: in each step the torque and the load change the speed, and the new
+/// speed the angle. It looks for ten seconds.
 Arrival turn_by(const Servo& servo, double way, double load, double dt);
 
 }  // namespace enduring

@@ -17,8 +17,8 @@ struct BlockOnFloor {
 /// @param dt          of the substep [s]
 double multiplier_change(double error, double multiplier, double response, double compliance, double dt);
 
-/// A substep of XPBD under gravity of 9.81 m/s^2: the block falls, then its position is corrected so many times where it is inside, then its
-/// velocity is what it has moved by. The multiplier begins at zero.
+/// A substep of XPBD under gravity of 9.81 m/s^2: the block falls, then its position is corrected so many
+/// times where it is inside, then its velocity is what it has moved by. The multiplier begins at zero.
 BlockOnFloor substep(const BlockOnFloor& block, double compliance, double dt, int iterations);
 
 /// How deep a block rests under these substeps [m].

@@ -10,7 +10,8 @@ struct SoftNumbers {
     double impulse_scale;  ///< [1]
 };
 
-/// The speed after a step of h that is implicit: the spring acts from where the mass ends, the damper at the speed with which it ends.
+/// The speed after a step of h that is implicit: the spring acts from where the mass ends, the damper at the
+/// speed with which it ends.
 /// @param hertz          frequency of the spring with this mass [1/s]; its stiffness is mass (2 pi hertz)^2
 /// @param damping_ratio  of critical, which is 2 mass 2 pi hertz
 /// @param separation     at the start [m], negative where the spring is pressed
@@ -24,7 +25,8 @@ SoftNumbers soft_numbers(double hertz, double damping_ratio, double h);
 /// @param sum  of the impulses of this contact so far [N s]
 double change_of_impulse(const SoftNumbers& soft, double mass, double separation, double speed, double sum);
 
-/// How long a depth takes to fall to a part of itself, where nothing else pushes and the damping is large: it goes by bias_rate [s].
+/// How long a depth takes to fall to a part of itself, where nothing else pushes and the damping is large: it
+/// goes by bias_rate [s].
 /// @param part  above 0 and below 1
 double time_to_part(const SoftNumbers& soft, double part);
 

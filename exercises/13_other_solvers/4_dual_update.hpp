@@ -15,16 +15,19 @@ struct HeavyBlock {
     double velocity;  ///< [m/s]
 };
 
-/// Behind a sweep: the multiplier becomes the force, which never pulls, and the stiffness grows by beta |C| where the force pushes.
+/// Behind a sweep: the multiplier becomes the force, which never pulls, and the stiffness grows by beta |C|
+/// where the force pushes.
 /// @param error  C [m], positive where the block is inside
 /// @param beta   growth of the stiffness per error [N/m^2]
 AugmentedContact dual_update(const AugmentedContact& contact, double error, double beta);
 
-/// Where the block ends under gravity of 9.81 m/s^2 if the contact pushes lambda + k C as long as this is positive: the least of
-/// m / (2 dt^2) (x - y)^2 and the contact's potential, with y the height of a free fall [m].
+/// Where the block ends under gravity of 9.81 m/s^2 if the contact pushes lambda + k C as long as this is
+/// positive: the least of m / (2 dt^2) (x - y)^2 and the contact's potential, with y the height of a free
+/// fall [m].
 double primal_update(const HeavyBlock& block, const AugmentedContact& contact, double dt);
 
-/// So many sweeps of a step, each a primal and a dual update. @param contact  changed in place. @return  the height [m]
+/// So many sweeps of a step, each a primal and a dual update. @param contact  changed in place. @return  the
+/// height [m]
 double step_height(const HeavyBlock& block, AugmentedContact& contact, double beta, double dt, int sweeps);
 
 /// The part of the multiplier's error that a sweep leaves where the stiffness stays [1].

@@ -1,4 +1,5 @@
-// The laboratory without a browser: where bodies are after some steps, as lines of JSON, to compare with the page's numbers.
+// The laboratory without a browser: where bodies are after some steps, as lines of JSON, to compare with the
+// page's numbers.
 #include "common/input/input_error.hpp"
 #include "common/input/json_document.hpp"
 #include "common/input/source_directory.hpp"

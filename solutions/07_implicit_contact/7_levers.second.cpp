@@ -15,7 +15,8 @@ Complex path(double turn, double tau) { return 1 - tau + tau * std::polar(1.0, t
 
 double moment(const Complex& lever, const Complex& impulse) { return std::imag(std::conj(lever) * impulse); }
 
-/// The turn at which `made` is the turn itself. It differs from the free turn by less than 1, and grows by less than its argument.
+/// The turn at which `made` is the turn itself. It differs from the free turn by less than 1, and grows by
+/// less than its argument.
 template <class Made>
 double where_it_is_made(double free, const Made& made)
 {

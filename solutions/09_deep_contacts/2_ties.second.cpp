@@ -21,8 +21,8 @@ int crosses(const LatticePoint& p, const LatticePoint& q, const LatticePoint& a,
     return from * to < 0 && one * other < 0 ? from : 0;
 }
 
-// A ray to the right: it crosses edges whose ends lie below and above it. The shift lifts the ray, so a corner at
-// its height lies below if the shift goes up.
+// A ray to the right: it crosses edges whose ends lie below and above it. The shift lifts the ray, so a
+// corner at its height lies below if the shift goes up.
 int winding_number(const LatticePoint& point, const LatticePolygon& polygon, int shift)
 {
     const auto is_above = [&](const LatticePoint& corner) {

@@ -3,8 +3,8 @@
 namespace enduring {
 namespace {
 
-// The integrals depend on the border alone, so any surface with this border will do: a fan of triangles around the
-// mean of the points.
+// The integrals depend on the border alone, so any surface with this border will do: a fan of triangles
+// around the mean of the points.
 template <class Visit>
 void visit_fan(const Loop& loop, Visit&& visit)
 {

@@ -4,8 +4,8 @@
 
 namespace enduring {
 
-// Edge by edge: what is within the length of an edge of one of its ends is a neighbour of this end, if the body lies
-// between.
+// Edge by edge: what is within the length of an edge of one of its ends is a neighbour of this end, if the
+// body lies between.
 Neighbours find_neighbours(const SoftShape& shape)
 {
     double longest = 0;

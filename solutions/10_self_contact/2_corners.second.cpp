@@ -8,7 +8,8 @@ namespace enduring {
 
 double predicted_turns() { return 1; }
 
-// With the angle of friction, mu = tan(phi): the push of the post leans by phi from the bisector, and the law of sines gives the pulls.
+// With the angle of friction, mu = tan(phi): the push of the post leans by phi from the bisector, and the law
+// of sines gives the pulls.
 double corner_factor(double mu, double turn)
 {
     const double lean = std::atan(mu), left = std::cos(turn / 2 + lean);

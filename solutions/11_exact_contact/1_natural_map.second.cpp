@@ -5,7 +5,8 @@
 
 namespace enduring {
 
-/// In the plane of the axis and of the impulse the cone is a wedge, and the nearest point is on one ray or the tip.
+/// In the plane of the axis and of the impulse the cone is a wedge, and the nearest point is on one ray or
+/// the tip.
 Vec3 nearest_point(const Vec3& impulse, double mu)
 {
     const Vec3 tangential(0, impulse.y(), impulse.z());

@@ -5,7 +5,8 @@
 
 namespace enduring {
 
-/// What the energy asks for is the impulse that stops the block; in the plane of the normal and of the slip it is nearest to a ray.
+/// What the energy asks for is the impulse that stops the block; in the plane of the normal and of the slip
+/// it is nearest to a ray.
 Vec3 relaxed_impulse(const Vec3& free_velocity, double mass, double mu)
 {
     const Vec3 slip(0, free_velocity.y(), free_velocity.z());

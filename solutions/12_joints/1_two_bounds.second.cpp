@@ -35,7 +35,8 @@ Line brake_line(double most, double hold, double dt)
     return line;
 }
 
-/// The sum is made of straight pieces, so between the corners of all lines there is one that has the answer: sort the corners and go through them.
+/// The sum is made of straight pieces, so between the corners of all lines there is one that has the answer:
+/// sort the corners and go through them.
 double velocity_after(double mass, double free_velocity, const std::vector<Line>& lines)
 {
     std::vector<double> corners;

@@ -50,7 +50,8 @@ int sweeps_needed(Column& column, double tolerance)
     return sweeps;
 }
 
-/// With all of its impulses a column stands; so with a part of them each cube keeps the other part of its fall.
+/// With all of its impulses a column stands; so with a part of them each cube keeps the other part of its
+/// fall.
 Column falling_column(const std::vector<double>& masses, double dt, double part)
 {
     const double fall = 9.81 * dt;

@@ -1,7 +1,7 @@
 #include "chapters/01_particle_plane/experiments/experiments.hpp"
 
-/// One experiment of the chapter that knows a particle and no body. It needs nothing of the base but tables and plots, so
-/// `./course run` has a picture to show minutes before the chapter's own program is compiled.
+/// One experiment of the chapter that knows a particle and no body. It needs nothing of the base but tables
+/// and plots, so `./course run` has a picture to show minutes before the chapter's own program is compiled.
 int main(int argc, char** argv)
 {
     using namespace enduring;

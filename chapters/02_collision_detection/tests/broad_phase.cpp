@@ -83,7 +83,8 @@ SurfaceMesh wires_of(const SurfaceMesh& mesh)
     return frame;
 }
 
-/// Shapes near each other, also points and edges alone, with open borders, slivers, resting and violently deformed surfaces among them.
+/// Shapes near each other, also points and edges alone, with open borders, slivers, resting and violently
+/// deformed surfaces among them.
 template <class Test>
 void for_random_pairs(int count, const Test& test)
 {

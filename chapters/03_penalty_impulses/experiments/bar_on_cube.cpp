@@ -65,7 +65,8 @@ std::vector<BarDrop> drops_over_step(bool quick)
     return drops;
 }
 
-/// Jitter at rest over the step, for both methods and both kinds of elements; nothing when only a part of it is run.
+/// Jitter at rest over the step, for both methods and both kinds of elements; nothing when only a part of it
+/// is run.
 std::vector<SweepPoint> jitter_over_step(const RunOptions& options, const std::filesystem::path& file,
                                          Report& report)
 {

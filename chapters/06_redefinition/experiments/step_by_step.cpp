@@ -117,8 +117,8 @@ std::optional<Caught> hooked_case(const World& world, const Scene& scene, const 
 /// @throws std::runtime_error  nothing was caught
 Caught run_until_caught(const std::string& name, bool hooked)
 {
-    const std::string aside =
-        R"({"/bodies/cube/position": [0, 0.255, 0.1]})";  // so that a vertex meets its front away from the corners
+    const std::string aside = R"({"/bodies/cube/position": [0, 0.255, 0.1]})";  // so that a vertex meets its
+                                                                                // front away from the corners
     Scene scene = load_scene(scene_file(name), hooked ? aside : "");
     Solver solver = chapter06_solver(scene.contact);
     std::optional<Caught> caught;

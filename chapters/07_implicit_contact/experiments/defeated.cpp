@@ -41,8 +41,8 @@ std::vector<Defeat> all_defeats(double dt, bool quick)
 
 }  // namespace
 
-/// Scenes that chapter 6's pairs do not carry, however well their problem is solved: how deep bodies come into each
-/// other, whatever the pairs say.
+/// Scenes that chapter 6's pairs do not carry, however well their problem is solved: how deep bodies come
+/// into each other, whatever the pairs say.
 void defeated(const RunOptions& options, Report& report)
 {
     Table table({"scene", "dt_s", "deepest_mm", "at_the_end_mm", "unsolved", "solves"});

@@ -88,7 +88,8 @@ double mean_ahead(double tau, double dt)
     return sum / turns;
 }
 
-/// A wheel rolls: where is the vertex that carries it, in which moment of the step, and what do levers of this moment cost?
+/// A wheel rolls: where is the vertex that carries it, in which moment of the step, and what do levers of
+/// this moment cost?
 void levers(const RunOptions&, Report& report)
 {
     Table table({"dt_s", "lever_of", "ahead_mm", "by_formula_mm", "lost_j"});

@@ -106,8 +106,8 @@ std::vector<Point> rounds_of_step(Scene scene, int wanted, const Help& help)
 
 }  // namespace
 
-/// Three scenes: the residual on the bodies over the steps of Newton's method in the hardest step, and the work of every
-/// fifth one.
+/// Three scenes: the residual on the bodies over the steps of Newton's method in the hardest step, and the
+/// work of every fifth one.
 void residual(const RunOptions& options, Report& report)
 {
     struct Case {

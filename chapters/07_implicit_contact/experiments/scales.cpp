@@ -10,8 +10,8 @@ namespace {
 
 constexpr int cubes = 4;
 
-/// A stack of cubes of this size, laid down at rest, with gaps that rounding does not close: chapter 6 finds no pair
-/// for a corner that begins inside.
+/// A stack of cubes of this size, laid down at rest, with gaps that rounding does not close: chapter 6 finds
+/// no pair for a corner that begins inside.
 Scene stack_of_size(double size, double dt)
 {
     constexpr double gap = 1e-8;  // of the size
@@ -47,8 +47,8 @@ Lowered lay(double size, double dt, std::optional<double> wanted_depth, double d
 
 }  // namespace
 
-/// One stack in sizes from a millimetre to a hundred metres: with a depth that is a part of its size, and with one
-/// in metres.
+/// One stack in sizes from a millimetre to a hundred metres: with a depth that is a part of its size, and
+/// with one in metres.
 void scales(const RunOptions& options, Report& report)
 {
     constexpr double metres = 1e-5;

@@ -29,7 +29,8 @@ std::vector<Case> all_cases()
     return cases;
 }
 
-/// The same boxes after some time under chapter 6's solver. With ten times this stiffness a step of 10 ms is too long.
+/// The same boxes after some time under chapter 6's solver. With ten times this stiffness a step of 10 ms is
+/// too long.
 Scene after_chapter06(const Case& c, double duration)
 {
     Scene scene = scene_of(c.boxes, c.dt);

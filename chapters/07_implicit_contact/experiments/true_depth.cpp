@@ -89,8 +89,8 @@ std::optional<Passage> passage(const Vec3& p, const Vec3& q, const Vec3& a, cons
     return Passage{at, from, to};
 }
 
-/// Of an edge that passes an open surface: how far it lies behind the face at its end or, if it goes on beyond
-/// the border, there [m]; of its two parts, that with less.
+/// Of an edge that passes an open surface: how far it lies behind the face at its end or, if it goes on
+/// beyond the border, there [m]; of its two parts, that with less.
 double sheet_depth(const Vec3& p, const Vec3& q, const Passage& passed, const Solid& sheet)
 {
     const auto depth_towards = [&](double end, double at_end) {

@@ -13,8 +13,8 @@ using namespace enduring;
 
 namespace {
 
-/// Bodies of several vertices whose masses are coupled with each other, and pairs that touch two or three vertices of one of
-/// them, some with a rigid body as well.
+/// Bodies of several vertices whose masses are coupled with each other, and pairs that touch two or three
+/// vertices of one of them, some with a rigid body as well.
 struct CoupledBodies {
     ContactProblem problem;
     std::mt19937 random{11};

@@ -103,7 +103,8 @@ TEST_CASE("dual friction: wherever the guesses have been led, the stiffening is 
 TEST_CASE(
     "dual friction: with its guess for f the stiffening is the symmetric part of what |s| f = limit s gives")
 {
-    // |s| df + (d . ds) f = limit ds, where the spring answers a velocity along the surface with ds = -k dt^2 dv
+    // |s| df + (d . ds) f = limit ds, where the spring answers a velocity along the surface with ds = -k dt^2
+    // dv
     ContactProblem problem = slipping_particles();
     for (PairRow& row : problem.rows)
         row.acting = 0.4 * (Vec3(1, 2, -2) - row.velocity);

@@ -12,7 +12,8 @@ using namespace enduring;
 
 namespace {
 
-/// Three lines, of which the first is two-sided, the second pushes only, and the third is a motor at its most.
+/// Three lines, of which the first is two-sided, the second pushes only, and the third is a motor at its
+/// most.
 ElementLaw three_lines()
 {
     ElementLaw law;

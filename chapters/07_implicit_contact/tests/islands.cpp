@@ -16,7 +16,8 @@ using namespace enduring::chapter07;
 
 namespace {
 
-/// Bodies of which every third stands still, and pairs between any two of them, a plane, or one body and itself.
+/// Bodies of which every third stands still, and pairs between any two of them, a plane, or one body and
+/// itself.
 struct RandomPairs {
     World world;
     Contacts contacts;
@@ -60,8 +61,8 @@ struct RandomPairs {
             moved.push_back(contact.body_b);
         return moved;
     }
-    /// The least body that each can be reached from, -1 for one that no pair touches: every pair hands the lesser
-    /// number on, until none has anything to hand on.
+    /// The least body that each can be reached from, -1 for one that no pair touches: every pair hands the
+    /// lesser number on, until none has anything to hand on.
     std::vector<int> least_reached() const
     {
         std::vector<int> least(world.bodies.size(), -1);

@@ -256,7 +256,8 @@ TEST_CASE(
     "newton matrix: the estimate of its operations is that of Cholesky's factor where each body touches the next one only")
 {
     for (const int vertices : {20, 40}) {
-        // all of the first body, then all that it touches of the second one, which is filled with its rest anyway
+        // all of the first body, then all that it touches of the second one, which is filled with its rest
+        // anyway
         const RandomProblem stack = stack_of_soft_bodies(1, 2, vertices);
         const double n = 3 * vertices, touching = 3 * (vertices / 2);
         double exact = 0;

@@ -8,8 +8,8 @@ using namespace enduring;
 
 namespace {
 
-/// A light point on a ground under a heavy one, as their step is solved: both have stopped. The lower spring has been made
-/// stiffer before, so it has a rest offset, and friction holds it.
+/// A light point on a ground under a heavy one, as their step is solved: both have stopped. The lower spring
+/// has been made stiffer before, so it has a rest offset, and friction holds it.
 struct HeavyOnLight {
     static constexpr double light = 1, heavy = 1000;  // [kg]
     double dt;

@@ -120,7 +120,8 @@ TEST_CASE("restitution: an impact may give back what its impulses took, and no m
     for (Contact& corner : cube.contacts)
         corner.began_open = true;
     const IslandImpact impact = impact_of(cube.world, cube.pushed(), {}, PushedCube::dt);
-    // friction acts at the corners, half a metre below the centre, and turns the cube, which does not turn behind the step
+    // friction acts at the corners, half a metre below the centre, and turns the cube, which does not turn
+    // behind the step
     const double torque = 4 * 0.2 * PushedCube::impulse * (0.5), inertia = 10 / 6.0;
     CHECK(impact.lost ==
           doctest::Approx(5 * (before.squaredNorm() - after.squaredNorm()) + torque * torque / inertia / 2));

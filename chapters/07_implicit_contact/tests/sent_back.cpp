@@ -15,7 +15,8 @@ namespace {
 
 constexpr double dt = 0.01;
 
-/// A pyramid that stands on its apex: four corners of a square as wide as high, and a vertex below their middle.
+/// A pyramid that stands on its apex: four corners of a square as wide as high, and a vertex below their
+/// middle.
 SurfaceMesh standing_pyramid(double size)
 {
     const double half = size / 2;
@@ -23,8 +24,8 @@ SurfaceMesh standing_pyramid(double size)
             {{0, 1, 2}, {0, 2, 3}, {1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}}};
 }
 
-/// Pyramids of a kilogram above each other, each with its apex on the middle of the one below, so nothing turns; behind the
-/// commit of a step in which their pairs pushed.
+/// Pyramids of a kilogram above each other, each with its apex on the middle of the one below, so nothing
+/// turns; behind the commit of a step in which their pairs pushed.
 struct Tower {
     double size, pressed = 1e-4 * size;
     World world;
@@ -105,7 +106,8 @@ TEST_CASE("restitution: what rests is stopped by what falls on it, and does not 
 TEST_CASE(
     "restitution: pairs with different coefficients gain no energy, and their impulses are what moves the bodies")
 {
-    // The upper pair would end with -0.6 m/s: it ends at rest, and the energy of before allows a part of that only.
+    // The upper pair would end with -0.6 m/s: it ends at rest, and the energy of before allows a part of that
+    // only.
     Tower tower = struck_tower(1, 0.2);
     const double before = tower.velocity(1);
     const Contacts pushed = tower.contacts;

@@ -418,7 +418,8 @@ TEST_CASE(
         Vec3 expected = spin;
         double moved = 0;
         for (const Contact& contact : contacts) {
-            // The lever that all its pushes have is that of the motion found, as near as the solve follows it.
+            // The lever that all its pushes have is that of the motion found, as near as the solve follows
+            // it.
             const Vec3 lever = by * (start[static_cast<std::size_t>(contact.vertices[0])] - centre);
             expected += lever.cross(contact.impulse + contact.friction);
             moved += ImplicitSettings{}.lever_turn * lever.norm() * contact.impulse.norm();

@@ -11,7 +11,8 @@ using namespace enduring;
 
 namespace {
 
-/// Cubes apart from each other: three fall from little height, and one arrives so fast that its landing is taken in halves.
+/// Cubes apart from each other: three fall from little height, and one arrives so fast that its landing is
+/// taken in halves.
 constexpr const char* landing = R"({
   "name": "landing", "dt": 0.01, "duration": 0.3, "planes": [{"name": "ground"}],
   "bodies": [

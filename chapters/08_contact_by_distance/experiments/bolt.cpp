@@ -15,7 +15,8 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi, duration = 0.5, bolt_gap = 5e-5, play = 5e-4;
 
-/// The corners of a ridge's section, counter-clockwise: the distance from the axis, and the height in the first turn [m].
+/// The corners of a ridge's section, counter-clockwise: the distance from the axis, and the height in the
+/// first turn [m].
 using Section = std::array<std::array<double, 2>, 4>;
 
 /// Heights at which the flanks of a bolt's ridge begin and end.
@@ -39,7 +40,8 @@ Section section_of_bolt(const Thread& thread)
     return {{{inner, at.low}, {outer, at.high}, {outer, at.top}, {inner, at.upper}}};
 }
 
-/// Between two turns of a groove that is the bolt's ridge, shifted outwards and higher by some play: the flanks of both stay parallel.
+/// Between two turns of a groove that is the bolt's ridge, shifted outwards and higher by some play: the
+/// flanks of both stay parallel.
 Section section_of_nut(const Thread& thread)
 {
     const Flanks at(thread, play, 2 * play);

@@ -5,7 +5,8 @@
 
 namespace enduring::chapter08 {
 
-/// A thread with one start, by a formula: a ridge between two flanks and two cylinders that climbs by `lead` a turn.
+/// A thread with one start, by a formula: a ridge between two flanks and two cylinders that climbs by `lead`
+/// a turn.
 struct Thread {
     double lead = 0.01328;                       ///< [m]
     double inner_radius = 0.030, depth = 0.006;  ///< of the groove, and of the ridge above it [m]

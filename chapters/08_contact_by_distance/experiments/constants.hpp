@@ -15,8 +15,8 @@ struct ChangedConstant {
     std::string of_its_value;  ///< "1/10", "10", or the value itself
     std::function<void(ImplicitSettings&)> change;
 };
-/// First the settings as they are. Then each constant that a program may set, at a tenth and at ten times its value; then
-/// three weights over the step.
+/// First the settings as they are. Then each constant that a program may set, at a tenth and at ten times its
+/// value; then three weights over the step.
 std::vector<ChangedConstant> changed_constants();
 
 /// What the solver does with a scene. Plain numbers, to be kept by sweep().

@@ -19,9 +19,9 @@ double own_strain(const chapter07::SoftCube& cube)
 
 bool is_firm(const chapter07::SoftCube& cube) { return own_strain(cube) < 0.05; }
 
-/// Long enough for its swinging to die away, where its own weight strains it by less than a twentieth [s]. A mode
-/// of angular frequency w decays with damping w^2 / 2. Along the cube w^2 is about g over the strain, aside the
-/// cube swings half as fast; seven of these times are a factor of a thousand.
+/// Long enough for its swinging to die away, where its own weight strains it by less than a twentieth [s]. A
+/// mode of angular frequency w decays with damping w^2 / 2. Along the cube w^2 is about g over the strain,
+/// aside the cube swings half as fast; seven of these times are a factor of a thousand.
 double duration_for(const chapter07::SoftCube& cube)
 {
     const double decay = 0.5 * chapter07::soft_damping * 0.25 * 9.81 / own_strain(cube);
@@ -47,8 +47,8 @@ std::vector<chapter07::SoftCube> all_cubes(bool quick)
 
 }  // namespace
 
-/// Does a soft cube creep where it should hold, whatever its mesh, stiffness, mass and step are? Those that their
-/// own weight strains by a twentieth or more still swing when the others have long been at rest.
+/// Does a soft cube creep where it should hold, whatever its mesh, stiffness, mass and step are? Those that
+/// their own weight strains by a twentieth or more still swing when the others have long been at rest.
 void creep(const RunOptions& options, Report& report)
 {
     const std::vector<chapter07::SoftCube> cubes = all_cubes(options.quick);

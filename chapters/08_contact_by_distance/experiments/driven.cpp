@@ -104,8 +104,8 @@ void tell_let_go(const RunOptions& options, Report& report)
 
 }  // namespace
 
-/// What a scene can say of a body beside its start, each against a formula: given motion, running surfaces, forces, locked
-/// directions, materials.
+/// What a scene can say of a body beside its start, each against a formula: given motion, running surfaces,
+/// forces, locked directions, materials.
 void driven(const RunOptions& options, Report& report)
 {
     Table table({"scene", "quantity", "dt_s", "measured", "formula", "error_percent"});

@@ -11,11 +11,12 @@ struct AgainstFormula {
     double error() const { return measured / formula - 1; }
 };
 
-/// A cube on a piston that moves up and down as a table of 64 rows a period says: the height of its top dead centre, from
-/// A (1 - cos(omega t)) [m].
+/// A cube on a piston that moves up and down as a table of 64 rows a period says: the height of its top dead
+/// centre, from A (1 - cos(omega t)) [m].
 AgainstFormula piston(double dt);
 
-/// A small block on a turntable that turns faster and faster: the speed at which it slides off, sqrt(mu_s g / r) [rad/s].
+/// A small block on a turntable that turns faster and faster: the speed at which it slides off, sqrt(mu_s g /
+/// r) [rad/s].
 AgainstFormula turntable_slip(double dt);
 
 /// A block that is put on a belt which runs with v.
@@ -34,7 +35,8 @@ AgainstFormula torque_on_wheel(double dt);
 /// A locked slider that is hit by a ball which sticks to nothing: their momentum along the free axis [N s].
 AgainstFormula hit_slider(double dt);
 
-/// A block of one material on a slope of another: its acceleration, g (sin - mu_d cos) above the angle of mu_s [m/s^2].
+/// A block of one material on a slope of another: its acceleration, g (sin - mu_d cos) above the angle of
+/// mu_s [m/s^2].
 AgainstFormula slide_of_materials(double slope_deg, double dt);
 
 /// Whether the same block stays, within a tenth of a millimetre for a second.

@@ -59,7 +59,8 @@ DiskRun spin_disk(const EulerDisk& disk, double duration)
     const Vec3 to_rim = mesh.vertices.front(), axis = turn * Vec3::UnitY();
     for (Vec3& vertex : mesh.vertices)
         vertex.y() -= to_rim.y();
-    // The centre and the place on the rim rest: it turns about the line through both, as fast as its axis goes round.
+    // The centre and the place on the rim rest: it turns about the line through both, as fast as its axis
+    // goes round.
     const double rate = disk_rate(disk_radius, half, across, along, lean);
     const Vec3 angular_velocity = -rate * std::sin(lean) / disk_radius * to_rim;
 

@@ -12,10 +12,9 @@ struct EulerDisk {
 };
 
 struct DiskRun {
-    double
-        rate = 0,
-        by_formula =
-            0;  ///< mean rate at which the axis goes round, and of the formula at each moment's lean [rad/s]
+    double rate = 0,
+           by_formula = 0;  ///< mean rate at which the axis goes round, and of the formula at each moment's
+                            ///< lean [rad/s]
     double lean_change_deg = 0;  ///< at the end, against the start
     double energy_change = 0;    ///< at the end, over the energy at the start
     double centre_moved_mm = 0;  ///< along the ground, at the end

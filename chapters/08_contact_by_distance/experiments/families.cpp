@@ -19,8 +19,8 @@ struct FamilySeeds {
 };
 constexpr FamilySeeds full_seeds{200, 10}, quick_seeds_of_families{1, 1};
 
-/// The heap of a seed: the step, the friction and the spin take turns with periods that have no common factor, so a
-/// hundred and ten seeds have each with each.
+/// The heap of a seed: the step, the friction and the spin take turns with periods that have no common
+/// factor, so a hundred and ten seeds have each with each.
 HeapPlan plan_of(int family, unsigned seed, bool quick)
 {
     if (quick)
@@ -52,8 +52,8 @@ double percent_of(double depth, const chapter07::DepthOutcome& outcome)
 
 using chapter07::DepthOutcome;
 
-/// What all heaps of a family came to, which of them has the deepest body, and how many have one that is deeper than half
-/// a percent of the smallest body's size.
+/// What all heaps of a family came to, which of them has the deepest body, and how many have one that is
+/// deeper than half a percent of the smallest body's size.
 struct FamilyOutcome {
     DepthOutcome worst;
     long runs = 0, deep = 0;

@@ -34,8 +34,8 @@ Slid slide_over(const PlaneSlide& slide, const Solver& solver)
     return slid;
 }
 
-/// Chapter 6's 48 slides: three triangulations, eight directions, on the lines of the grid and between them. One
-/// direction is also taken in chapter 6's small steps.
+/// Chapter 6's 48 slides: three triangulations, eight directions, on the lines of the grid and between them.
+/// One direction is also taken in chapter 6's small steps.
 std::vector<PlaneSlide> all_slides(bool quick)
 {
     std::vector<PlaneSlide> slides;

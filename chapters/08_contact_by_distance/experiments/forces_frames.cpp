@@ -48,7 +48,8 @@ Rows wedges(const MakeSolver& make, bool full)
 
 namespace {
 
-/// Two bars from the ground to a crown at (0, height). The left one ends there in an edge, the right one in a small upright face.
+/// Two bars from the ground to a crown at (0, height). The left one ends there in an edge, the right one in a
+/// small upright face.
 struct Frame {
     double lean_deg;                       ///< of both bars against the ground
     double left_mass = 5, right_mass = 5;  ///< [kg]

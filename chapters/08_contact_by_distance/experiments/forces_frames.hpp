@@ -4,7 +4,8 @@
 
 namespace enduring::chapter08::force_rows {
 
-/// A wedge of weight W between two planes without friction, which lean by a and b from the vertical: N_a = W cos b / sin(a + b).
+/// A wedge of weight W between two planes without friction, which lean by a and b from the vertical: N_a = W
+/// cos b / sin(a + b).
 Rows wedges(const MakeSolver& make, bool full);
 
 /// Two bars that lean against each other: a frame of three hinges, and its thrust.

@@ -97,7 +97,8 @@ Rows either_order(const MakeSolver& make, bool full)
 
 namespace {
 
-/// Of one scene, until it has met: the worst step's momentum that forces do not tell, over the largest change of a step.
+/// Of one scene, until it has met: the worst step's momentum that forces do not tell, over the largest change
+/// of a step.
 void add_momentum(Row& row, const std::string& name, Scene scene, const MakeSolver& make, double duration)
 {
     const double dt = scene.dt;

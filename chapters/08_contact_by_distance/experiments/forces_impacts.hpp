@@ -4,10 +4,12 @@
 
 namespace enduring::chapter08::force_rows {
 
-/// Scenes with bodies on bodies, in one order and in the other: each pair of bodies has the same forces in each step.
+/// Scenes with bodies on bodies, in one order and in the other: each pair of bodies has the same forces in
+/// each step.
 Rows either_order(const MakeSolver& make, bool full);
 
-/// Boxes and balls that land and bounce: in each whole step the forces times dt are the change of momentum, less gravity's.
+/// Boxes and balls that land and bounce: in each whole step the forces times dt are the change of momentum,
+/// less gravity's.
 Rows momentum_of_impacts(const MakeSolver& make, bool full);
 
 /// Balls that drop straight: no spin, and the largest force times dt is (1 + e) m v.

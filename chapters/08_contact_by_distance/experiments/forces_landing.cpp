@@ -54,7 +54,8 @@ void add_landing_ground(Scene& scene, Ground ground)
     }
 }
 
-/// One ball that comes down within its first step; the speed with which it rolls, or what it has after two seconds.
+/// One ball that comes down within its first step; the speed with which it rolls, or what it has after two
+/// seconds.
 double rolls_with(const Landing& landing, const Quaternion& turn, double phase, const MakeSolver& make)
 {
     Scene scene = empty_scene(landing.dt, landing.mu);

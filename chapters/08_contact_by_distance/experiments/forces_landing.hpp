@@ -26,7 +26,8 @@ struct Landed {
 };
 Landed land(const Landing& landing, const MakeSolver& make);
 
-/// The speed at which a round body rolls whose sliding a step's friction ends [m/s]: m R (v_0 - v) = I w, and dt v = R sin(w dt).
+/// The speed at which a round body rolls whose sliding a step's friction ends [m/s]: m R (v_0 - v) = I w, and
+/// dt v = R sin(w dt).
 /// @param inertia_ratio  I / (m R^2)
 double rolling_speed(double v0, double inertia_ratio, double radius, double dt);
 

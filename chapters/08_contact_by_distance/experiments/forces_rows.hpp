@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-/// Forces of pairs against statics and formulas. Rows know no solver: each is given one, of any chapter that answers all pairs together.
+/// Forces of pairs against statics and formulas. Rows know no solver: each is given one, of any chapter that
+/// answers all pairs together.
 namespace enduring::chapter08::force_rows {
 
 using MakeSolver = std::function<Solver(const ContactParameters&)>;
@@ -82,7 +83,8 @@ public:
     static constexpr int planes = -1;
     std::vector<Vec3> on_vertices(std::size_t body) const;   ///< [N]
     Vec3 moment(std::size_t body, const Vec3& about) const;  ///< of all pairs [N m]
-    /// How far pairs are from k times depth, over the largest force or spring; 0 for a solver whose springs give nothing.
+    /// How far pairs are from k times depth, over the largest force or spring; 0 for a solver whose springs
+    /// give nothing.
     double off_law() const;
 
 private:

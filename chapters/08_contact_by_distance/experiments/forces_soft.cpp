@@ -61,7 +61,8 @@ Rows soft_weights(const MakeSolver& make, bool full)
 
 namespace {
 
-/// The plates' inner sides are at y = 0 and at `tall`; the upper one comes down by `down` within half a second.
+/// The plates' inner sides are at y = 0 and at `tall`; the upper one comes down by `down` within half a
+/// second.
 void add_plates(Scene& scene, double tall, double down)
 {
     add_static(scene, "lower plate", moved(box({1, 0.1, 1}), Vec3(0, -0.05, 0)));

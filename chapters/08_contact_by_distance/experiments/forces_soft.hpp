@@ -7,8 +7,8 @@ namespace enduring::chapter08::force_rows {
 /// Soft blocks that lie: on a plane, on a box, on each other: the sum of their forces is the weight.
 Rows soft_weights(const MakeSolver& make, bool full);
 
-/// A soft block between two plates, without friction: the strain is the same everywhere, so each vertex has its share of the area, and
-/// the sum is Young's modulus times area and strain.
+/// A soft block between two plates, without friction: the strain is the same everywhere, so each vertex has
+/// its share of the area, and the sum is Young's modulus times area and strain.
 Rows soft_pressure(const MakeSolver& make, bool full);
 
 /// A soft ball between two plates that come nearer by d: 4/3 E / (1 - nu^2) sqrt(R) (d / 2)^(3/2).

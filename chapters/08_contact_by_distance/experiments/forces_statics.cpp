@@ -80,7 +80,8 @@ namespace {
 
 constexpr double table_radius = 0.5, leg_height = 0.3, table_mass = 20, load = 100;  // [m], [kg], [N]
 
-/// A slab on pyramids with their tips down, at the corners of a regular polygon; the first leg lies towards +x.
+/// A slab on pyramids with their tips down, at the corners of a regular polygon; the first leg lies towards
+/// +x.
 SurfaceMesh table_mesh(int legs)
 {
     SurfaceMesh mesh = moved(box({1.2, 0.1, 1.2}), Vec3(0, leg_height + 0.05, 0));
@@ -103,7 +104,8 @@ std::vector<double> leg_loads(const Stepped& run, std::size_t table, int legs)
     return loads;
 }
 
-/// Where a point of a rigid body is now [m]: by the affine map that takes the vertices from where they began to where they are.
+/// Where a point of a rigid body is now [m]: by the affine map that takes the vertices from where they began
+/// to where they are.
 Vec3 carried_along(const Vec3& point, const std::vector<Vec3>& began, const Body& body)
 {
     Vec3 from = Vec3::Zero(), to = Vec3::Zero();
@@ -168,7 +170,8 @@ Rows tables(const MakeSolver& make, bool full)
 
 namespace {
 
-/// How far the vertical forces on the lower vertices of a body are from those on their mirror images, over the largest.
+/// How far the vertical forces on the lower vertices of a body are from those on their mirror images, over
+/// the largest.
 double off_mirror(const Stepped& run, std::size_t index, const Vec3& mirror)
 {
     const std::vector<Vec3> forces = run.on_vertices(index);

@@ -32,7 +32,8 @@ struct Squeezed {
 
 /// Walls that close within a tenth of a second, without gravity; then they stand.
 Squeezed squeeze(const Vice& vice, const MakeSolver& make);
-/// Fingers that close on a body that stands on the ground, within 0.3 s, and lift it by 0.3 m, within 0.7 s. Friction 0.5.
+/// Fingers that close on a body that stands on the ground, within 0.3 s, and lift it by 0.3 m, within 0.7 s.
+/// Friction 0.5.
 Squeezed grip(const Vice& vice, const MakeSolver& make);
 inline constexpr double lift = 0.3;                       ///< [m]
 inline constexpr double fastest_lift = 1.5 * lift / 0.7;  ///< of a cubic that begins and ends at rest [m/s]

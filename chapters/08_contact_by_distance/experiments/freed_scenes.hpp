@@ -6,12 +6,12 @@
 
 namespace enduring::chapter08 {
 
-/// A puck on the ground, pulled by a spring from rest: where it turns first, at 2 mu m g / k less than where it began, on the other
-/// side [m].
+/// A puck on the ground, pulled by a spring from rest: where it turns first, at 2 mu m g / k less than where
+/// it began, on the other side [m].
 AgainstFormula puck_on_spring(double dt);
 
-/// A pin that goes round in a circle slides in the slot of a yoke, which can only move along an axis (a Scotch yoke): where the yoke
-/// is when it is farthest from r cos(omega t), in two turns [m].
+/// A pin that goes round in a circle slides in the slot of a yoke, which can only move along an axis (a
+/// Scotch yoke): where the yoke is when it is farthest from r cos(omega t), in two turns [m].
 AgainstFormula pin_in_slot(double dt);
 
 /// A soft bar, free, under a force at each end: the angle by which it has turned, T t^2 / (2 I) [rad].

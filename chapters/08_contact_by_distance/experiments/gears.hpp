@@ -6,8 +6,8 @@ namespace enduring::chapter08 {
 
 /// A spur gear with involute flanks.
 struct GearShape {
-    int teeth =
-        18;  ///< from 17, where the rack that cuts it leaves its flanks whole, to 41, where roots grow over the base circle
+    int teeth = 18;  ///< from 17, where the rack that cuts it leaves its flanks whole, to 41, where roots
+                     ///< grow over the base circle
     double module = 0.01;      ///< pitch diameter over teeth [m]
     double width = 0.02;       ///< [m]
     double pressure_deg = 20;  ///< between the line of action and the common tangent of the pitch circles

@@ -201,8 +201,8 @@ void draw_harsh(Report& report)
 
 }  // namespace
 
-/// Random scenes as harsh as a stranger's: what every step does to the energy, how deep bodies truly are, and how
-/// the steps are solved.
+/// Random scenes as harsh as a stranger's: what every step does to the energy, how deep bodies truly are, and
+/// how the steps are solved.
 void harsh(const RunOptions& options, Report& report)
 {
     const auto [first, count] = options.quick ? quick_seeds : HarshSeeds{};

@@ -16,9 +16,9 @@ struct HarshScene {
     double speed = 0;          ///< of every body at first [m/s]
 };
 
-/// 12 to 27 sheets, needles, tetrahedra, boxes and plump bodies of 10 g to 100 kg, none of which overlaps another,
-/// fly towards the middle of the room at 10 m/s to 100 m/s and spin with 20 rad/s. Steps of 1 ms to 30 ms,
-/// friction 0 to 1. The ground is a plane or a slab; walls and ceiling are slabs of 1 m.
+/// 12 to 27 sheets, needles, tetrahedra, boxes and plump bodies of 10 g to 100 kg, none of which overlaps
+/// another, fly towards the middle of the room at 10 m/s to 100 m/s and spin with 20 rad/s. Steps of 1 ms to
+/// 30 ms, friction 0 to 1. The ground is a plane or a slab; walls and ceiling are slabs of 1 m.
 /// @param soft  one to three of the bodies are soft boxes of 1e4 Pa to 1e7 Pa
 HarshScene harsh_scene(unsigned seed, bool soft);
 

@@ -11,8 +11,9 @@ struct Launch {
 /// Does it stay where it turns round: within a millimetre for two seconds, from half a second after on?
 bool stays(const Launch& launch);
 
-/// The smallest mu_s over tan with which four corners hold a cube, if a corner that has slipped has falls * mu_s. The
-/// weight's lever takes load from the upper two; their friction springs carry as much as the others, and slip first.
+/// The smallest mu_s over tan with which four corners hold a cube, if a corner that has slipped has falls *
+/// mu_s. The weight's lever takes load from the upper two; their friction springs carry as much as the
+/// others, and slip first.
 double weak_corners(double slope_deg, double falls);
 
 }  // namespace enduring::chapter08

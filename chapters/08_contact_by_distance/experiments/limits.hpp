@@ -15,11 +15,11 @@ AgainstFormula toppling_limit(double height_over_width, double dt);
 /// Coefficient with which two jaws hold a wedge that they press: tan of the angle of each side.
 AgainstFormula pinch_limit(double side_deg, double dt);
 
-/// Thickness over radius, to the middle, of the thinnest half circle of stones that stands. Its formula is that of its number of
-/// stones: hinges are at joints.
+/// Thickness over radius, to the middle, of the thinnest half circle of stones that stands. Its formula is
+/// that of its number of stones: hinges are at joints.
 AgainstFormula arch_limit(int stones, double dt);
-/// Of the same stones, from the thrust: at each joint it has to pass above the inner corner, and at the ground within the outer
-/// one. With many stones 0.1075 (Milankovitch 1907).
+/// Of the same stones, from the thrust: at each joint it has to pass above the inner corner, and at the
+/// ground within the outer one. With many stones 0.1075 (Milankovitch 1907).
 double thinnest_arch(int stones);
 
 }  // namespace enduring::chapter08

@@ -93,7 +93,8 @@ PressedOutcome press_soft(const PressedSoft& plan)
     return outcome;
 }
 
-/// Soft bodies pressed between plates that move as given: is the plate's force that of the material, and does any element invert?
+/// Soft bodies pressed between plates that move as given: is the plate's force that of the material, and does
+/// any element invert?
 void pressed(const RunOptions& options, Report& report)
 {
     Table table({"body", "basis", "elasticity", "mu", "height", "force_n", "formula_n", "deepest_mm",

@@ -7,7 +7,8 @@
 
 namespace enduring::chapter08 {
 
-/// A soft block of 0.4 m, or a bunny, between a plate that stands and one that comes down as given within a second, and then stays.
+/// A soft block of 0.4 m, or a bunny, between a plate that stands and one that comes down as given within a
+/// second, and then stays.
 struct PressedSoft {
     std::string shape = "block";  ///< or "bunny"
     ElasticLaw law = ElasticLaw::neo_hookean;
@@ -26,8 +27,8 @@ struct PressedOutcome {
 };
 PressedOutcome press_soft(const PressedSoft& plan);
 
-/// The force that presses a block of 0.4 m, Young's modulus 1e5 Pa and Poisson's ratio 0.4 to a part of its height while nothing holds
-/// its sides [N].
+/// The force that presses a block of 0.4 m, Young's modulus 1e5 Pa and Poisson's ratio 0.4 to a part of its
+/// height while nothing holds its sides [N].
 double force_without_friction(ElasticLaw law, double height);
 
 }  // namespace enduring::chapter08

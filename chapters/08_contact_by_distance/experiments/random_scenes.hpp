@@ -6,15 +6,16 @@
 
 namespace enduring::chapter08 {
 
-/// A short scene by its seed: boxes, plates, needles, balls and, in every fifth one, soft boxes, which fall and are thrown onto a floor and into
-/// each other. Steps are 1 ms to 40 ms long, sizes go from a millimetre to a kilometre, and speeds up to 200 sizes a second. Every third
-/// scene has no floor, and every fourth one no gravity. Nothing begins in touch.
+/// A short scene by its seed: boxes, plates, needles, balls and, in every fifth one, soft boxes, which fall
+/// and are thrown onto a floor and into each other. Steps are 1 ms to 40 ms long, sizes go from a millimetre
+/// to a kilometre, and speeds up to 200 sizes a second. Every third scene has no floor, and every fourth one
+/// no gravity. Nothing begins in touch.
 Scene random_scene(unsigned seed);
 /// Steps that such a scene is run.
 constexpr int random_scene_steps = 15;
 
-/// Whether a vertex of one body is inside another one, or an edge of one goes through a face of another one; of their surfaces for contact.
-/// By the winding number and by edges in triangles, which no search knows.
+/// Whether a vertex of one body is inside another one, or an edge of one goes through a face of another one;
+/// of their surfaces for contact. By the winding number and by edges in triangles, which no search knows.
 bool any_crossing(const World& world);
 
 /// Runs a scene with the solver of this chapter, and tells nothing.

@@ -38,7 +38,8 @@ struct HeapPlan {
     unsigned seed = 1;
     double spin = 0;  ///< of each body at first, at most [rad/s]
 };
-/// Bodies of 1 to 10 kg, each turned at random, in layers above the ground. They do not fall yet, but may spin.
+/// Bodies of 1 to 10 kg, each turned at random, in layers above the ground. They do not fall yet, but may
+/// spin.
 Scene random_heap(const HeapPlan& plan);
 
 }  // namespace enduring::chapter08

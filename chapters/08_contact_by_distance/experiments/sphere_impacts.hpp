@@ -32,8 +32,8 @@ struct AfterImpact {
 /// Radius of the ball [m].
 inline constexpr double sphere_radius = 0.1;
 
-/// By J_n = (1 + e) m v_n and J_t = min(mu J_n, m_t s): m is the reduced mass of both, s the slip, and 1/m_t the sum of
-/// 1/m_i + r_i^2 / I_i; on the ground m_t = 2/7 of the ball's mass.
+/// By J_n = (1 + e) m v_n and J_t = min(mu J_n, m_t s): m is the reduced mass of both, s the slip, and 1/m_t
+/// the sum of 1/m_i + r_i^2 / I_i; on the ground m_t = 2/7 of the ball's mass.
 AfterImpact strike(const SphereImpact& impact);
 
 /// A ball that is put down with 2 m/s and without spin, mu 0.3.

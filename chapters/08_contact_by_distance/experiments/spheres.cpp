@@ -30,7 +30,8 @@ private:
                   "rim_by_formula_m_per_s", "off_percent", "rebound_percent"}};
 };
 
-/// Chung and Ooi's tests 1 to 3, along the normal: two balls and a ball on the ground, elastic, and with other coefficients of restitution.
+/// Chung and Ooi's tests 1 to 3, along the normal: two balls and a ball on the ground, elastic, and with
+/// other coefficients of restitution.
 void rebounds(Report& report)
 {
     Table table({"test", "restitution", "rebound_percent", "off_percent"});

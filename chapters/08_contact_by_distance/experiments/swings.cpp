@@ -154,7 +154,8 @@ Swing ball_in_bowl(int segments_around, int segments_along, double dt)
 
 namespace {
 
-/// The part of its kinetic energy that the body keeps where one of the places at which it touches passes a crease.
+/// The part of its kinetic energy that the body keeps where one of the places at which it touches passes a
+/// crease.
 //! [kept_at_crease]
 double kept_at_crease(const Swing& swing)
 {

@@ -7,7 +7,8 @@
 
 namespace enduring::chapter08 {
 
-/// What swings without friction in something round made of facets, and begins at rest beside its lowest place.
+/// What swings without friction in something round made of facets, and begins at rest beside its lowest
+/// place.
 struct Swing {
     Scene scene;                  ///< the round thing, then the body that swings in it
     SurfaceMesh hollow;           ///< of the round thing: outside is in front of all its faces
@@ -26,11 +27,12 @@ Swing block_in_pipe(int facets, double dt);
 /// A ball of 0.2 m in the course's bowl of 1 m; its swing passes over facets askew.
 Swing ball_in_bowl(int segments_around, int segments_along, double dt);
 
-/// A block inside of a torus that stands upright, 0.7 m to the middle of its tube of 0.3 m, which has 24 facets around it.
+/// A block inside of a torus that stands upright, 0.7 m to the middle of its tube of 0.3 m, which has 24
+/// facets around it.
 Swing block_in_torus(int facets, double dt);
 
-/// The part of its amplitude that an inelastic body keeps after one period: at each crease it loses its velocity
-/// against the next facet, and nothing else.
+/// The part of its amplitude that an inelastic body keeps after one period: at each crease it loses its
+/// velocity against the next facet, and nothing else.
 double inelastic_bound(const Swing& swing);
 /// Period of the pendulum of the same arm [s], for swings of this amplitude.
 double pendulum_period(const Swing& swing, double amplitude);

@@ -23,7 +23,8 @@ struct Precession {
 
 /// Rate of the slow steady precession, from the moment of the weight about the tip:
 ///   A cos(lean) rate^2 - C spin rate + m g l = 0,
-/// with the moments of inertia A across the axis at the tip and C about the axis (Goldstein, Classical Mechanics, 5.7).
+/// with the moments of inertia A across the axis at the tip and C about the axis (Goldstein, Classical
+/// Mechanics, 5.7).
 /// @param across, along  A and C [kg m^2]
 /// @param moment         m g l [N m], l from the tip to the centre of mass
 /// @param lean           [rad]

@@ -145,7 +145,8 @@ TEST_CASE(
     const GearShape shape;
     const SurfaceMesh mesh = gear(shape);
     CHECK(mass_properties(mesh, 1).mass > 0);  // throws where it is open
-    // The normal of an involute is tangent to the base circle: facets of its flanks pass the axis in this distance.
+    // The normal of an involute is tangent to the base circle: facets of its flanks pass the axis in this
+    // distance.
     const double base = shape.pitch_radius() * std::cos(shape.pressure_deg * std::numbers::pi / 180);
     const Vec3 middle = 0.5 * (mesh.vertices[4] + mesh.vertices[5]),
                along = mesh.vertices[5] - mesh.vertices[4];

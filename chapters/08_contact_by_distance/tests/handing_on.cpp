@@ -14,7 +14,8 @@ namespace {
 
 constexpr double dt = 0.004;
 
-/// A block that turns about z as given, and a cube whose vertex 0 is a millimetre below the middle of its upper side.
+/// A block that turns about z as given, and a cube whose vertex 0 is a millimetre below the middle of its
+/// upper side.
 struct VertexInBlock {
     World world;
     Contacts last, found;

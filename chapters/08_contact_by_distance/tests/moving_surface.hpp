@@ -36,8 +36,9 @@ struct MovingSurface {
 /// A vertex without a surface of its own.
 inline SurfaceMesh particle(const Vec3& place) { return {{place}, {}}; }
 
-/// Two triangles at the edge from (0, 0, 0) to (0, 0, 1), which is edge 0: the first one level towards +x, the other
-/// towards -x and up by an angle: a valley where it is positive, a ridge where it is negative. Both face upwards.
+/// Two triangles at the edge from (0, 0, 0) to (0, 0, 1), which is edge 0: the first one level towards +x,
+/// the other towards -x and up by an angle: a valley where it is positive, a ridge where it is negative. Both
+/// face upwards.
 /// @param skew  by which their third corners stand beside the middle of the edge
 inline SurfaceMesh hinge(double angle, double skew = 0)
 {
@@ -45,8 +46,9 @@ inline SurfaceMesh hinge(double angle, double skew = 0)
             {{0, 1, 2}, {1, 0, 3}}};
 }
 
-/// A prism over an L in the plane of x and y, between z = 0 (vertices 0 to 5) and z = 1 (6 to 11). At its hollow edge,
-/// from vertex 3 to vertex 9, a wall that faces +y (x from 1 to 2) meets one that faces +x (y from 1 to 2).
+/// A prism over an L in the plane of x and y, between z = 0 (vertices 0 to 5) and z = 1 (6 to 11). At its
+/// hollow edge, from vertex 3 to vertex 9, a wall that faces +y (x from 1 to 2) meets one that faces +x (y
+/// from 1 to 2).
 inline SurfaceMesh prism_over_l()
 {
     SurfaceMesh mesh;

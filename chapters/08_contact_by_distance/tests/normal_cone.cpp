@@ -28,7 +28,8 @@ std::set<int> neighbours_of(const SurfaceMesh& mesh, int vertex)
     return neighbours;
 }
 
-/// All neighbours behind a plane through the vertex that leans by an angle towards each, and a face that looks out.
+/// All neighbours behind a plane through the vertex that leans by an angle towards each, and a face that
+/// looks out.
 bool all_behind(const SurfaceMesh& mesh, int vertex, const Vec3& direction, double sine)
 {
     const auto at = [&](int v) { return mesh.vertices[static_cast<std::size_t>(v)]; };

@@ -27,7 +27,8 @@ inline std::vector<double> numbers_of(World& world, Contacts contacts)
     return archive.numbers();
 }
 
-/// Runs a scene, saves it on the way, and goes on from there in another world: how far the two are apart at the end.
+/// Runs a scene, saves it on the way, and goes on from there in another world: how far the two are apart at
+/// the end.
 inline double apart_when_resumed(const std::function<Scene()>& make,
                                  const std::function<Solver(const ContactParameters&)>& solver_for,
                                  int saved_after, int steps)

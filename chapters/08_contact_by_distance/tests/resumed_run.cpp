@@ -75,7 +75,8 @@ json scene_of_parts(double mu, const std::vector<json>& bodies)
     return text;
 }
 
-/// A box tips over the border of an open sheet that is driven, and a ball rolls on a rigid sheet which reaches over a box.
+/// A box tips over the border of an open sheet that is driven, and a ball rolls on a rigid sheet which
+/// reaches over a box.
 json open_sheets()
 {
     json driven{{"name", "driven"},

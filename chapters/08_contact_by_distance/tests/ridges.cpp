@@ -20,8 +20,9 @@ TEST_CASE("ridges: what comes down a centimetre goes less far in than both skins
             const chapter07::DepthOutcome outcome = chapter07::measure_depths(scene, 1, chapter08_solver);
             CHECK(outcome.deepest_m <
                   3e-4);  // their boxes have skins of 0.25 mm, which recede farther at edges
-            // Two ridges 0.01 degrees askew may take all steps of Newton's method that there are: as they slide by 0.16 mm in a step, the
-            // place where they cross moves by a metre, more than they are long, and their normal turns 5,700 times as far as the body.
+            // Two ridges 0.01 degrees askew may take all steps of Newton's method that there are: as they
+            // slide by 0.16 mm in a step, the place where they cross moves by a metre, more than they are
+            // long, and their normal turns 5,700 times as far as the body.
             CHECK(outcome.unsolved <= 1);
         }
 }

@@ -13,7 +13,8 @@ using namespace enduring::chapter08;
 
 namespace {
 
-/// In the plane of x and y, leaning from y towards -x by an angle, as the walls of a hollow do further along x.
+/// In the plane of x and y, leaning from y towards -x by an angle, as the walls of a hollow do further along
+/// x.
 Vec3 leaning(double angle) { return {-std::sin(angle), std::cos(angle), 0}; }
 
 /// Along x, diving by an angle.

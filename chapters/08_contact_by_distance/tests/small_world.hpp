@@ -34,8 +34,8 @@ inline RigidBody& add_rigid(World& world, const SurfaceMesh& mesh, const Vec3& v
     return added;
 }
 
-/// Whether a vertex of one body is inside another one, of their surfaces for contact; of closed bodies, by the winding number, which no
-/// search knows.
+/// Whether a vertex of one body is inside another one, of their surfaces for contact; of closed bodies, by
+/// the winding number, which no search knows.
 inline bool any_inside(const World& world)
 {
     for (const auto& a : world.bodies)

@@ -52,11 +52,11 @@ double energy(const World& world)
 
 /// What a run makes of its energy and its bodies.
 struct Gain {
-    double most = 0;  ///< energy over that at first, after any step [J]
-    double brought =
-        0;  ///< by initial overlaps and jumps, less what pairs that end took along; at most after any step [J]
-    double sunk = 0;   ///< how far a body's middle came down, at most [m]
-    double aside = 0;  ///< and how far across, at the end [m]
+    double most = 0;     ///< energy over that at first, after any step [J]
+    double brought = 0;  ///< by initial overlaps and jumps, less what pairs that end took along; at most
+                         ///< after any step [J]
+    double sunk = 0;     ///< how far a body's middle came down, at most [m]
+    double aside = 0;    ///< and how far across, at the end [m]
 
     void take_worse(const Gain& other)
     {

@@ -22,7 +22,8 @@ long left_inside(const World& world)
     });
 }
 
-/// Lets the bunny out of the wall: how fast its middle is until it is out, and how many of its vertices are left.
+/// Lets the bunny out of the wall: how fast its middle is until it is out, and how many of its vertices are
+/// left.
 void separate(Scene& scene, const RunOptions& options, Report& report)
 {
     double fastest = 0;

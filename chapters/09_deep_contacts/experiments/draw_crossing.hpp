@@ -18,8 +18,8 @@ struct Crossing {
          second_inside = 0;  ///< vertices of the first body in the second one, and the other way
 };
 
-/// Makes both bodies pale, the first one more, draws the curves in which they cross, and dots at the vertices inside: those of the
-/// first body blue, those of the second one orange.
+/// Makes both bodies pale, the first one more, draws the curves in which they cross, and dots at the vertices
+/// inside: those of the first body blue, those of the second one orange.
 Crossing mark_crossing(Stage& stage, const World& world);
 
 /// Dots at the vertices that are in the other surface; returns how many.

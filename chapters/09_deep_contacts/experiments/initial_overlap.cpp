@@ -89,8 +89,8 @@ Release release_of(const Surroundings& surroundings, const std::string& body, do
 }
 //! [against_a_twin]
 
-/// How fast the leaning block leaves the floor, in which it is wholly inside, if springs begin at the surface and not
-/// at their depth [m/s].
+/// How fast the leaning block leaves the floor, in which it is wholly inside, if springs begin at the surface
+/// and not at their depth [m/s].
 double fastest_without_offset()
 {
     Scene scene = scene_inside(all_surroundings()[0], "leaning block", 0.4, 0.01);

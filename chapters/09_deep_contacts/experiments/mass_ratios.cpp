@@ -63,7 +63,8 @@ struct Worst {
 
 }  // namespace
 
-/// Light bodies under heavy ones, over ratios, meshes, gaps and steps: does everything come to rest where it should?
+/// Light bodies under heavy ones, over ratios, meshes, gaps and steps: does everything come to rest where it
+/// should?
 void mass_ratios(const RunOptions& options, Report& report)
 {
     Table table({"scene", "ratio", "cells", "gap_mm", "dt_s", "chapter", "height_error_mm", "sunk_mm",

@@ -20,8 +20,8 @@ std::vector<Vec3> overlap_direction(const StillSurface& inner, const std::vector
 std::vector<Vec3> directions_from_the_border(const StillSurface& inner, const std::vector<int>& vertices,
                                              const StillSurface& outer, const Vec3& separation_direction);
 
-/// The shortest path to the boundary that stays inside. A body that does not cross itself lets every vertex go
-/// straight to the nearest point of its surface; the search through tetrahedra is for those that do.
+/// The shortest path to the boundary that stays inside. A body that does not cross itself lets every vertex
+/// go straight to the nearest point of its surface; the search through tetrahedra is for those that do.
 /// @see Chen et al. 2023, "Shortest path to boundary for self-intersecting meshes"
 std::vector<Vec3> directions_to_the_boundary(const StillSurface& inner, const std::vector<int>& vertices,
                                              const StillSurface& outer, const Vec3& separation_direction);

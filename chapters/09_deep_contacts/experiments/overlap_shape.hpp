@@ -5,8 +5,8 @@
 
 namespace enduring {
 
-/// A surface of its own that does not move, with what tracing needs: for figures, tests and exercises. (Bodies of a world
-/// have their topology and their trees already.)
+/// A surface of its own that does not move, with what tracing needs: for figures, tests and exercises.
+/// (Bodies of a world have their topology and their trees already.)
 class OverlapShape {
 public:
     explicit OverlapShape(const SurfaceMesh& mesh)

@@ -120,7 +120,8 @@ void show_starts(Report& report)
 
 }  // namespace
 
-/// Three choices of the separation direction in the same scenes: how many vertices get a wrong one at the start.
+/// Three choices of the separation direction in the same scenes: how many vertices get a wrong one at the
+/// start.
 void separation_methods(const RunOptions& /*options*/, Report& report)
 {
     Table table({"scene", "method", "vertices", "wrong", "without"});

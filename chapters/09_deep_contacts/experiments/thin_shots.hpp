@@ -28,8 +28,8 @@ struct ThinShot {
     Scene scene;     ///< of as many steps as it takes to arrive, and 20 more
 };
 
-/// Any direction within 60 degrees of straight, any place, any turn and spin, at 1 to 40 m/s with one of three
-/// steps.
+/// Any direction within 60 degrees of straight, any place, any turn and spin, at 1 to 40 m/s with one of
+/// three steps.
 ThinShot shot_at_random(const ThinTarget& target, const std::string& body, std::mt19937_64& random);
 
 /// Whether the shot's middle is on the other side, behind the target and not beside it.

@@ -34,8 +34,8 @@ std::pair<SurfaceMesh, SurfaceMesh> any_two(const Meshes& meshes, std::mt19937_6
     return {std::move(a), std::move(b)};
 }
 
-/// Of each trial the state of the numbers before it, so that each can be made without those before; the second half of
-/// them is on the lattice.
+/// Of each trial the state of the numbers before it, so that each can be made without those before; the
+/// second half of them is on the lattice.
 std::vector<std::mt19937_64> starts_of(const Meshes& meshes, int trials)
 {
     std::mt19937_64 random(1);

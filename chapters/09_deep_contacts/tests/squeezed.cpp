@@ -11,7 +11,8 @@ using namespace enduring::chapter08::force_rows;
 
 namespace {
 
-/// Two walls close in on a cube of 10 cm in the air until they stand this much nearer than the cube is wide [mm].
+/// Two walls close in on a cube of 10 cm in the air until they stand this much nearer than the cube is wide
+/// [mm].
 Scene squeezed_cube(double too_near, double dt)
 {
     const std::string path = std::to_string(1e-3 * (0.1 + too_near / 2));

@@ -29,12 +29,12 @@ TetrahedralMesh spiral(double inner_radius, double pitch, double length, double 
 /// Around the z axis; its ends are one.
 TetrahedralMesh ring(double radius, double thickness, double width, std::array<int, 3> cells);
 
-/// A bar that leads through itself: two legs of 20 cm that cross at a right angle, joined by three quarters of a
-/// circle.
+/// A bar that leads through itself: two legs of 20 cm that cross at a right angle, joined by three quarters
+/// of a circle.
 TetrahedralMesh crossed_bar(double thickness, double width, std::array<int, 3> cells);
 
-/// A rope, square across, with a loose overhand knot around the z axis, from which its ends lead to the left and
-/// to the right: a trefoil whose lowest loop is cut.
+/// A rope, square across, with a loose overhand knot around the z axis, from which its ends lead to the left
+/// and to the right: a trefoil whose lowest loop is cut.
 /// @param size  of the knot, from its middle to the top of a loop [m]
 /// @param arm   length of each straight end [m]
 TetrahedralMesh overhand_knot(double size, double arm, double thickness, int cells);

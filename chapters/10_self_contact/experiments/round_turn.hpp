@@ -31,7 +31,8 @@ struct RoundTurnRun {
 /// @param ratio  of this force to that which holds back
 RoundTurnRun round_turn(const RoundTurn& shape, const SoftVariant& variant, double force, double ratio);
 
-/// How far the middle of the turn has come along the turn since the scene was made [m]; less than half a turn.
+/// How far the middle of the turn has come along the turn since the scene was made [m]; less than half a
+/// turn.
 double displacement_of_turn(const RoundTurn& shape, const RoundTurnRun& turn);
 
 }  // namespace enduring::chapter10

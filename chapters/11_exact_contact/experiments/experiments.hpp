@@ -20,7 +20,8 @@ void stack_exact(const RunOptions& options, Report& report);
 void exact_scenes(const RunOptions& options, Report& report);
 void relaxation(const RunOptions& options, Report& report);
 
-/// A thin plate of 1 kg and 2 m that leans over its lower edge and slides on it with 1 m/s in the direction in which it leans: the rod as a body of a scene.
+/// A thin plate of 1 kg and 2 m that leans over its lower edge and slides on it with 1 m/s in the direction
+/// in which it leans: the rod as a body of a scene.
 /// @param angle  of the rod against the ground [rad]
 Scene rod_scene(double angle, double mu, double dt);
 

@@ -8,7 +8,8 @@
 
 namespace enduring::chapter11 {
 
-/// Problems that rules make, written for `scoreboard --problems` and for others, each with our answer, and how they are solved.
+/// Problems that rules make, written for `scoreboard --problems` and for others, each with our answer, and
+/// how they are solved.
 void generated(const RunOptions& options, Report& report, unsigned set)
 {
     GrowingTable table(report, "generated", {"problem", "contacts", "natural_map", "passes", "newton_steps"});

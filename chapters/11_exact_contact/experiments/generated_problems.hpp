@@ -19,7 +19,8 @@ struct GeneratedProblem {
 ///   graph    4, 10 or 25 bodies, contacts between any two of them
 ///   dense    W of random levers, with less, as many or more ways to move than contacts have numbers
 ///   scaled   some of these, each contact in units that are a thousand times larger or smaller
-/// @param set  0: those on which the solver was tried; any other number: as many of the same rules that nobody has looked at
+/// @param set  0: those on which the solver was tried; any other number: as many of the same rules that
+///     nobody has looked at
 std::vector<GeneratedProblem> generated_problems(unsigned set = 0);
 
 }  // namespace enduring::chapter11

@@ -119,7 +119,8 @@ std::vector<Source> sources()
     };
 }
 
-/// Writes problems as NAME.dat and our answers as NAME.answer, both together as NAME.hdf5, and counts how they are solved.
+/// Writes problems as NAME.dat and our answers as NAME.answer, both together as NAME.hdf5, and counts how
+/// they are solved.
 class Collection {
 public:
     explicit Collection(Report& report) : report_(report) {}

@@ -101,7 +101,8 @@ double slip_of(const Scene& scene)
     return (motion.velocity() + motion.angular_velocity().cross(*low - scene.world.bodies[0]->centre())).x();
 }
 
-/// The rod over time under this chapter's solver: how fast its end slides after the first step and after 50 ms.
+/// The rod over time under this chapter's solver: how fast its end slides after the first step and after 50
+/// ms.
 void rods_over_time(Report& report)
 {
     Table table({"mu_over_critical", "dt_ms", "slip_after_a_step_m_per_s", "slip_after_50_ms_m_per_s",

@@ -40,7 +40,8 @@ Cell solved(const Outcomes& all, const std::string& solver)
 }
 
 //! [geometric_mean]
-/// Our time over a solver's, as a geometric mean over the problems that both solve; a dash where there are none.
+/// Our time over a solver's, as a geometric mean over the problems that both solve; a dash where there are
+/// none.
 Cell our_time_over(const std::vector<NamedProblem>& problems, const Outcomes& all, const std::string& solver,
                    int least_contacts)
 {
@@ -90,8 +91,9 @@ Table scores_of(const std::vector<NamedSet>& sets)
     return table;
 }
 
-/// How many problems of each set the solvers bring to 1e-8, and our time over theirs: public ones, our scenes', those of rules on
-/// which the solver was tried, those of the same rules on which it was not, and those of a folder of yours.
+/// How many problems of each set the solvers bring to 1e-8, and our time over theirs: public ones, our
+/// scenes', those of rules on which the solver was tried, those of the same rules on which it was not, and
+/// those of a folder of yours.
 void score_sets(const RunOptions& options, Report& report, const std::filesystem::path& more, unsigned set)
 {
     constexpr int most_quick = 10;  // contacts

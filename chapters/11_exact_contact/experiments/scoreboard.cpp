@@ -39,7 +39,8 @@ std::string kept_text(const std::vector<NamedProblem>& problems, const std::vect
     return out.str();
 }
 
-/// Where Siconos is not installed: its outcomes as they were measured on Debian 12, its times by ours of today.
+/// Where Siconos is not installed: its outcomes as they were measured on Debian 12, its times by ours of
+/// today.
 void add_kept(const std::vector<NamedProblem>& problems, std::vector<Outcomes>& of_thresholds)
 {
     std::ifstream file(kept_file());
@@ -57,7 +58,8 @@ void add_kept(const std::vector<NamedProblem>& problems, std::vector<Outcomes>& 
 //! [kept]
 
 //! [profile]
-/// Of all problems, the part that a solver brings below a threshold in at most so many times the time of the best one.
+/// Of all problems, the part that a solver brings below a threshold in at most so many times the time of the
+/// best one.
 double part_solved(const std::vector<Outcome>& solver, const Outcomes& all, double threshold, double factor)
 {
     const auto time_of = [&](const Outcome& outcome) {
@@ -74,7 +76,8 @@ double part_solved(const std::vector<Outcome>& solver, const Outcomes& all, doub
 }
 //! [profile]
 
-/// E. D. Dolan, J. J. More: Benchmarking optimization software with performance profiles, Mathematical Programming 91, 2002.
+/// E. D. Dolan, J. J. More: Benchmarking optimization software with performance profiles, Mathematical
+/// Programming 91, 2002.
 Table profile(const std::vector<Outcomes>& of_thresholds)
 {
     std::vector<std::string> columns{"time_over_best"};
@@ -152,7 +155,8 @@ void tell(Report& report, const std::string& which, const std::vector<NamedProbl
     report.fact("scoreboard", which + "_most_steps", most_steps);
 }
 
-/// Of the problems in three dimensions, those that each solver of Siconos solves; a dash where it is not installed.
+/// Of the problems in three dimensions, those that each solver of Siconos solves; a dash where it is not
+/// installed.
 void tell_siconos(Report& report, const std::vector<NamedProblem>& problems, const Outcomes& sharp)
 {
     for (const std::string& solver : siconos_solvers) {
@@ -228,8 +232,8 @@ void take_away(Report& report, const std::string& name)
 
 }  // namespace
 
-/// The public problems that lie beside the chapter and our own, or those of another folder: springs alone, springs that remember, and
-/// the solvers of Siconos, where it is installed.
+/// The public problems that lie beside the chapter and our own, or those of another folder: springs alone,
+/// springs that remember, and the solvers of Siconos, where it is installed.
 void scoreboard(const RunOptions&, Report& report, const std::filesystem::path& more)
 {
     const bool is_ours = more.empty();

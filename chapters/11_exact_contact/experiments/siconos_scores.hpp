@@ -20,7 +20,8 @@ struct SiconosAnswer {
 /// Gauss-Seidel over contacts, Newton's method on all of them, and the method of alternating directions.
 inline const std::vector<std::string> siconos_solvers{"NSGS", "Newton", "ADMM"};
 
-/// Solves problems in three dimensions by the script siconos_solvers.py; each is given by its W, in blocks. Nothing where Siconos is not installed.
+/// Solves problems in three dimensions by the script siconos_solvers.py; each is given by its W, in blocks.
+/// Nothing where Siconos is not installed.
 /// @param tolerance  of the natural map, as Siconos measures it itself
 std::vector<SiconosAnswer> solve_by_siconos(const std::vector<NamedProblem>& problems, double tolerance);
 

@@ -22,13 +22,15 @@ struct Outcome {
 using Outcomes = std::map<std::string, std::vector<Outcome>>;
 
 /// Ours and, where it is installed, those of Siconos.
-/// @param threshold  of the natural map; all are asked for a tenth of it, for each measures its error in another way
+/// @param threshold  of the natural map; all are asked for a tenth of it, for each measures its error in
+///     another way
 Outcomes outcomes_for(const std::vector<NamedProblem>& problems, double threshold);
 
 /// Problems under one name.
 using NamedSet = std::pair<std::string, std::vector<NamedProblem>>;
 
-/// A row for each set: how many of its problems in three dimensions ours and Siconos' solvers bring to 1e-8, and our time over theirs.
+/// A row for each set: how many of its problems in three dimensions ours and Siconos' solvers bring to 1e-8,
+/// and our time over theirs.
 Table scores_of(const std::vector<NamedSet>& sets);
 
 /// The answer to a problem; one with an infinite error where it needs more memory than there is.

@@ -40,7 +40,8 @@ void tell(Report& report, const std::string& which, const FrictionProblem& probl
 
 }  // namespace
 
-/// One block, and 54 contacts: the natural map of springs over h, after one solve and after more that remember.
+/// One block, and 54 contacts: the natural map of springs over h, after one solve and after more that
+/// remember.
 void spring_error(const RunOptions&, Report& report)
 {
     const FrictionProblem block = block_that_holds(),

@@ -48,7 +48,8 @@ TEST_CASE(
         REQUIRE(solution.errors.size() == 3);
         for (int pass = 0; pass < 3; ++pass) {
             const double left = std::pow(1 / (1 + h), pass + 1);
-            // r is short by m u; natural map of a contact that holds: the lifted velocity where the cone does not bend it
+            // r is short by m u; natural map of a contact that holds: the lifted velocity where the cone does
+            // not bend it
             const Vec3 velocity = left * block.problem.free_velocity;
             const Vec3 impulse = 2 * (velocity - block.problem.free_velocity);
             const double expected = natural_map(impulse, velocity, block.problem.mu[0]).norm() /

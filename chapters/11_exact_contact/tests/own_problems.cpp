@@ -30,7 +30,8 @@ Eigen::VectorXd published_answer(const std::string& problem, Eigen::Index number
     return file && !(file >> more) ? answer : Eigen::VectorXd();
 }
 
-/// What Siconos answers to a file of bodies: nothing where Siconos is not installed, one number where it does not solve it.
+/// What Siconos answers to a file of bodies: nothing where Siconos is not installed, one number where it does
+/// not solve it.
 Eigen::VectorXd siconos_answer(const std::filesystem::path& problem, const FrictionProblem& read)
 {
     const TemporaryFolder folder;

@@ -42,7 +42,8 @@ TEST_CASE(
                 CHECK(std::abs(stays.gap) <= 1e-12);
                 CHECK(stays.speed == doctest::Approx(3 - mu * 9.81 * dt * (step + 1)));
             }
-            // one that lies on the ground is thrown up by what it slides: r_n = g dt + mu u_t and u_t = v - mu r_n
+            // one that lies on the ground is thrown up by what it slides: r_n = g dt + mu u_t and u_t = v -
+            // mu r_n
             const SlidingBlock thrown = after_step({0, 3, 0}, mu, dt, FrictionRule::relaxed);
             CHECK(thrown.rising == doctest::Approx(mu * (3 - mu * 9.81 * dt) / (1 + mu * mu)));
         }

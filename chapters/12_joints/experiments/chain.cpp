@@ -11,8 +11,9 @@ namespace chain_parts {
 
 constexpr double link_length = 0.1, link_mass = 0.1, gravity = 9.81;
 
-/// Angles of equal links that hang between two points at the same height, from the left: with the horizontal force H, the joint behind
-/// link i carries a vertical force, and a link of which both ends are pulled lies along the mean of these.
+/// Angles of equal links that hang between two points at the same height, from the left: with the horizontal
+/// force H, the joint behind link i carries a vertical force, and a link of which both ends are pulled lies
+/// along the mean of these.
 std::vector<double> hanging(int links, double horizontal)
 {
     std::vector<double> angles;

@@ -19,7 +19,8 @@ struct Door {
     double error = 0;
 };
 
-/// A door on hinges that all hold in all directions: more than are needed. It is let go with a turn of 1 rad/s and has nothing to stop it.
+/// A door on hinges that all hold in all directions: more than are needed. It is let go with a turn of 1
+/// rad/s and has nothing to stop it.
 Door swing(int hinges, double duration)
 {
     Machine machine(0.01);
@@ -52,7 +53,8 @@ Door swing(int hinges, double duration)
     return of;
 }
 
-/// A cube hangs on a weld; a force that grows by 100 N a second pulls it down. When does the weld give way [N]?
+/// A cube hangs on a weld; a force that grows by 100 N a second pulls it down. When does the weld give way
+/// [N]?
 double force_at_break(double dt, double breaks_at)
 {
     Machine machine(dt);

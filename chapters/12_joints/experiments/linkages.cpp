@@ -63,7 +63,8 @@ Vec3 apex(const Vec3& one, double from_one, const Vec3& other, double from_other
     return one + x * along / d + y * Vec3::UnitZ().cross(along) / d;
 }
 
-/// A motor turns a crank of 0.3 m; a coupler of 1 m drives a rocker of 0.8 m, whose pin is 1.1 m from the crank's.
+/// A motor turns a crank of 0.3 m; a coupler of 1 m drives a rocker of 0.8 m, whose pin is 1.1 m from the
+/// crank's.
 Path four_bar(double dt, double duration)
 {
     constexpr double coupler = 1, rocker = 0.8;
@@ -107,7 +108,8 @@ Path cardan(double dt, double duration)
     Path path;
     machine.run(duration, [&] {
         const double in = world.joints[0].angle, out = world.joints[1].angle;
-        // A's arm of the cross begins at right angles to both shafts: tan(out) = tan(in) / cos(bend), whole turns counted
+        // A's arm of the cross begins at right angles to both shafts: tan(out) = tan(in) / cos(bend), whole
+        // turns counted
         const double exact = in + std::remainder(std::atan2(std::sin(in), std::cos(in) * std::cos(bend)) - in,
                                                  2 * std::numbers::pi);
         const double otherwise = in +

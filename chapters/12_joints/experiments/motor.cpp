@@ -38,7 +38,8 @@ Lift lift(double most, double duration)
 }  // namespace motor_parts
 }  // namespace
 
-/// A motor with a largest force against a load: what it cannot lift sinks, and what it can comes to the speed that is wanted.
+/// A motor with a largest force against a load: what it cannot lift sinks, and what it can comes to the speed
+/// that is wanted.
 void motor(const RunOptions& options, Report& report)
 {
     using namespace motor_parts;

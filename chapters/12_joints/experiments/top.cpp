@@ -14,12 +14,13 @@ namespace top_parts {
 
 constexpr double wide = 0.2, thick = 0.05, arm = 0.15, mass = 1, gravity = 9.81, lean = 0.5;
 
-/// Moments of inertia of a square plate: about its own axis, and about an axis across it through the tip [kg m^2].
+/// Moments of inertia of a square plate: about its own axis, and about an axis across it through the tip [kg
+/// m^2].
 constexpr double about_axis = mass * wide * wide / 6,
                  about_tip = mass * (wide * wide + thick * thick) / 12 + mass * arm * arm;
 
-/// The slow steady precession of a heavy top: the spin s about its own axis and the turning p about the vertical obey
-/// p (C (s + p cos a) - A p cos a) = m g l.
+/// The slow steady precession of a heavy top: the spin s about its own axis and the turning p about the
+/// vertical obey p (C (s + p cos a) - A p cos a) = m g l.
 double precession_of(double spin)
 {
     const double a = (about_axis - about_tip) * std::cos(lean), b = about_axis * spin,

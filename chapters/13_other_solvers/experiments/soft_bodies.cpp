@@ -87,7 +87,8 @@ Answer ask_box(const MakeSoft& make)
     return {moved, moved < 2};
 }
 
-/// The percent of its fall that a cube rises again. Elements have no loss of their own: more than 100 is wrong.
+/// The percent of its fall that a cube rises again. Elements have no loss of their own: more than 100 is
+/// wrong.
 Answer ask_bounce(const MakeSoft& make)
 {
     Scene scene = soft_cube_scene({.centre = Vec3(0, 1, 0), .poisson = 0.3});

@@ -91,9 +91,11 @@ TEST_CASE(
         run(scene, method.make(scene.contact), 0.5);
         const bool is_avbd = method.name == "avbd";  // each body is pushed by what it has found itself
         CHECK((sum(linear) - linear_t0).norm() <= (is_avbd ? 1e-2 : 1e-9) * linear_t0.norm());
-        // p and q leave each other along the surface within a step, and with them the lines on which they are pushed
+        // p and q leave each other along the surface within a step, and with them the lines on which they are
+        // pushed
         const bool is_velocity = method.name == "sequential" || method.name == "relaxation";
-        // the barrier pushes at levers of the step's end, from where bodies have gone along by their old velocities
+        // the barrier pushes at levers of the step's end, from where bodies have gone along by their old
+        // velocities
         const double off = is_velocity ? 0.02 : method.name == "barrier" ? 0.1 : 0.06;
         CHECK((sum(turning) - turning_t0).norm() <= off * turning_t0.norm());
         CHECK(kinetic() < 0.9 * kinetic_t0);  // they have met

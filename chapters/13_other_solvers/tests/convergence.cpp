@@ -57,7 +57,8 @@ TEST_CASE(
     CHECK(left("sequential", 128) <= 1e-7);
     // multipliers that take over step by step
     CHECK(left("avbd", 128) <= 0.05 * left("avbd", 8));
-    // other problems: the softness and the lift, the gap of the barriers, the spring of a contact, friction by substeps
+    // other problems: the softness and the lift, the gap of the barriers, the spring of a contact, friction
+    // by substeps
     CHECK(left("relaxation", 8) == doctest::Approx(left("relaxation", 32)).scale(0).epsilon(1e-3));
     CHECK(left("relaxation", 32) == doctest::Approx(2.85e-3).scale(0).epsilon(0.02));
     CHECK(left("barrier", 64) == doctest::Approx(5.95e-4).scale(0).epsilon(0.02));

@@ -28,7 +28,8 @@ Solver converged(const std::string& method, const ContactParameters& parameters)
     return chapter13_barrier_solver(parameters, {.max_halvings = 0});
 }
 
-/// What is missing of m (v_1 - v_0) / dt = m g + f(x_1) at a node, at most, by the elastic forces of the base; in its weight [1].
+/// What is missing of m (v_1 - v_0) / dt = m g + f(x_1) at a node, at most, by the elastic forces of the
+/// base; in its weight [1].
 double missing_of_implicit_step(const ElasticBody& after, const NodalVectors& velocities_t0, double dt)
 {
     const NodalVectors forces = after.elastic_forces();

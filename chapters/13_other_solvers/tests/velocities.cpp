@@ -117,7 +117,8 @@ TEST_CASE("convex relaxation: a cube rests at the depth of its regularisation")
 {
     Scene scene = one_cube();
     run(scene, chapter13_relaxation_solver(scene.contact), 2);
-    // of a corner: w = 1/m + r x n J^-1 r x n = 4/m along the normal, and as much along each tangent on average
+    // of a corner: w = 1/m + r x n J^-1 r x n = 4/m along the normal, and as much along each tangent on
+    // average
     const double dt = scene.dt, load = 10 * 9.81 * dt / 4, pi = std::numbers::pi;
     const double w = (4 + 4 + 4) / 3.0 / 10;
     const double depth = load * w / (4 * pi * pi) * 2 * dt;

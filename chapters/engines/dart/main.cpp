@@ -1,6 +1,7 @@
-// DART as a process of its own: dart_beside SCENE.json; a frame is a line of JSON on stdout, as of the engines that node runs. In the program `engines` it
-// cannot be: it brings Bullet in single precision, whose functions have the names of ours. The detector is that of Bullet: FCL's, the default, knows no
-// planes, and takes a mesh of a box without height in their place.
+// DART as a process of its own: dart_beside SCENE.json; a frame is a line of JSON on stdout, as of the
+// engines that node runs. In the program `engines` it cannot be: it brings Bullet in single precision, whose
+// functions have the names of ours. The detector is that of Bullet: FCL's, the default, knows no planes, and
+// takes a mesh of a box without height in their place.
 #include "common/experiments/run/processor_clock.hpp"
 
 #include <assimp/cimport.h>
@@ -51,7 +52,8 @@ ShapePtr mesh_of(const json& body)
                                                               aiProcess_JoinIdenticalVertices, "obj"));
 }
 
-/// A body that moves, other than a cuboid: the hull of small balls. Bullet's detector finds no contact of two meshes, nor of a mesh and a plane.
+/// A body that moves, other than a cuboid: the hull of small balls. Bullet's detector finds no contact of two
+/// meshes, nor of a mesh and a plane.
 ShapePtr hull_of(const json& body)
 {
     constexpr double radius = 1e-4;  // [m]

@@ -8,7 +8,8 @@ namespace enduring::engines {
 void rows(const RunOptions& options, Report& report);
 /// Error over processor time, as each engine's steps and iterations are varied.
 void curves(const RunOptions& options, Report& report);
-/// The tables of the book: what rows and curves measured where all engines are installed, kept in chapters/engines/measured.
+/// The tables of the book: what rows and curves measured where all engines are installed, kept in
+/// chapters/engines/measured.
 void measured(const RunOptions& options, Report& report);
 
 }  // namespace enduring::engines

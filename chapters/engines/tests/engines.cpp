@@ -25,7 +25,8 @@ void add_box(Scene& scene, const std::string& name, const Vec3& size, const Vec3
         std::make_unique<RigidBody>(name, mesh, with_mass(mass_properties(mesh, 1), mass), velocity, spin));
 }
 
-/// How far an engine lets a body rest from where it should: its default slop, round corners and soft contacts [m].
+/// How far an engine lets a body rest from where it should: its default slop, round corners and soft contacts
+/// [m].
 double slop_of(const Engine& engine)
 {
     return engine.name == "Jolt" || engine.name == "MuJoCo of Debian" ? 0.021 : 0.01;

@@ -17,7 +17,8 @@
 namespace enduring {
 namespace {
 
-/// What takes a body from where its vertices were to where it is: a rigid body's own pose, else the turn and shift that fit best.
+/// What takes a body from where its vertices were to where it is: a rigid body's own pose, else the turn and
+/// shift that fit best.
 Pose pose_of(const Body& body, const std::vector<Vec3>& vertices)
 {
     if (const auto* const rigid = dynamic_cast<const RigidBody*>(&body))

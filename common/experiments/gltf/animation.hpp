@@ -26,7 +26,8 @@ class GltfAnimation final : public Probe {
 public:
     /// @param scene  gives the colours
     /// @param file   ends with .glb
-    /// @throws InputError  another ending; a place that cannot be written; the program was built without TinyGLTF
+    /// @throws InputError  another ending; a place that cannot be written; the program was built without
+    ///     TinyGLTF
     GltfAnimation(const Scene& scene, std::filesystem::path file, const AnimationLimits& limits = {});
     void observe(const World& world, const Contacts& contacts, double dt) override;
     /// Writes the file; without a frame it writes none.

@@ -178,7 +178,8 @@ private:
         return tables;
     }
 
-    /// What the run's steps cost: the numbers on `out` are the same for each run, those of a clock are told on stderr.
+    /// What the run's steps cost: the numbers on `out` are the same for each run, those of a clock are told
+    /// on stderr.
     void tell_costs(std::ostream& out) const
     {
         const std::vector<double> newton = costs_.column("newton_steps"),

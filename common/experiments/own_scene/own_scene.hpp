@@ -21,20 +21,23 @@ struct OwnSceneOptions {
 
 using MakeSolver = std::function<Solver(const ContactParameters&)>;
 
-/// The program, which now runs a scene of the reader's own as well: --scene FILE without an experiment, under this
-/// solver, with --paraview, --every, --gltf, --save, --resume and --times.
+/// The program, which now runs a scene of the reader's own as well: --scene FILE without an experiment, under
+/// this solver, with --paraview, --every, --gltf, --save, --resume and --times.
 ChapterProgram with_own_scenes(ChapterProgram program, MakeSolver make);
 /// run_chapter() with it.
 int run_chapter(int argc, char** argv, ChapterProgram program, MakeSolver make);
 
-/// Runs the scene of options.scene and leaves energy, motion, penetration, contacts, joints where it has some, and steps (StepCosts) as
-/// tables, which grow on the disk as the run goes, with choice.times also times (StepTimes), the energy as a plot, six moments as a picture, a clip unless options.quick, replay.json
-/// for the laboratory (Replay), and a summary on standard output. A run that breaks leaves the same up to the step that broke it, and failed.txt,
-/// which says why. A run that is killed leaves NAME.unfinished.csv of every table (Report::rows_so_far()), and
-/// with choice.save the last state in state.json, from which choice.resume goes on.
-/// @throws InputError          a mistake in the scene; a state that is not of this scene, or would be written over; a
-///     solver that cannot resume
-/// @throws std::runtime_error  a position or velocity became NaN or infinite, or energy came out of nothing (see run())
+/// Runs the scene of options.scene and leaves energy, motion, penetration, contacts, joints where it has
+/// some, and steps (StepCosts) as tables, which grow on the disk as the run goes, with choice.times also
+/// times (StepTimes), the energy as a plot, six moments as a picture, a clip unless options.quick,
+/// replay.json for the laboratory (Replay), and a summary on standard output. A run that breaks leaves the
+/// same up to the step that broke it, and failed.txt, which says why. A run that is killed leaves
+/// NAME.unfinished.csv of every table (Report::rows_so_far()), and with choice.save the last state in
+/// state.json, from which choice.resume goes on.
+/// @throws InputError          a mistake in the scene; a state that is not of this scene, or would be written
+///     over; a solver that cannot resume
+/// @throws std::runtime_error  a position or velocity became NaN or infinite, or energy came out of nothing
+///     (see run())
 void own_scene(const RunOptions& options, Report& report, const MakeSolver& make,
                const OwnSceneOptions& choice = {});
 

@@ -24,7 +24,8 @@ void append(Floats& list, const Vec3& v)
         list.push_back(static_cast<float>(coordinate));
 }
 
-/// Zeros follow up to a multiple of three numbers: 12 bytes are 16 letters, so no letter stands for a part of a byte.
+/// Zeros follow up to a multiple of three numbers: 12 bytes are 16 letters, so no letter stands for a part of
+/// a byte.
 std::string base64(Floats numbers)
 {
     using namespace boost::archive::iterators;

@@ -11,12 +11,14 @@ namespace enduring {
 
 /// Watches a run and leaves it as one file that the book's laboratory shows again (./course lab replay.json).
 ///
-/// The file is JSON. "scene" is shown_scene(), and the points of each body. "frames" have shown_numbers(); "motion", the
-/// bodies in their order: nothing of one at rest, position and quaternion (w last) of a rigid one, all vertices of
-/// another; and "pairs", the pair_numbers() of each. These lists are floats of 32 bits in base64; behind the last number there may be zeros.
+/// The file is JSON. "scene" is shown_scene(), and the points of each body. "frames" have shown_numbers();
+/// "motion", the bodies in their order: nothing of one at rest, position and quaternion (w last) of a rigid
+/// one, all vertices of another; and "pairs", the pair_numbers() of each. These lists are floats of 32 bits
+/// in base64; behind the last number there may be zeros.
 class Replay final : public Probe {
 public:
-    /// With a tenth of it a bounce of the bunny keeps 50 of its frames; ten times of it, and a phone does not load it.
+    /// With a tenth of it a bounce of the bunny keeps 50 of its frames; ten times of it, and a phone does not
+    /// load it.
     static constexpr std::size_t most_bytes = 16U << 20;
 
     /// @param scene   gives colours and camera

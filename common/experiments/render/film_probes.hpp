@@ -42,7 +42,8 @@ struct FilmStyle {
     MarkContacts mark{};                                     ///< none: bodies and planes only
 };
 
-/// Watches a run and films it; a second of the run takes a second of the clip if the style does not say otherwise.
+/// Watches a run and films it; a second of the run takes a second of the clip if the style does not say
+/// otherwise.
 class ClipProbe final : public Probe {
 public:
     /// @param scene              looks and camera; outlives the probe

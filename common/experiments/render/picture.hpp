@@ -41,8 +41,8 @@ private:
 /// @param share  of the new colour, 0 to 1
 void blend(Picture& picture, int x, int y, const Vec3& color, double share);
 
-/// Writes beside and renames; an empty picture writes nothing, and one that is not wanted (pictures_wanted()) takes
-/// an old one away.
+/// Writes beside and renames; an empty picture writes nothing, and one that is not wanted (pictures_wanted())
+/// takes an old one away.
 /// @throws InputError  the place cannot be written
 void write_png(const Picture& picture, const std::filesystem::path& path);
 

@@ -14,7 +14,8 @@ struct Size {
 };
 constexpr Size of_picture{560, 400}, of_film{480, 344};
 
-/// A static body is part of the picture unless it is so many times larger than all that moves: then it is ground.
+/// A static body is part of the picture unless it is so many times larger than all that moves: then it is
+/// ground.
 constexpr double largest_part = 3;
 
 Eigen::AlignedBox3d box_around(const std::vector<Vec3>& points)

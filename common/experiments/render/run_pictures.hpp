@@ -7,13 +7,13 @@
 
 namespace enduring {
 
-/// Watches a run and keeps what its pictures will show. They are drawn when it is over, because only then is it
-/// known where the camera has to stand: it is the scene's, or where the scene names none, one that sees every
-/// moment that is shown.
+/// Watches a run and keeps what its pictures will show. They are drawn when it is over, because only then is
+/// it known where the camera has to stand: it is the scene's, or where the scene names none, one that sees
+/// every moment that is shown.
 class RunPictures final : public Probe {
 public:
-    /// What is shown: `pictures` moments, evenly over the run, and a film if `filmed`. A second of the run takes a
-    /// second of the film, unless it would have more than max_frames: then the run is shown faster.
+    /// What is shown: `pictures` moments, evenly over the run, and a film if `filmed`. A second of the run
+    /// takes a second of the film, unless it would have more than max_frames: then the run is shown faster.
     struct Shown {
         int pictures = 6;
         bool filmed = true;

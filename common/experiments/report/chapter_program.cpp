@@ -40,7 +40,8 @@ std::string names_of_scene_readers(const ChapterProgram& program)
     return names;
 }
 
-/// An option with an empty text, as of a shell's variable that is not set, would be taken for one that was not given.
+/// An option with an empty text, as of a shell's variable that is not set, would be taken for one that was
+/// not given.
 void refuse_empty_texts(CLI::App& app)
 {
     const auto not_empty = [](const std::string& text) {
@@ -180,7 +181,8 @@ void run_experiments(const ChapterProgram& program, const std::vector<const Expe
     }
 }
 
-/// A file that may not grow (ulimit -f) is an error of its writer, which is told, and not the end of the program.
+/// A file that may not grow (ulimit -f) is an error of its writer, which is told, and not the end of the
+/// program.
 void tell_of_full_files() { std::signal(SIGXFSZ, SIG_IGN); }
 
 /// What a program printed is a result, too: onto a full disk it does not get.
@@ -191,8 +193,8 @@ void require_printed()
         throw std::runtime_error("the standard output cannot be written to its end (is the disk full?)");
 }
 
-/// A step of a solver asks for the memory that the step before has given back. To hand it to the system in between
-/// costs more than half of the time of a small step.
+/// A step of a solver asks for the memory that the step before has given back. To hand it to the system in
+/// between costs more than half of the time of a small step.
 void keep_freed_memory()
 {
 #ifdef __GLIBC__

@@ -43,8 +43,8 @@ struct ChapterProgram {
     /// done the work.
     std::function<void(CLI::App&)> add_options = {};
     std::function<bool(const RunOptions&)> instead_of_experiments = {};
-    /// What --scene FILE without a word means: to run that scene, into its own folder (common/experiments/own_scene).
-    /// With words, the file stands for the scenes of these experiments.
+    /// What --scene FILE without a word means: to run that scene, into its own folder
+    /// (common/experiments/own_scene). With words, the file stands for the scenes of these experiments.
     std::function<void(const RunOptions&, Report&)> own_scene = {};
 };
 

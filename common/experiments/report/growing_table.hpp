@@ -10,8 +10,8 @@
 
 namespace enduring {
 
-/// The table of many runs, a row each: every row is on the disk when it is added, and the reader is told how many
-/// there are. At the end it goes to the report as any table does.
+/// The table of many runs, a row each: every row is on the disk when it is added, and the reader is told how
+/// many there are. At the end it goes to the report as any table does.
 class GrowingTable {
 public:
     /// @param rows  that there will be; 0 if nobody knows

@@ -20,8 +20,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// All work that is being done. What stands here is read and changed under the lock, which a work that only counts
-/// never takes.
+/// All work that is being done. What stands here is read and changed under the lock, which a work that only
+/// counts never takes.
 struct Board {
     std::mutex lock;
     std::vector<const Progress*> works;  ///< the outermost first

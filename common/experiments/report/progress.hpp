@@ -7,13 +7,13 @@
 
 namespace enduring {
 
-/// Long work that says how far it has come: on stderr, and in a ProgressFile while there is one. Work inside of
-/// other work is told behind it:
+/// Long work that says how far it has come: on stderr, and in a ProgressFile while there is one. Work inside
+/// of other work is told behind it:
 ///
 ///     creep, 5 min: 37 of 340 rows, about 40 min left; scene, chapter 7: 310 of 800
 ///
-/// A terminal shows one line that renews itself, from the second second on. Elsewhere there is a line every ten
-/// seconds, however long the work is silent: a thread of its own looks at the clock.
+/// A terminal shows one line that renews itself, from the second second on. Elsewhere there is a line every
+/// ten seconds, however long the work is silent: a thread of its own looks at the clock.
 class Progress {
 public:
     /// @param count  how much there is to do; 0 if nobody knows
@@ -49,8 +49,8 @@ std::string progress_line();
 /// "42 s", "5 min", "1 h 20 min": as rough as an estimate is.
 std::string rough_duration(double seconds);
 
-/// A file that says how far the work has come, at first and then each second, as long as this lives. A run that
-/// is killed leaves it. One at a time.
+/// A file that says how far the work has come, at first and then each second, as long as this lives. A run
+/// that is killed leaves it. One at a time.
 class ProgressFile {
 public:
     explicit ProgressFile(std::filesystem::path file);

@@ -13,23 +13,23 @@
 namespace enduring {
 
 /// Where an experiment leaves what it measured. Every file is written beside its place and then renamed, so a
-/// reader never meets half a file. A run that is stopped leaves of its tables what rows_so_far() was given, under
-/// names that say so.
+/// reader never meets half a file. A run that is stopped leaves of its tables what rows_so_far() was given,
+/// under names that say so.
 class Report {
 public:
     /// @param folder  created if missing, e.g. build/results/01_particle_plane
     /// @throws InputError  it cannot be created or written
     explicit Report(std::filesystem::path folder);
-    /// Takes a folder away again that it made and nobody wrote into, as after a scene with a mistake; and growing
-    /// tables without a row.
+    /// Takes a folder away again that it made and nobody wrote into, as after a scene with a mistake; and
+    /// growing tables without a row.
     ~Report();
     Report(const Report&) = delete;
     Report& operator=(const Report&) = delete;
 
     /// NAME.csv with all digits (shortest form that reads back the same double).
     void table(const std::string& name, const Table& table);
-    /// A table that grows, as NAME.unfinished.csv: rows that are new since the last call reach the file before this
-    /// returns. table() with the same name ends it.
+    /// A table that grows, as NAME.unfinished.csv: rows that are new since the last call reach the file
+    /// before this returns. table() with the same name ends it.
     /// @param table  the one of the last call, with more rows
     void rows_so_far(const std::string& name, const Table& table);
     /// NAME.md for the book's page: names of columns in words (dt_s: "Δt

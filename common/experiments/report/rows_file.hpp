@@ -5,8 +5,8 @@
 
 namespace enduring {
 
-/// A file that grows by whole rows: what is appended reaches it in one piece, or not at all. So a run that is killed, or whose disk is full,
-/// leaves no part of a row.
+/// A file that grows by whole rows: what is appended reaches it in one piece, or not at all. So a run that is
+/// killed, or whose disk is full, leaves no part of a row.
 class RowsFile {
 public:
     /// Begins the file anew.

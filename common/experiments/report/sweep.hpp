@@ -10,12 +10,12 @@
 
 namespace enduring {
 
-/// What each of many independent runs found, in their order, whoever made them: the program itself, or several beside each
-/// other, each with another --part of the runs and with one --parts folder. A run of which that folder holds the outcome is
-/// not made again. The reader is told how many are done.
+/// What each of many independent runs found, in their order, whoever made them: the program itself, or
+/// several beside each other, each with another --part of the runs and with one --parts folder. A run of
+/// which that folder holds the outcome is not made again. The reader is told how many are done.
 ///
-///     const auto found = sweep<Outcome>(options, "thin", shots.size(), [&](std::size_t i) { return shoot(shots[i]); });
-///     if (!found)
+///     const auto found = sweep<Outcome>(options, "thin", shots.size(), [&](std::size_t i) { return
+///     shoot(shots[i]); }); if (!found)
 ///         return;  // a part, which leaves no table
 ///
 /// @param name  of the sweep, which is the only one of this name in its experiment

@@ -14,10 +14,11 @@ namespace enduring {
 ///
 /// Held, as a mean over the last ten steps, is all that can turn into motion again: kinetic and elastic
 /// energy of the bodies, that of every pair's spring, k stretch^2 / 2 of every friction spring, and their
-/// weight above the lowest place that they came to. Put in are what was held at the start, the work of gravity
-/// down to that lowest place, that of springs whose rest offset fades, which lift a body out that began inside
-/// another (see SpringAccounts), and that of all that drives bodies from outside (World::driven), as a mean over the last
-/// ten steps, too. Nothing else drives a scene, and its gravity does not turn.
+/// weight above the lowest place that they came to. Put in are what was held at the start, the work of
+/// gravity down to that lowest place, that of springs whose rest offset fades, which lift a body out that
+/// began inside another (see SpringAccounts), and that of all that drives bodies from outside
+/// (World::driven), as a mean over the last ten steps, too. Nothing else drives a scene, and its gravity does
+/// not turn.
 class EnergyBudget {
 public:
     /// @param scene     before its first step

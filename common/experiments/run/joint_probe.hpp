@@ -4,8 +4,8 @@
 
 namespace enduring {
 
-/// What each joint does on its body A over the step, and where it stands: time_s, joint, force and torque (about the joint's point) in
-/// world axes, turn_rad, way_m, and whether it is broken.
+/// What each joint does on its body A over the step, and where it stands: time_s, joint, force and torque
+/// (about the joint's point) in world axes, turn_rad, way_m, and whether it is broken.
 class JointProbe final : public TableProbe {
 public:
     JointProbe();

@@ -44,8 +44,8 @@ struct RunResult {
 ///
 /// @param scene   its world is moved on; run it again from a fresh load_scene()
 /// @param probes  see the world once before the first step and then after each
-/// @throws std::runtime_error  a NaN, with step, body and vertex (see advance()); energy out of nothing, unless it may (see
-///                             EnergyBudget). The probes have seen the step that is named
+/// @throws std::runtime_error  a NaN, with step, body and vertex (see advance()); energy out of nothing,
+///                             unless it may (see EnergyBudget). The probes have seen the step that is named
 RunResult run(Scene& scene, const Solver& solver, const std::vector<Probe*>& probes = {},
               const RunLimits& limits = {});
 

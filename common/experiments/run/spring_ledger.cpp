@@ -67,7 +67,8 @@ SpringLedger::Booked SpringLedger::book(const World& world, const Contact& conta
 void SpringLedger::take_over(Booked& booked, std::multimap<Key, Spring>::iterator before, double dt)
 {
     constexpr double rounding = 1e-9;
-    // Made stiffer without a jump of its force, a spring is less compressed and holds less. No body has moved.
+    // Made stiffer without a jump of its force, a spring is less compressed and holds less. No body has
+    // moved.
     const double softer = std::min(1.0, before->second.stiffness / booked.spring.stiffness);
     const double way = softer * before->second.compression - booked.at_start.compression;
     const bool slowly = way <= (1 + rounding) * booked.max_depenetration_velocity * dt;

@@ -25,20 +25,20 @@ struct SpringAccounts {
     double brought() const { return born + jumped - died; }
 };
 
-/// Books what each spring holds from step to step: what is held is what was born, lifted and jumped, less what
-/// died, was pushed and damped.
+/// Books what each spring holds from step to step: what is held is what was born, lifted and jumped, less
+/// what died, was pushed and damped.
 ///
-/// Between two steps the bodies stand still, so a spring's compression can only change with the spring: by its
-/// rest offset, its stiffness, or by another face. A spring that gets stiffer and pushes as before loses energy, and
-/// that is damping. If the rest of the change is no more than the leaving speed allows, it is a lift, whose work counts
-/// with the force at the end of the step, as the step itself does. Depths of a step are measured along the
-/// normal at its end, as an implicit step sees them.
+/// Between two steps the bodies stand still, so a spring's compression can only change with the spring: by
+/// its rest offset, its stiffness, or by another face. A spring that gets stiffer and pushes as before loses
+/// energy, and that is damping. If the rest of the change is no more than the leaving speed allows, it is a
+/// lift, whose work counts with the force at the end of the step, as the step itself does. Depths of a step
+/// are measured along the normal at its end, as an implicit step sees them.
 class SpringLedger {
 public:
     /// @param world          before its first step
     /// @param stiffness      k of a pair without one of its own, on planes without one of their own [N/m]
-    /// @param max_depenetration_velocity  a rest offset that fades faster throws [m/s]; without it, that of the
-    ///                       pair's size
+    /// @param max_depenetration_velocity  a rest offset that fades faster throws [m/s]; without it, that of
+    ///                       the pair's size
     SpringLedger(const World& world, double stiffness, std::optional<double> max_depenetration_velocity);
 
     /// To be told after each step.

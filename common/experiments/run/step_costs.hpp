@@ -6,7 +6,8 @@ namespace enduring {
 
 /// What each step cost, in counts (StepWork): a row a step. The state before the first step is no row.
 ///
-/// time_s (at its end), pairs (alive then), the numbers of visit_work(), inverted_elements (at its end, of all bodies).
+/// time_s (at its end), pairs (alive then), the numbers of visit_work(), inverted_elements (at its end, of
+/// all bodies).
 class StepCosts final : public TableProbe {
 public:
     StepCosts();
@@ -19,11 +20,11 @@ private:
     bool began_ = false;
 };
 
-/// Where the time of each step went: what all threads of this program had of their processors. Kept out of all comparisons, since it
-/// changes from run to run.
+/// Where the time of each step went: what all threads of this program had of their processors. Kept out of
+/// all comparisons, since it changes from run to run.
 ///
-/// time_s, search_ms (passes before the first detection), query_ms (detection), solve_ms (responses, elastic forces, restitution),
-/// rest_ms (prediction, commit).
+/// time_s, search_ms (passes before the first detection), query_ms (detection), solve_ms (responses, elastic
+/// forces, restitution), rest_ms (prediction, commit).
 class StepTimes final : public TableProbe {
 public:
     explicit StepTimes(const Solver& solver);
@@ -44,7 +45,8 @@ private:
     bool runs_ = false;
 };
 
-/// "MEAN UNIT in the mean, VALUE in 99 % of them, VALUE at most (step N)": of one number a step; at least one step.
+/// "MEAN UNIT in the mean, VALUE in 99 % of them, VALUE at most (step N)": of one number a step; at least one
+/// step.
 /// @param first  number of the first step
 std::string mean_and_worst(const std::vector<double>& of_step, const std::string& unit, int first);
 

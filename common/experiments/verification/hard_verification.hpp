@@ -23,12 +23,12 @@ struct HardOutcome {
 };
 /// A bar of 1 x 0.2 x 0.2 m, clamped at one end; the other end is turned once about its axis within a second.
 HardOutcome twist_once(const HardLoad& load);
-/// A block of 0.4 m between two plates that hold its faces: within half a second it is pressed to 30 % of its height. The upper
-/// plate lets it go.
+/// A block of 0.4 m between two plates that hold its faces: within half a second it is pressed to 30 % of its
+/// height. The upper plate lets it go.
 HardOutcome press_flat(const HardLoad& load);
 
-/// Both over bases, laws and, unless it has to be quick, stiffnesses and steps. Columns basis, elasticity, young_pa, dt_s,
-/// inverted_held, inverted_free, held_j, gain_j, left_mm.
+/// Both over bases, laws and, unless it has to be quick, stiffnesses and steps. Columns basis, elasticity,
+/// young_pa, dt_s, inverted_held, inverted_free, held_j, gain_j, left_mm.
 Table hard_loads(HardOutcome (*load)(const HardLoad&), bool quick);
 
 /// Share of its angular momentum that a free bar loses in a second while it tumbles and bends.

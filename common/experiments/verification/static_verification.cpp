@@ -80,8 +80,8 @@ Table cantilever()
 
 namespace {
 
-/// Of the centre of mass of a bar that is clamped at one end, under its own weight: the mean over its length of the deflection by
-/// bending and by shear (Timoshenko; Cowper's coefficient) [m].
+/// Of the centre of mass of a bar that is clamped at one end, under its own weight: the mean over its length
+/// of the deflection by bending and by shear (Timoshenko; Cowper's coefficient) [m].
 double theory_of_sag(double length, double thickness, double weight, const ElasticMaterial& material)
 {
     const double inertia = std::pow(thickness, 4) / 12, area = thickness * thickness,

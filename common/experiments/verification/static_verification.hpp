@@ -11,8 +11,9 @@ namespace enduring::verification {
 /// Columns basis, cells_along, unknowns, deflection_m, theory_m, ratio.
 Table cantilever();
 
-/// How far the centre of mass of a clamped bar of 10 x 2 x 2 cells sags under its weight, against beam theory with shear, over Poisson's ratio.
-/// Columns basis, split, poisson, sag_mm, theory_mm, ratio, sideways_percent (of the sag).
+/// How far the centre of mass of a clamped bar of 10 x 2 x 2 cells sags under its weight, against beam theory
+/// with shear, over Poisson's ratio. Columns basis, split, poisson, sag_mm, theory_mm, ratio,
+/// sideways_percent (of the sag).
 Table locking();
 
 /// Errors against a manufactured displacement of the unit cube, and the orders at which they vanish.

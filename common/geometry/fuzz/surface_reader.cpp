@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Whatever the bytes are: a sound mesh comes back, or an InputError; never a crash, a hang or a flood of memory. The first byte
-/// chooses the reader.
+/// Whatever the bytes are: a sound mesh comes back, or an InputError; never a crash, a hang or a flood of
+/// memory. The first byte chooses the reader.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     if (size == 0)

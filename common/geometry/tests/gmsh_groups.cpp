@@ -13,7 +13,8 @@ namespace {
 
 const std::filesystem::path seeds = source_directory() / "common/geometry/fuzz/seeds/gmsh_reader";
 
-/// One tetrahedron, a triangle of which is in a group, and a second one with a node of its own that no tetrahedron uses.
+/// One tetrahedron, a triangle of which is in a group, and a second one with a node of its own that no
+/// tetrahedron uses.
 const std::string small = R"($MeshFormat
 2.2 0 8
 $EndMeshFormat

@@ -176,7 +176,8 @@ namespace {
 
 constexpr double earth = 9.81;  // [m/s^2]
 
-/// A bar of 1 x 0.1 x 0.2 m and 3 kg that hangs on its end, on the z axis, and is turned away from the vertical.
+/// A bar of 1 x 0.1 x 0.2 m and 3 kg that hangs on its end, on the z axis, and is turned away from the
+/// vertical.
 RigidMotion hanging_bar(double angle)
 {
     SurfaceMesh mesh = box({1, 0.1, 0.2});
@@ -197,7 +198,8 @@ void move(RigidMotion& motion, double dt)
     motion.commit(dt);
 }
 
-/// The time of a whole swing from rest at this angle, between the moments at which the bar is lowest and swings forwards [s].
+/// The time of a whole swing from rest at this angle, between the moments at which the bar is lowest and
+/// swings forwards [s].
 double measured_period(double angle, double dt)
 {
     RigidMotion bar = hanging_bar(angle);

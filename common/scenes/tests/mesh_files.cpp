@@ -11,7 +11,8 @@ using namespace enduring;
 
 namespace {
 
-/// A folder with a tetrahedron, whole (one.obj) and with three vertices of its own for each face (pieces.obj).
+/// A folder with a tetrahedron, whole (one.obj) and with three vertices of its own for each face
+/// (pieces.obj).
 struct MeshFolder : TemporaryFolder {
     MeshFolder()
     {

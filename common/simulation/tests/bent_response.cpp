@@ -42,8 +42,8 @@ void bend(DeformableBody& body, const std::vector<int>& touched, double impulse)
     body.commit(dt);
 }
 
-/// By how much the mass of a bar that was asked for it after some steps, and again after others, is another one than that of a bar
-/// which moved alike and was asked at the end only.
+/// By how much the mass of a bar that was asked for it after some steps, and again after others, is another
+/// one than that of a bar which moved alike and was asked at the end only.
 double difference(const std::vector<double>& before, const std::vector<double>& after)
 {
     const auto asked = soft_bar(), other = soft_bar();

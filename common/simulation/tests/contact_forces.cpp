@@ -26,7 +26,8 @@ struct CarriedSheet {
     }
 };
 
-/// Gives each pair a third of the weight over the part of the step that runs; the first `bad` attempts end in trouble.
+/// Gives each pair a third of the weight over the part of the step that runs; the first `bad` attempts end in
+/// trouble.
 Solver carrying(double weight, int bad)
 {
     Solver solver;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double until = 0.2;
 
-/// A bar of 1 x 0.2 x 0.2 m whose nodes at x < left and x > right are gripped until a time; the right ones move.
+/// A bar of 1 x 0.2 x 0.2 m whose nodes at x < left and x > right are gripped until a time; the right ones
+/// move.
 World gripped_bar(double left, double right, const GivenMotion& motion, double freed = until,
                   ImpulseResponse response = ImpulseResponse::implicit)
 {

@@ -17,7 +17,8 @@ using namespace enduring;
 
 namespace {
 
-/// A rigid box that turns, a soft one that is thrown, a turntable that turns more than once, a floor, and a plane.
+/// A rigid box that turns, a soft one that is thrown, a turntable that turns more than once, a floor, and a
+/// plane.
 const char* const thrown = R"({"name": "thrown", "dt": 0.01, "duration": 1, "gravity": [0, 0, 0],
   "planes": [{"name": "ground", "point": [0, -3, 0]}],
   "bodies": [
