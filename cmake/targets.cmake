@@ -280,7 +280,7 @@ function(enduring_laboratory)
   endif()
   file(GLOB tests CONFIGURE_DEPENDS ${folder}/lab/tests/*.cpp)
   enduring_library(enduring_laboratory SOURCES ${folder}/laboratory.cpp ${PROJECT_SOURCE_DIR}/chapters/solvers/chapter_solver.cpp
-                   USES chapter12_layer enduring_scenes)
+                   USES chapter12_layer chapter13_layer enduring_scenes)
   add_executable(laboratory ${folder}/lab/native.cpp)
   target_link_libraries(laboratory PRIVATE enduring_laboratory CLI11::CLI11)
   enduring_reuse_precompiled(laboratory enduring_headers)

@@ -59,4 +59,8 @@ EMSCRIPTEN_BINDINGS(live)
         "passes", +[](double h, int count, double mu, double normal, double along) {
             return array_of(passes(h, count, mu, normal, along));
         });
+    function(
+        "method_titles", +[] { return val::array(method_titles()); });
+    function(
+        "methods", +[](double mu, double speed, int counts) { return array_of(methods(mu, speed, counts)); });
 }

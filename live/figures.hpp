@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 /// What the book's live figures ask of the chapters. Plain numbers in and out, so that a page can draw them
@@ -72,5 +73,15 @@ Numbers crossing(bool bar, double x, double y, double z, double turn_deg, double
 ///          natural map in the same two directions, and the length of the map over that of the velocity
 ///          without contact ...}
 Numbers passes(double h, int count, double mu, double normal, double along);
+
+/// Chapter 13: its methods, as tables have them, in its order.
+std::vector<std::string> method_titles();
+
+/// Chapter 13: a cube of 10 kg that slides over the ground, in ten steps of 10 ms. Each method has
+/// 1, 2, 4, ... iterations, substeps or steps of Newton's method.
+/// @param counts  how many of these numbers
+/// @return {way along the ground under chapter 11's solver [m], then for each method and each number how much
+///          farther the cube is along the ground, and how much higher [m] ...}
+Numbers methods(double mu, double speed, int counts);
 
 }  // namespace enduring::live

@@ -1,9 +1,11 @@
 #include "live/laboratory.hpp"
 
+#include "chapters/13_other_solvers/solver.hpp"
 #include "chapters/solvers/chapter_solver.hpp"
 #include "common/scenes/drawn_body.hpp"
 #include "common/scenes/scene_reader.hpp"
 
+#include <charconv>
 #include <utility>
 
 namespace enduring::laboratory {
@@ -22,12 +24,21 @@ std::tuple<ContactKind, int, int, int, int> features_of(const Contact& contact)
     return {contact.kind, contact.body_a, contact.feature_a, contact.body_b, contact.feature_b};
 }
 
+/// The solver of a chapter by its number, or a method of chapter 13 by its name.
+Solver solver_named(const std::string& name, const ContactParameters& contact)
+{
+    int chapter = 0;
+    const char* const end = name.data() + name.size();
+    const auto [at, error] = std::from_chars(name.data(), end, chapter);
+    return error == std::errc() && at == end ? solvers::chapter_solver(chapter, contact, silent())
+                                             : chapter13_solver(name, contact);
+}
+
 }  // namespace
 
 Laboratory::Laboratory(const std::string& text, const std::string& file,
-                       const std::vector<std::filesystem::path>& meshes, int chapter)
-    : scene_(read_scene(text, "", file, {meshes})),
-      solver_(solvers::chapter_solver(chapter, scene_.contact, silent()))
+                       const std::vector<std::filesystem::path>& meshes, const std::string& solver)
+    : scene_(read_scene(text, "", file, {meshes})), solver_(solver_named(solver, scene_.contact))
 {
     require_asked(scene_, solver_);
     const auto pulled = [this](World& world, Contacts&, double dt) { pull(world, dt); };

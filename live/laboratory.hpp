@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-/// What the book's laboratory does with the layers: a scene from its text, under the solver of a chapter,
-/// step by step.
+/// What the book's laboratory does with the layers: a scene from its text, under the solver of a chapter or
+/// under a method of chapter 13, step by step.
 namespace enduring::laboratory {
 
 /// A hand that pulls a body by one of its faces with a spring and a damper.
@@ -30,10 +30,10 @@ public:
     /// @param text     a scene file
     /// @param file     how messages call it
     /// @param meshes   folders where its meshes are searched
-    /// @param chapter  whose solver, 1 to 11
-    /// @throws InputError  a mistake in the text, with its place; no such chapter
+    /// @param solver   a chapter, "1" to "12", or one of other_methods() by its name
+    /// @throws InputError  a mistake in the text, with its place; no such solver
     Laboratory(const std::string& text, const std::string& file,
-               const std::vector<std::filesystem::path>& meshes, int chapter);
+               const std::vector<std::filesystem::path>& meshes, const std::string& solver);
     Laboratory(const Laboratory&) = delete;  // the solver's passes know where it is
     Laboratory& operator=(const Laboratory&) = delete;
 

@@ -3,6 +3,7 @@
 #include "common/scenes/drawn_body.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
+#include "common/simulation/joint.hpp"
 #include "common/simulation/rigid_body.hpp"
 
 #include <nlohmann/json.hpp>
@@ -83,6 +84,22 @@ PairNumbers pair_numbers(const World& world, const Contact& contact, int since)
             i.x(), i.y(), i.z(), f.x(), f.y(), f.z(),
             contact.stiffness, contact.rest_offset, contact.load, contact.slip, number(contact.is_spring()), number(since)};
     // clang-format on
+}
+
+std::vector<double> joint_numbers(const World& world)
+{
+    std::vector<double> numbers;
+    for (const Joint& joint : world.joints) {
+        if (joint.broken || joint.kind == JointKind::gear)
+            continue;
+        const JointPose pose = committed_pose(world, joint);
+        const bool has_axis = joint.kind == JointKind::hinge || joint.kind == JointKind::slider ||
+                              joint.kind == JointKind::cylinder;
+        const Vec3 axis = has_axis ? Vec3(pose.axes_b.col(2)) : Vec3(Vec3::Zero());
+        for (const Vec3& v : {pose.point_a, pose.point_b, axis})
+            numbers.insert(numbers.end(), v.begin(), v.end());
+    }
+    return numbers;
 }
 
 nlohmann::json shown_scene(const Scene& scene, const World& world, const std::string& solver)

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 /// What the book's laboratory is told of a scene and of its steps: by the layers in the page
 /// (live/lab/bindings.cpp), and by the file of a run (common/experiments/own_scene/replay.hpp).
@@ -34,6 +35,10 @@ nlohmann::json shown_numbers(const StepNumbers& numbers);
 /// impulse and friction impulse on A in the last step [N s], stiffness, rest offset, load, slip, whether it
 /// may push, and the step in which its features met. live/lab/pairs.js gives them their names again.
 using PairNumbers = std::array<double, 24>;
+
+/// Joints as numbers, nine each: its point on A and on B [m], and the axis of a hinge, slider or cylinder,
+/// zero for others. A gear has no place and a broken joint holds nothing: they have no numbers.
+std::vector<double> joint_numbers(const World& world);
 
 /// @param since  the step in which these features met; -1 where nobody knows
 PairNumbers pair_numbers(const World& world, const Contact& contact, int since = -1);

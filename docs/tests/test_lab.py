@@ -18,13 +18,15 @@ STEP_ALL = """
 const given = JSON.parse(require('fs').readFileSync(0, 'utf8'));
 require(MODULE)().then(lab => {
   for (const [name, text] of Object.entries(given.meshes)) lab.add_mesh(name, text);
-  const told = given.scenes.map(({ key, text, solver }) => [key, lab.load(text, `${key}.json`, solver).error ?? lab.advance(1).error ?? 'steps']);
-  told.push(['broken', lab.load('{"name": "x", "dt": -9, "duration": 1, "bodies": []}', 'own.json', 10).error]);
+  const told = given.scenes.map(({ key, text, solver }) => [key, lab.load(text, `${key}.json`, String(solver)).error ?? lab.advance(1).error ?? 'steps']);
+  told.push(['broken', lab.load('{"name": "x", "dt": -9, "duration": 1, "bodies": []}', 'own.json', '10').error]);
+  for (const method of ['sequential', 'soft_step', 'relaxation', 'xpbd', 'avbd', 'barrier'])
+    told.push([method, lab.load(given.scenes.find(({ key }) => key === 'tower').text, 'tower.json', method).error ?? lab.advance(1).error ?? 'steps']);
   console.log(JSON.stringify(told));
 });"""
 LINKS = """import { readLink, writeLink } from LINK;
 const view = { eye: [1.25, -2, 3e-7], target: [0, 0.5, 0] };
-const own = { scene: 'own', solver: 7, beside: 6, step: 40, view, text: '{"name": "Würfel ÷ &=#"}' };
+const own = { scene: 'own', solver: 7, beside: 'xpbd', step: 40, view, text: '{"name": "Würfel ÷ &=#"}' };
 console.log(JSON.stringify([readLink(writeLink(own)), readLink('scene=tower&eye=1,2&text=%%%'), writeLink(own)]));"""
 AXES = """import { axisOf } from AXIS;
 const log = (...series) => { const axis = axisOf(series, { logarithmic: true }); return [axis.ends, series.map(values => axis.of(values.at(-1)))]; };
@@ -86,7 +88,7 @@ def said(calls, word, script):
 class Scripts(unittest.TestCase):
     def test_a_link_holds_what_was_written_and_leaves_out_what_cannot_be_read(self):
         read, cut, written = said(LINKS, "LINK", "link")
-        self.assertEqual(read, {"scene": "own", "solver": 7, "beside": 6, "step": 40, "text": '{"name": "Würfel ÷ &=#"}', "view": {"eye": [1.25, -2, 3e-7], "target": [0, 0.5, 0]}})
+        self.assertEqual(read, {"scene": "own", "solver": 7, "beside": "xpbd", "step": 40, "text": '{"name": "Würfel ÷ &=#"}', "view": {"eye": [1.25, -2, 3e-7], "target": [0, 0.5, 0]}})
         self.assertEqual((cut["scene"], cut["view"], cut["text"]), ("tower", None, None))
         self.assertRegex(written, r"^[\w.,=&-]+$")
 
@@ -105,6 +107,7 @@ class Module(unittest.TestCase):
         done = subprocess.run([NODE, "-e", STEP_ALL.replace("MODULE", json.dumps(str(MODULE)))], input=json.dumps(lab.data()), capture_output=True, text=True, check=True)
         told = dict(json.loads(done.stdout))
         self.assertIn("own.json: /dt: expected a number from 1e-06 to 3600 [s], found -9", told.pop("broken"))
+        self.assertIn("barrier", told)
         self.assertEqual(set(told.values()), {"steps"}, told)
 
 

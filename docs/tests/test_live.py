@@ -1,5 +1,6 @@
 """The live figures: what the compiled chapters answer in JavaScript, against formulas and against each other."""
 import json
+import math
 import shutil
 import subprocess
 import unittest
@@ -21,7 +22,8 @@ require(MODULE)().then(m => {
     flat: list(m.circle(180)), right: list(m.circle(90)), six: slide(6), five: slide(5),
     fastest: list(m.implicit(16, 0.5, false, 200)), kept: list(m.implicit(16, 0.5, true, 200)), back: list(m.implicit(21, 0.3, false, 2)),
     corner: list(m.crossing(false, 1.25, 0.65, 1.25, 0, 0)), bar: list(m.crossing(true, 0, 0.1, 0.1, 7, 3)), apart: list(m.crossing(false, 0, 1.5, 0, 0, 0)),
-    holds: list(m.passes(3, 8, 0.6, -1, 0.3)), slides: list(m.passes(3, 8, 0.25, -1, 0.3)), flies: list(m.passes(3, 2, 0.5, 1, 0.3)) }));
+    holds: list(m.passes(3, 8, 0.6, -1, 0.3)), slides: list(m.passes(3, 8, 0.25, -1, 0.3)), flies: list(m.passes(3, 2, 0.5, 1, 0.3)),
+    titles: list(m.method_titles()), methods: list(m.methods(0.5, 1, 8)), smooth: list(m.methods(0, 1, 4)) }));
 });
 """
 
@@ -105,6 +107,27 @@ class LiveFigures(unittest.TestCase):
                 self.assertAlmostEqual(u_n, (1 if name == "flies" else -1) + r_n, 14)
                 self.assertAlmostEqual(u_t, 0.3 + r_t, 14)
                 self.assertLessEqual(error, 4 ** -(i + 1) + 1e-14)
+
+    def errors(self, name, counts):
+        """Of each method by its title: how much farther and how much higher its cube is, for each number of iterations [m]."""
+        off = self.said[name][1:]
+        self.assertEqual(len(off), 2 * counts * len(self.said["titles"]))
+        return {title: list(zip(off[2 * counts * i:2 * counts * (i + 1):2], off[2 * counts * i + 1:2 * counts * (i + 1):2])) for i, title in enumerate(self.said["titles"])}
+
+    def test_a_sliding_cube_is_braked_by_coulombs_law_and_with_more_sweeps_impulses_come_to_it(self):
+        t, dt = 0.1, 0.01
+        self.assertAlmostEqual(self.said["methods"][0], t - 0.5 * 9.81 * 0.5 * t * (t + dt), 6)
+        errors = self.errors("methods", 8)
+        self.assertEqual(list(errors), ["sequential impulses", "soft step", "convex relaxation", "XPBD", "AVBD", "barrier"])
+        size = {title: [math.hypot(*pair) for pair in off] for title, off in errors.items()}
+        self.assertLess(size["sequential impulses"][7], 1e-6)
+        self.assertLess(size["AVBD"][7], size["AVBD"][3])
+        self.assertAlmostEqual(size["convex relaxation"][5], size["convex relaxation"][7], 9)  # converged, and elsewhere
+
+    def test_without_friction_no_method_brakes_the_cube(self):
+        self.assertAlmostEqual(self.said["smooth"][0], 0.1, 12)
+        for title, off in self.errors("smooth", 4).items():
+            self.assertTrue(all(abs(along) < 1e-6 for along, _ in off), title)
 
     def test_the_cube_keeps_its_speed_with_chapter_6_and_stops_with_chapter_5(self):
         self.assertAlmostEqual(self.said["six"][-1][1], 1.5, 2)

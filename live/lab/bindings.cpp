@@ -63,6 +63,7 @@ val frame()
     val result = val::object();
     result.set("numbers", parsed(shown_numbers(laboratory->numbers())));
     result.set("pairs", pairs_of(*laboratory));
+    result.set("joints", array_of("Float64Array", joint_numbers(laboratory->scene().world)));
     result.set("positions", positions_of(*laboratory));
     return result;
 }
@@ -73,10 +74,10 @@ void add_mesh(const std::string& name, const std::string& text)
     std::ofstream(mesh_folder / name, std::ios::binary) << text;
 }
 
-val load(const std::string& text, const std::string& file, int chapter)
+val load(const std::string& text, const std::string& file, const std::string& solver)
 {
     return caught([&] {
-        laboratory = std::make_unique<Laboratory>(text, file, std::vector{mesh_folder}, chapter);
+        laboratory = std::make_unique<Laboratory>(text, file, std::vector{mesh_folder}, solver);
         const Scene& scene = laboratory->scene();
         return parsed(shown_scene(scene, scene.world, laboratory->solver().name));
     });

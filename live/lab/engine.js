@@ -12,8 +12,8 @@ function inTheWorker(factory) {
       for (const [name, text] of Object.entries(meshes)) module.add_mesh(name, text);
       return {};
     },
-    load({ text, file, chapter }) {
-      const scene = module.load(text, file, chapter);
+    load({ text, file, solver }) {
+      const scene = module.load(text, file, String(solver));
       return scene.error ? scene : { scene, frame: module.frame() };
     },
     advance({ steps }) {
@@ -29,7 +29,7 @@ function inTheWorker(factory) {
   onmessage = async ({ data: { id, call, given } }) => {
     try {
       const result = await calls[call](given), frame = result.frame ?? result;
-      answer(id, result, frame.positions ? [frame.positions.buffer, frame.pairs.buffer] : []);
+      answer(id, result, frame.positions ? [frame.positions.buffer, frame.pairs.buffer, frame.joints.buffer] : []);
     } catch (error) {
       answer(id, { error: `the program ended: ${error.message ?? error}` });
     }
@@ -62,9 +62,9 @@ export class Engine {
     });
   }
 
-  async load(text, file, chapter) {
+  async load(text, file, solver) {
     await this.begun;
-    return this.call("load", { text, file, chapter });
+    return this.call("load", { text, file, solver });
   }
 
   advance(steps) { return this.call("advance", { steps }); }

@@ -10,9 +10,13 @@ import { replayed } from "./replay.js";
 import { Knobs } from "./knobs.js";
 import { View } from "./view.js";
 
-const CHAPTERS = [[1, "1: particle and plane"], [2, "2: collision detection"], [3, "3: penalty impulses"], [4, "4: friction"], [5, "5: categorisation"], [6, "6: redefinition"],
+// Chapters by their numbers, the methods of chapter 13 by their names.
+const METHODS = [["sequential", "sequential impulses"], ["soft_step", "soft step"], ["relaxation", "convex relaxation"], ["xpbd", "XPBD"], ["avbd", "AVBD"], ["barrier", "barrier"]];
+const SOLVERS = [[1, "1: particle and plane"], [2, "2: collision detection"], [3, "3: penalty impulses"], [4, "4: friction"], [5, "5: categorisation"], [6, "6: redefinition"],
                   [7, "7: implicit contact"], [8, "8: contact by distance"], [9, "9: deep contacts"], [10, "10: self-contact"],
-                  [11, "11: exact contact"], [12, "12: joints"]];
+                  [11, "11: exact contact"], [12, "12: joints"], ...METHODS.map(([name, title]) => [name, `13: ${title}`])];
+const titleOf = solver => METHODS.find(([name]) => name === solver)?.[1] ?? `chapter ${solver}`;
+const LAST_CHAPTER = 13;
 const SPEEDS = [[1, "as the clock"], [0.25, "4 times slower"], [0.0625, "16 times slower"], [0, "step by step"]];
 const OWN = "own", RUN = "run", MOST_BYTES = 3e8, MOST_STEPS_A_FRAME = 20, FRAME = 1 / 60;
 
@@ -40,8 +44,8 @@ class Laboratory {
     const groups = new Map();
     for (const scene of this.given.scenes) groups.set(scene.group, [...groups.get(scene.group) ?? [], [scene.key, scene.title]]);
     this.sceneChoice = select([...groups.entries(), ["Your own", [[OWN, "the text below"], [RUN, "a run that a program wrote"]]]], () => this.start(this.chooseScene()));
-    this.solverChoice = select(CHAPTERS, () => this.start(this.reload()));
-    this.besideChoice = select([[0, "none"], ...CHAPTERS], () => this.start(this.reload()));
+    this.solverChoice = select(SOLVERS, () => this.start(this.reload()));
+    this.besideChoice = select([[0, "none"], ...SOLVERS], () => this.start(this.reload()));
     this.stars = element("div", { className: "lab-stars", ariaLabel: "scenes to begin with" }, this.given.scenes.filter(({ thumbnail }) => thumbnail).map(scene => {
       const made = button("", scene.look, () => { this.sceneChoice.value = scene.key; this.start(this.chooseScene()); });
       made.dataset.scene = scene.key;
@@ -55,7 +59,7 @@ class Laboratory {
     this.pairsShown.addEventListener("input", () => this.lanes.forEach(lane => lane.view.showPairs(this.pairsShown.checked)));
     const steps = element("div", { className: "lab-bar" }, [
       this.playButton, button("◀ back", "left arrow", () => this.show(this.index - 1)), button("step ▶", "right arrow", () => this.stepOnce()),
-      button("↺ reset", "key R", () => this.reload()), labelled("speed", this.speedChoice), labelled("pairs", this.pairsShown)]);
+      button("↺ reset", "key R", () => this.reload()), labelled("speed", this.speedChoice), labelled("pairs and joints", this.pairsShown)]);
     this.slider = element("input", { type: "range", min: 0, max: 0, value: 0, className: "lab-time", ariaLabel: "steps that were shown" });
     this.slider.addEventListener("input", () => { this.play(false); this.show(Number(this.slider.value)); });
     this.about = element("p", { className: "lab-about" });
@@ -77,7 +81,7 @@ class Laboratory {
     this.filmButton.hidden = !filmType();
     this.runFile = element("input", { type: "file", accept: ".json", hidden: true });
     this.runFile.addEventListener("change", () => this.openFile(this.runFile.files[0]));
-    const choices = element("div", { className: "lab-bar" }, [labelled("scene", this.sceneChoice), labelled("solver of chapter", this.solverChoice), labelled("beside it", this.besideChoice)]);
+    const choices = element("div", { className: "lab-bar" }, [labelled("scene", this.sceneChoice), labelled("solver", this.solverChoice), labelled("beside it", this.besideChoice)]);
     this.box.replaceChildren(this.stars, steps, this.message, this.views, this.slider, this.look, choices, this.knobs.box, this.about, this.state, this.curvesBox, this.pairBox, keep, this.runFile, own);
     this.box.addEventListener("keydown", event => this.key(event));
   }
@@ -114,19 +118,19 @@ class Laboratory {
     this.play(false);
     if (this.sceneChoice.value === RUN) return this.chooseRun();
     this.offer(true);
-    const chapters = [Number(this.solverChoice.value), Number(this.besideChoice.value)].filter(chapter => chapter > 0);
-    while (this.lanes.length > chapters.length) this.endLane(this.lanes.pop());
-    while (this.lanes.length < chapters.length) this.lanes.push(this.makeLane());
+    const solvers = [this.solverChoice.value, this.besideChoice.value].filter(solver => solver !== "0");
+    while (this.lanes.length > solvers.length) this.endLane(this.lanes.pop());
+    while (this.lanes.length < solvers.length) this.lanes.push(this.makeLane());
     const file = known && this.text.value === known.text ? `${known.key}.json` : "own.json";
-    const loaded = await Promise.all(this.lanes.map((lane, i) => lane.engine.load(this.text.value, file, chapters[i])));
+    const loaded = await Promise.all(this.lanes.map((lane, i) => lane.engine.load(this.text.value, file, solvers[i])));
     if (turn !== this.begun) return;
     const failed = loaded.find(({ error }) => error);
     this.say(failed?.error ?? loaded[0].scene.warnings.join("\n"), !failed);
     if (failed) return;
-    this.lanes.forEach((lane, i) => this.begin(lane, loaded[i].scene, [this.kept(loaded[i].frame)], { title: `chapter ${chapters[i]}`, colour: LANE_COLOURS[i], keepView }));
+    this.lanes.forEach((lane, i) => this.begin(lane, loaded[i].scene, [this.kept(loaded[i].frame)], { title: titleOf(solvers[i]), colour: LANE_COLOURS[i], keepView }));
     this.look.textContent = known?.look ? `Look at this: ${known.look}` : "";
     for (const star of this.stars.children) star.setAttribute("aria-pressed", String(star.dataset.scene === known?.key));
-    this.knobs.show(this.text.value, Math.min(...chapters));
+    this.knobs.show(this.text.value, Math.min(...solvers.map(solver => Number(solver) || LAST_CHAPTER)));
     this.about.textContent = [known?.note, this.lanes[0].scene.description].filter(Boolean).join(" ");
     this.choose(null);
     this.index = 0;
@@ -374,8 +378,8 @@ class Laboratory {
     const scene = this.given.scenes.find(({ key }) => key === link.scene) ?? (link.text ? null : first);
     this.sceneChoice.value = link.text || !scene ? OWN : scene.key;
     this.text.value = link.text ?? scene.text;
-    this.solverChoice.value = CHAPTERS.some(([chapter]) => chapter === link.solver) ? link.solver : link.scene ? 10 : scene?.solver ?? 10;
-    this.besideChoice.value = CHAPTERS.some(([chapter]) => chapter === link.beside) ? link.beside : link.scene ? 0 : scene?.beside ?? 0;
+    this.solverChoice.value = SOLVERS.some(([solver]) => solver === link.solver) ? link.solver : link.scene ? 10 : scene?.solver ?? 10;
+    this.besideChoice.value = SOLVERS.some(([solver]) => solver === link.beside) ? link.beside : link.scene ? 0 : scene?.beside ?? 0;
     await this.reload(link.view);
     if (!link.scene && !link.text) return this.start();
     for (let step = 0; step < (link.step ?? 0) && !this.broken; ++step) {

@@ -33,17 +33,19 @@ void print(const laboratory::Laboratory& lab)
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Steps scenes under a chapter's solver, and prints where their bodies are");
+    CLI::App app("Steps scenes under a solver, and prints where their bodies are");
     std::vector<std::string> files;
-    int chapter = 10, steps = 100;
+    std::string solver = "10";
+    int steps = 100;
     app.add_option("scene", files, "scene files; one line of JSON each")->required();
-    app.add_option("--solver", chapter, "the chapter whose solver is used")->capture_default_str();
+    app.add_option("--solver", solver, "a chapter, or a method of chapter 13 by its name")
+        ->capture_default_str();
     app.add_option("--steps", steps, "how many")->capture_default_str();
     CLI11_PARSE(app, argc, argv);
     try {
         for (const std::string& file : files) {
             laboratory::Laboratory lab(read_text_file(file), file, {source_directory() / "common" / "meshes"},
-                                       chapter);
+                                       solver);
             for (int i = 0; i < steps; ++i)
                 lab.step();
             print(lab);

@@ -9,8 +9,8 @@ export function replayed(file) {
     const points = floats(body.points);
     return { ...body, points };
   });
-  const frames = file.frames.map(({ numbers, motion, pairs }) =>
-    ({ numbers, pairs: Float64Array.from(floats(pairs)), positions: positionsOf(bodies, floats(motion)) }));
+  const frames = file.frames.map(({ numbers, motion, pairs, joints = "" }) =>
+    ({ numbers, pairs: Float64Array.from(floats(pairs)), joints: Float64Array.from(floats(joints)), positions: positionsOf(bodies, floats(motion)) }));
   if (!frames.length) throw new Error("this run has no frames");
   return { scene: { ...file.scene, bodies }, frames };
 }

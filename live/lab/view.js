@@ -10,6 +10,7 @@ import { keyOf, pairAt, pairCount, size } from "./pairs.js";
 const MOST_MARKS = 4000;
 const MARK = { pushes: new Color("#e8552d"), rests: new Color("#8a8f98"), chosen: new Color("#ffd23f") };
 const NEAR_A_MARK = 16; // pixels
+const NUMBERS_A_JOINT = 9, JOINT = new Color("#2b7fd4"), MOST_JOINTS = 2000; // as common/scenes/shown_scene.hpp has them
 
 export class View {
   constructor(place) {
@@ -139,7 +140,10 @@ export class View {
     this.marks = new InstancedMesh(new SphereGeometry(1, 12, 8), new MeshBasicMaterial({ depthTest: false, transparent: true, opacity: 0.9 }), MOST_MARKS);
     this.normals = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: MARK.pushes, depthTest: false, transparent: true }));
     this.normals.geometry.setAttribute("position", new BufferAttribute(new Float32Array(6 * MOST_MARKS), 3));
-    for (const object of [this.marks, this.normals]) {
+    this.joints = new InstancedMesh(new SphereGeometry(1, 12, 8), new MeshBasicMaterial({ color: JOINT, depthTest: false, transparent: true, opacity: 0.9 }), MOST_JOINTS);
+    this.rods = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ color: JOINT, depthTest: false, transparent: true }));
+    this.rods.geometry.setAttribute("position", new BufferAttribute(new Float32Array(12 * MOST_JOINTS), 3));
+    for (const object of [this.joints, this.rods, this.marks, this.normals]) {
       object.frustumCulled = false;
       object.renderOrder = 2;
       object.visible = this.showsPairs ?? true;
@@ -167,7 +171,23 @@ export class View {
       mesh.geometry.boundingSphere = mesh.geometry.boundingBox = null;
     }
     this.placeMarks();
+    this.placeJoints();
     this.draw();
+  }
+
+  // A ball at the joint's point on A, a line from there to its point on B, and one along its axis.
+  placeJoints() {
+    const numbers = this.frame.joints, count = Math.min(numbers.length / NUMBERS_A_JOINT, MOST_JOINTS), lines = this.rods.geometry.attributes.position.array, at = new Matrix4();
+    const radius = 0.02 * this.camera.position.distanceTo(this.controls.target) * Math.tan(this.camera.fov * Math.PI / 360);
+    for (let i = 0; i < count; ++i) {
+      const [a, b, axis] = [0, 3, 6].map(from => [...numbers.subarray(NUMBERS_A_JOINT * i + from, NUMBERS_A_JOINT * i + from + 3)]);
+      this.joints.setMatrixAt(i, at.makeScale(radius, radius, radius).setPosition(...a));
+      lines.set([...a, ...b, ...a.map((x, k) => x - 4 * radius * axis[k]), ...a.map((x, k) => x + 4 * radius * axis[k])], 12 * i);
+    }
+    this.joints.count = count;
+    this.joints.instanceMatrix.needsUpdate = true;
+    this.rods.geometry.setDrawRange(0, 4 * count);
+    this.rods.geometry.attributes.position.needsUpdate = true;
   }
 
   placeMarks() {
@@ -192,7 +212,7 @@ export class View {
 
   showPairs(yes) {
     this.showsPairs = yes;
-    if (this.marks) this.marks.visible = this.normals.visible = yes;
+    for (const object of [this.joints, this.rods, this.marks, this.normals]) if (object) object.visible = yes;
     this.draw();
   }
 

@@ -74,6 +74,12 @@ std::string pairs_of(const World& world, const Contacts& contacts)
     return base64(std::move(list));
 }
 
+std::string joints_of(const World& world)
+{
+    const std::vector<double> numbers = joint_numbers(world);
+    return base64(Floats(numbers.begin(), numbers.end()));
+}
+
 }  // namespace
 
 Replay::Replay(const Scene& scene, std::string solver, std::size_t most)
@@ -92,14 +98,16 @@ void Replay::observe(const World& world, const Contacts& contacts, double)
 {
     if (frames_.empty())
         begin(world);
-    const auto size_of = [](const Frame& frame) { return frame.motion.size() + frame.pairs.size(); };
+    const auto size_of = [](const Frame& frame) {
+        return frame.motion.size() + frame.pairs.size() + frame.joints.size();
+    };
     if (newest_ % stride_ != 0) {  // only the run's last frame may lie between the others
         bytes_ -= size_of(frames_.back());
         frames_.pop_back();
     }
     newest_ = seen_++;
-    frames_.push_back(
-        {line_of(shown_numbers(step_numbers(world, contacts))), motion_of(world), pairs_of(world, contacts)});
+    frames_.push_back({line_of(shown_numbers(step_numbers(world, contacts))), motion_of(world),
+                       pairs_of(world, contacts), joints_of(world)});
     bytes_ += size_of(frames_.back());
     while (bytes_ > most_ && frames_.size() > 2) {
         thin_out();
@@ -126,7 +134,8 @@ void Replay::write(const std::filesystem::path& file) const
     const char* between = "\n";
     for (const Frame& frame : frames_) {
         text += between + ("{\"numbers\": " + frame.numbers) + ", \"motion\": \"" + frame.motion +
-                "\", \"pairs\": \"" + frame.pairs + "\"}";
+                "\", \"pairs\": \"" + frame.pairs + "\"" +
+                (frame.joints.empty() ? "" : ", \"joints\": \"" + frame.joints + "\"") + "}";
         between = ",\n";
     }
     write_file(file, text + "]}\n");

@@ -13,8 +13,8 @@ namespace enduring {
 ///
 /// The file is JSON. "scene" is shown_scene(), and the points of each body. "frames" have shown_numbers();
 /// "motion", the bodies in their order: nothing of one at rest, position and quaternion (w last) of a rigid
-/// one, all vertices of another; and "pairs", the pair_numbers() of each. These lists are floats of 32 bits
-/// in base64; behind the last number there may be zeros.
+/// one, all vertices of another; "pairs", the pair_numbers() of each; and joint_numbers() where there are
+/// "joints". These lists are floats of 32 bits in base64; behind the last number there may be zeros.
 class Replay final : public Probe {
 public:
     /// With a tenth of it a bounce of the bunny keeps 50 of its frames; ten times of it, and a phone does not
@@ -31,7 +31,7 @@ public:
 
 private:
     struct Frame {
-        std::string numbers, motion, pairs;
+        std::string numbers, motion, pairs, joints;
     };
 
     void begin(const World& world);

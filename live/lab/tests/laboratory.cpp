@@ -1,5 +1,5 @@
 #include "live/laboratory.hpp"
-
+#include "chapters/13_other_solvers/solver.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/json_document.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -30,19 +30,22 @@ void steps(Laboratory& lab, int count)
 TEST_CASE("laboratory: a mistake in a scene's text is told with its place")
 {
     CHECK_THROWS_WITH_AS(
-        Laboratory(R"({"name": "x", "dt": -9, "duration": 1, "bodies": []})", "own.json", {}, 10),
+        Laboratory(R"({"name": "x", "dt": -9, "duration": 1, "bodies": []})", "own.json", {}, "10"),
         doctest::Contains("own.json: /dt: expected a number from 1e-06 to 3600 [s]"), InputError);
-    CHECK_THROWS_AS(Laboratory(cube(), "own.json", {}, 12), InputError);
+    CHECK_THROWS_WITH_AS(Laboratory(cube(), "own.json", {}, "14"), doctest::Contains("14 has no solver"),
+                         InputError);
+    CHECK_THROWS_WITH_AS(Laboratory(cube(), "own.json", {}, "xpdb"), doctest::Contains("no method 'xpdb'"),
+                         InputError);
 }
 
 TEST_CASE("laboratory: a scene that asks for exact contact runs under chapter 11 and says so under any other")
 {
     std::string text = cube();
     text.insert(1, R"("contact": {"exact": true}, )");
-    CHECK_THROWS_WITH_AS(Laboratory(text, "own.json", {}, 10),
+    CHECK_THROWS_WITH_AS(Laboratory(text, "own.json", {}, "10"),
                          doctest::Contains("own.json: /contact/exact: the springs of chapter 10 give"),
                          InputError);
-    Laboratory lab(text, "own.json", {}, 11);
+    Laboratory lab(text, "own.json", {}, "11");
     steps(lab, 40);
     CHECK(lab.numbers().depth < 1e-9);
 }
@@ -52,7 +55,8 @@ TEST_CASE("laboratory: without a hand it steps as the chapter's solver does, to 
     for (const int chapter : {3, 6, 7, 10}) {
         CAPTURE(chapter);
         const std::string text = read_text_file(scene_file("tower"));
-        Laboratory lab(text, "tower.json", {}, chapter), again(text, "tower.json", {}, chapter);
+        Laboratory lab(text, "tower.json", {}, std::to_string(chapter)),
+            again(text, "tower.json", {}, std::to_string(chapter));
         again.hold({1, 0, Vec3(0, 5, 0)});
         again.hold({});
         steps(lab, 20);
@@ -65,9 +69,9 @@ TEST_CASE("laboratory: without a hand it steps as the chapter's solver does, to 
 
 TEST_CASE("laboratory: a hand brings the face that it holds to where it points")
 {
-    for (const int chapter : {1, 6, 10}) {
-        CAPTURE(chapter);
-        Laboratory lab(cube("[0, 0, 0]"), "cube.json", {}, chapter);
+    for (const char* const solver : {"1", "6", "10", "soft_step", "avbd"}) {
+        CAPTURE(solver);
+        Laboratory lab(cube("[0, 0, 0]"), "cube.json", {}, solver);
         const Vec3 target(0.4, 3, -0.2);
         lab.hold({0, 0, target});
         steps(lab, 600);
@@ -82,7 +86,7 @@ TEST_CASE("laboratory: a hand brings the face that it holds to where it points")
 TEST_CASE("laboratory: in the hand's first step a body at rest gains k d dt / (1 + c dt + k dt^2) of speed")
 {
     using Hand = laboratory::Hand;
-    Laboratory lab(cube("[0, 0, 0]"), "cube.json", {}, 10);
+    Laboratory lab(cube("[0, 0, 0]"), "cube.json", {}, "10");
     const Body& body = *lab.scene().world.bodies.front();
     Vec3 middle = Vec3::Zero();
     for (const int vertex : body.surface().faces().front())
@@ -96,7 +100,7 @@ TEST_CASE("laboratory: in the hand's first step a body at rest gains k d dt / (1
 
 TEST_CASE("laboratory: a resting cube has four pairs that carry its weight, and tells since when")
 {
-    Laboratory lab(cube(), "cube.json", {}, 10);
+    Laboratory lab(cube(), "cube.json", {}, "10");
     steps(lab, 100);
     constexpr std::size_t kind = 0, point_y = 6, depth = 11, impulse_y = 13, since = 23;  // of its numbers
     double impulse = 0;
@@ -115,11 +119,25 @@ TEST_CASE("laboratory: a resting cube has four pairs that carry its weight, and 
 
 TEST_CASE("laboratory: the solvers of part I count responses, those of part II Newton's steps as well")
 {
-    Laboratory first(cube(), "cube.json", {}, 3), second(cube(), "cube.json", {}, 7);
+    Laboratory first(cube(), "cube.json", {}, "3"), second(cube(), "cube.json", {}, "7");
     steps(first, 30);
     steps(second, 30);
     CHECK(first.numbers().work.responses > 0);
     CHECK(first.numbers().work.newton_steps == 0);
     CHECK(second.numbers().work.newton_steps > 0);
     CHECK(second.numbers().work.attempts == 1);
+}
+
+TEST_CASE(
+    "laboratory: under each method of chapter 13 a cube comes to rest on the ground, by the method's name")
+{
+    for (const OtherMethod& method : other_methods()) {
+        CAPTURE(method.name);
+        Laboratory lab(cube(), "cube.json", {}, method.name);
+        steps(lab, 200);
+        const Body& body = *lab.scene().world.bodies.front();
+        CHECK(lab.numbers().pairs == 4);
+        CHECK(std::abs(body.centre().y() - 0.5) < 5e-3);  // the slop of two of them is 5 mm
+        CHECK(body.mean_velocity().norm() < 1e-3);
+    }
 }

@@ -1,5 +1,6 @@
 #include "common/experiments/own_scene/replay.hpp"
 #include "common/experiments/report/tests/temporary_folder.hpp"
+#include "common/simulation/make_joint.hpp"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>
@@ -95,4 +96,28 @@ TEST_CASE("replay: above its size every other frame goes, and the first and the 
     Replay replay(scene, "nobody", 10 * 40);  // ten frames of 28 bytes, 40 letters
     watch(replay, scene.world, 24);
     CHECK(steps_in(written(replay, folder.path)) == std::vector<int>{0, 4, 8, 12, 16, 20, 23});
+}
+
+TEST_CASE(
+    "replay: a frame has the points and the axis of each joint that holds, and none of a gear or a broken one")
+{
+    const TemporaryFolder folder;
+    Scene scene = ball_and_table(folder.path);
+    World& world = scene.world;
+    Replay alone(scene, "nobody");
+    watch(alone, world, 1);
+    CHECK(!written(alone, folder.path)["frames"][0].contains("joints"));
+
+    world.joints.push_back(
+        make_joint(world, "hinge", JointKind::hinge, 1, -1, Vec3(0, 5, 0), axes_about(Vec3(1, 0, 0))));
+    world.joints.push_back(make_rod(world, "rod", 1, -1, Vec3(0, 4, 0), Vec3(0, 7, 1)));
+    world.joints.push_back(make_joint(world, "broken", JointKind::ball, 1, -1, Vec3(0, 5, 0)));
+    world.joints.back().broken = true;
+    Replay replay(scene, "nobody");
+    watch(replay, world, 1);
+    const std::vector<float> found = floats_in(written(replay, folder.path)["frames"][0]["joints"]);
+    const std::vector<float> wanted{0, 5, 0, 0, 5, 0, 1, 0, 0, /**/ 0, 4, 0, 0, 7, 1, 0, 0, 0};
+    REQUIRE(found.size() == wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        CHECK(found[i] == doctest::Approx(wanted[i]));
 }
