@@ -1,0 +1,68 @@
+#include "chapters/solvers/worst_scenes.hpp"
+#include "chapters/10_self_contact/solver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace enduring;
+
+namespace {
+
+void run(Scene& scene, int steps)
+{
+    const Solver solver = chapter10_solver(scene.contact);
+    Contacts contacts;
+    for (int step = 0; step < steps; ++step)
+        advance(scene.world, contacts, solver, scene.dt);
+}
+
+}  // namespace
+
+TEST_CASE("worst scenes: a ball hits a wall, and gives it what momentum it loses")
+{
+    Scene scene = solvers::hit_wall(3, 2);
+    const auto& bodies = scene.world.bodies;
+    REQUIRE(bodies.size() == 7);
+    scene.world.gravity = Vec3::Zero();
+    run(scene, 4);
+    const auto momentum_of = [&](std::size_t body) {
+        return bodies[body]->mass() * bodies[body]->mean_velocity().z();
+    };
+    double wall = 0;
+    for (std::size_t brick = 0; brick < 6; ++brick)
+        wall += momentum_of(brick);
+    CHECK(wall > 100);
+    CHECK(wall + momentum_of(6) == doctest::Approx(200 * 15).epsilon(1e-6));
+}
+
+TEST_CASE("worst scenes: poured spheres stay in their box, and run out of the hopper's hole")
+{
+    Scene box = solvers::poured_spheres(20), funnel = solvers::hopper(20);
+    run(box, 60);
+    run(funnel, 60);
+    const auto radius_of = [](const Body& body) { return std::hypot(body.centre().x(), body.centre().z()); };
+    for (const auto& body : box.world.bodies) {
+        CHECK(std::abs(body->centre().x()) < 0.46);
+        CHECK(std::abs(body->centre().z()) < 0.46);
+        CHECK(body->centre().y() > 0.09);
+    }
+    double lowest = 1;
+    for (const auto& body : funnel.world.bodies)
+        if (!body->is_static()) {
+            lowest = std::min(lowest, body->centre().y());
+            CHECK(radius_of(*body) < 1);
+        }
+    CHECK(lowest < 0.3);
+}
+
+TEST_CASE("worst scenes: a chain sags by the play of its links, which stay in each other")
+{
+    Scene scene = solvers::hanging_chain(7);
+    const auto& bodies = scene.world.bodies;
+    run(scene, 100);
+    CHECK(bodies[3]->centre().y() < 2.995);
+    for (std::size_t link = 1; link < bodies.size(); ++link)
+        CHECK((bodies[link]->centre() - bodies[link - 1]->centre()).norm() < 0.0801);  // play taken up
+}
