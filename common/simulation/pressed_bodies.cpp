@@ -1,6 +1,7 @@
 #include "common/simulation/pressed_bodies.hpp"
 
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/step.hpp"
 
 #include <algorithm>
 #include <cmath>

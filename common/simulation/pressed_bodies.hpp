@@ -1,11 +1,14 @@
 #pragma once
 
-#include "common/scenes/scene.hpp"
+#include "common/simulation/contact.hpp"
+#include "common/simulation/contact_parameters.hpp"
 
 #include <string>
 #include <vector>
 
 namespace enduring {
+
+struct World;
 
 /// Two bodies, or a body and a plane, and the springs of their pairs that lie
 /// inside each other: side by side, they are one.

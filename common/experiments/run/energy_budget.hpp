@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/experiments/run/spring_ledger.hpp"
+#include "common/scenes/scene.hpp"
 #include "common/simulation/pressed_bodies.hpp"
 
 #include <array>
