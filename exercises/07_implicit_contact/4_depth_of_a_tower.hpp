@@ -10,14 +10,14 @@
 
 namespace enduring {
 
-/// One of the pieces of a tower: a prism that stands on an equilateral triangle.
+/// A piece of a tower: a prism that stands on an equilateral triangle.
 struct TowerPiece {
     double radius;  ///< from its axis to its corners [m]
     double height;  ///< [m]
     double mass;    ///< [kg]
 };
 
-/// From the lowest piece to the highest; each has a smaller radius than the one below.
+/// From the lowest piece to the highest; each piece has a smaller radius than the piece below.
 using Tower = std::vector<TowerPiece>;
 
 constexpr double tower_gravity = 9.81;  ///< [m/s^2]
@@ -34,10 +34,9 @@ inline SurfaceMesh prism(double radius, double bottom, double top)
     return mesh;
 }
 
-/// The tower on the plane y = 0, with a nanometre of air in each joint, so that each pair comes from outside,
-/// however numbers are rounded. In each joint the three lower corners of a
-/// piece meet the top of the piece below, or the ground: three pairs that carry the same. The pieces are its
-/// bodies, in the tower's order.
+/// The tower on the plane y = 0. A gap of a nanometre in each joint lets each pair come from outside, for any
+/// rounding. In each joint the three lower corners of a piece meet the top of the piece below, or the ground:
+/// three pairs with equal loads. The pieces are the world's bodies, in the tower's order.
 inline World world_of(const Tower& tower)
 {
     World world;
@@ -55,23 +54,23 @@ inline World world_of(const Tower& tower)
     return world;
 }
 
-/// Your prediction, written down before anything is measured: how many times deeper a piece of 1 kg is
-/// pressed into the ground by a ton on top of it than without, with steps of 0.01 s.
+/// Your prediction, written down before anything is measured: by which factor a ton on top of a piece of 1 kg
+/// increases the depth of this piece in the ground, with steps of 0.01 s.
 double predicted_factor();
 
-/// The force that each joint carries at rest, all three pairs together [N]. Joint i is the one below piece i.
+/// The force that each joint carries at rest, all three pairs together [N]. Joint i is below piece i.
 std::vector<double> loads_of(const Tower& tower);
 
-/// The mass that a pair of joint i feels [kg]: one over what an impulse of 1 N s along its normal changes its
-/// velocity by. Both pieces give way, and both turn, since it acts at a corner of the upper one; the ground
-/// does not.
+/// The mass that a pair of joint i feels [kg]: the inverse of the velocity change of the pair by an impulse
+/// of 1 N s along its normal. Both pieces move, and both turn, since the impulse acts at a corner of the
+/// upper piece; the ground does not move.
 double mass_of_pair(const Tower& tower, std::size_t joint);
 
-/// The law: how deep each joint is pressed at rest [m], as positive lengths.
+/// The law: the depth of each joint at rest [m], positive.
 std::vector<double> law_of_depths(const Tower& tower, const StiffnessChoice& choice, double dt);
 
-/// The same, measured after some seconds of chapter 7's solver with this choice of stiffness: by how much the
-/// lower side of each piece is below the top of the piece under it, or below the ground.
+/// The same, measured after some seconds with chapter 7's solver and this choice of stiffness: the distance
+/// of the lower side of each piece below the top of the piece under it, or below the ground.
 std::vector<double> measured_depths(const Tower& tower, const StiffnessChoice& choice, double dt,
                                     double seconds);
 

@@ -8,17 +8,17 @@
 
 namespace enduring {
 
-/// A pair of two cubes on one another, or of a cube on the floor. Nothing turns, so it has two directions:
-/// along the surface, and along the normal, upwards.
+/// A pair between two cubes, or between a cube and the floor. Nothing turns, so it has two directions: along
+/// the surface, and along the normal, upwards.
 struct CubePair {
-    double gap;        ///< at the start of the step, negative where the cubes are in each other [m]
+    double gap;        ///< at the start of the step, negative where the cubes overlap [m]
     double stiffness;  ///< k [N/m]
     double stretch;    ///< of its friction spring at the start of the step [m]
     double mu;
 };
 
-/// A step of cubes on one another. Pair i is the one below cube i; below cube 0 is the floor. Vectors of
-/// velocities have two numbers for each cube: along the surface, and upwards.
+/// A step of a pile of cubes. Pair i is below cube i; below cube 0 is the floor. Vectors of velocities have
+/// two numbers for each cube: along the surface, and upwards.
 struct PileStep {
     std::vector<double> masses;   ///< [kg]
     std::vector<CubePair> pairs;  ///< one below each cube
@@ -26,7 +26,7 @@ struct PileStep {
     double dt;                    ///< [s]
 };
 
-/// J v of one pair: the velocity of cube i against what is below it [m/s].
+/// J v of one pair: the velocity of cube i relative to the body below [m/s].
 inline Eigen::Vector2d velocity_of_pair(const Eigen::VectorXd& velocities, std::size_t pair)
 {
     const auto row = static_cast<Eigen::Index>(2 * pair);
@@ -34,17 +34,17 @@ inline Eigen::Vector2d velocity_of_pair(const Eigen::VectorXd& velocities, std::
            (pair > 0 ? Eigen::Vector2d(velocities.segment<2>(row - 2)) : Eigen::Vector2d(0, 0));
 }
 
-/// Formulas 1 and 2: potentials of the normal spring and of friction, whose limit [N s] is known [J].
+/// Formulas 1 and 2: the sum of the potentials of the normal spring and of friction with a given limit [J].
 /// @param velocity  of the pair [m/s]
 double potential_of(const CubePair& pair, const Eigen::Vector2d& velocity, double limit, double dt);
 
-/// Formula 3: the impulse on the upper cube; minus the slope of the potential [N s].
+/// Formula 3: the impulse on the upper cube, minus the slope of the potential [N s].
 Eigen::Vector2d impulse_of(const CubePair& pair, const Eigen::Vector2d& velocity, double limit, double dt);
 
 /// Formula 4: the contact Hessian, minus the derivative of the impulse [kg]. At a border that of either side.
 Eigen::Matrix2d hessian_of(const CubePair& pair, const Eigen::Vector2d& velocity, double limit, double dt);
 
-/// Given: what the step makes least, 1/2 (v - v*)^T A (v - v*) and the potentials of all pairs [J].
+/// Given: what the step minimises, 1/2 (v - v*)^T A (v - v*) plus the potentials of all pairs [J].
 inline double objective(const PileStep& step, const std::vector<double>& limits, const Eigen::VectorXd& v)
 {
     double sum = 0;
@@ -56,11 +56,11 @@ inline double objective(const PileStep& step, const std::vector<double>& limits,
     return sum;
 }
 
-/// The slope of the objective: A (v - v*) less the impulses of all pairs [N s]. A pair pushes the cube above
-/// and the one below.
+/// The slope of the objective: A (v - v*) minus the impulses of all pairs [N s]. A pair pushes the cube above
+/// up, and the cube below down.
 Eigen::VectorXd gradient(const PileStep& step, const std::vector<double>& limits, const Eigen::VectorXd& v);
 
-/// Given: A and the contact Hessians of all pairs [kg].
+/// Given: the Hessian of the objective, from A and the contact Hessians of all pairs [kg].
 inline Eigen::MatrixXd hessian(const PileStep& step, const std::vector<double>& limits,
                                const Eigen::VectorXd& v)
 {
@@ -78,8 +78,8 @@ inline Eigen::MatrixXd hessian(const PileStep& step, const std::vector<double>& 
     return sum;
 }
 
-/// Given: the line search. The part of a direction to take: all of it if the slope at its end is less than a
-/// tenth of that at its beginning, else a part by bisection.
+/// Given: the line search. The part of a direction to take: the whole if the slope at its end is less than a
+/// tenth of that at its beginning, else a part found by bisection.
 inline double part_to_take(const PileStep& step, const std::vector<double>& limits, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& direction)
 {
@@ -100,18 +100,18 @@ inline double part_to_take(const PileStep& step, const std::vector<double>& limi
     return part;
 }
 
-/// The velocities that make the objective least, by Newton's method with a line search. 100 steps are enough.
-/// @param begin  where it begins
+/// The velocities that minimise the objective, by Newton's method with a line search. 100 steps are enough.
+/// @param begin  the first velocities of the iteration
 Eigen::VectorXd solved(const PileStep& step, const std::vector<double>& limits, const Eigen::VectorXd& begin);
 
-/// What a step makes of the pile.
+/// The result of a step.
 struct PileMotion {
     Eigen::VectorXd velocities;  ///< at the end of the step
     std::vector<double> limits;  ///< of friction, mu times the normal impulse of this motion [N s]
 };
 
-/// Formula 5: from limits of zero on, the problem is solved and the limits are taken from its normal
-/// impulses, until none changes by more than 1e-12 of itself any more. At most 100 rounds.
+/// Formula 5, beginning with limits of zero: solve the problem and take the limits from its normal impulses,
+/// until no limit changes by more than 1e-12 of its value. At most 100 rounds.
 PileMotion after_step(const PileStep& step);
 
 }  // namespace enduring

@@ -6,14 +6,14 @@
 
 namespace enduring {
 
-/// What an engine counts in, each in our units.
+/// The units of an engine, in our units.
 struct EngineUnits {
     double length;  ///< [m]
     double mass;    ///< [kg]
     double time;    ///< [s]
 };
 
-/// A box as our scenes have it.
+/// A box in our scenes.
 struct OurBox {
     Vec3 size;                          ///< its edges [m]
     double mass;                        ///< [kg]
@@ -21,23 +21,23 @@ struct OurBox {
     Vec3 velocity;                      ///< [m/s]
     Vec3 angular_velocity;              ///< [rad/s]
     std::array<double, 4> orientation;  ///< unit quaternion: w, x, y, z
-    double mu;                          ///< coefficient of friction against another one of its kind
+    double mu;                          ///< coefficient of friction against another box of its kind
 };
 
-/// The same as the engine takes it, in the engine's units.
+/// The same box in the engine's units and conventions.
 struct TheirBox {
     Vec3 half_size;
     double mass;
     Vec3 inertia, velocity, angular_velocity;
     std::array<double, 4> orientation;  ///< unit quaternion: x, y, z, w
-    double friction;  ///< the engine multiplies those of two bodies, and takes the product for mu
+    double friction;                    ///< the engine's mu is the product of this number of both bodies
 };
 
-/// What is set once for a scene. Ours is in m/s^2, s and m, the engine's in its units.
+/// The settings of a scene: ours in m/s^2, s and m, the engine's in its units.
 struct WorldSettings {
     Vec3 gravity;
     double dt;
-    double slop;  ///< how deep bodies may lie in each other before the engine pushes
+    double slop;  ///< the depth up to which bodies may overlap before the engine pushes
 };
 
 /// A box in the engine's units and conventions.
@@ -46,7 +46,7 @@ TheirBox box_for(const EngineUnits& units, const OurBox& box);
 /// The settings of our scene in the engine's units.
 WorldSettings settings_for(const EngineUnits& units, const WorldSettings& ours);
 
-/// An impulse that the engine tells, in ours [N s].
+/// An impulse computed by the engine, in our units [N s].
 Vec3 impulse_from(const EngineUnits& units, const Vec3& theirs);
 
 }  // namespace enduring

@@ -15,18 +15,18 @@ double barrier_slope(double distance, double d_hat);
 /// @param kappa  [N/m], positive: the force is kappa times minus the slope
 double rest_distance(double load, double kappa, double d_hat);
 
-/// The part of a change of the distance that a step may take: all of it, or 0.8 of the time of impact [1].
+/// The part of a change of the distance that a step may take [1]: the whole, or 0.8 of the time of impact.
 /// @param change  [m]; negative towards the floor
 double free_part(double distance, double change);
 
-/// A block above a floor, and where it would go without a barrier.
+/// A block above a floor, and its end position without a barrier.
 struct BlockOverFloor {
     double mass;      ///< [kg]
     double height;    ///< above the floor when the step begins [m], positive
-    double falls_to;  ///< y: where inertia and gravity bring it [m]; may lie far below the floor
+    double falls_to;  ///< y: its height by inertia and gravity alone [m]; may lie far below the floor
 };
 
-/// Where the step ends [m]: the least of m / (2 dt^2) (x - y)^2 + kappa b(x), above the floor.
+/// The height at the end of the step [m]: the minimum of m / (2 dt^2) (x - y)^2 + kappa b(x) above the floor.
 double step_end(const BlockOverFloor& block, double kappa, double d_hat, double dt);
 
 }  // namespace enduring

@@ -1,6 +1,7 @@
 #include "common/fem/surface_embedding.hpp"
 #include "common/fem/tests/bodies.hpp"
 #include "common/geometry/surface_extraction.hpp"
+#include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
 

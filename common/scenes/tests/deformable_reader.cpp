@@ -1,21 +1,13 @@
-#include "common/geometry/tests/complaint.hpp"
 #include "common/input/input_error.hpp"
-#include "common/scenes/scene_reader.hpp"
+#include "common/scenes/tests/small_scenes.hpp"
 #include "common/simulation/deformable_body.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace enduring;
+using namespace enduring::tests;
 
 namespace {
-
-const std::string jelly_text = R"({
-  "name": "jelly", "dt": 0.01, "duration": 1,
-  "bodies": [{"name": "bar", "type": "deformable", "shape": {"bar": {"size": [1, 0.5, 0.5], "cells": [2, 1, 1]}},
-              "density": 400, "young": 1e5, "poisson": 0.3}]
-})";
-
-Scene jelly(const std::string& patch) { return read_scene(jelly_text, patch, "jelly.json", {{"/nowhere"}}); }
 
 std::string jelly_complaint(const std::string& patch)
 {

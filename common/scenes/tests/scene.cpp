@@ -1,6 +1,6 @@
 #include "common/scenes/scene.hpp"
 #include "common/input/input_error.hpp"
-#include "common/scenes/tests/ball_scene.hpp"
+#include "common/scenes/tests/small_scenes.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/step.hpp"
 

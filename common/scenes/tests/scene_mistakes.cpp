@@ -1,6 +1,6 @@
 #include "common/input/input_error.hpp"
 #include "common/scenes/scene.hpp"
-#include "common/scenes/tests/ball_scene.hpp"
+#include "common/scenes/tests/small_scenes.hpp"
 
 #include <doctest/doctest.h>
 

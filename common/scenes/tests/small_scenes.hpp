@@ -29,4 +29,15 @@ inline std::string complaint(const std::string& patch)
     return complaint_of([&] { ball(patch); });
 }
 
+inline const std::string jelly_text = R"({
+  "name": "jelly", "dt": 0.01, "duration": 1,
+  "bodies": [{"name": "bar", "type": "deformable", "shape": {"bar": {"size": [1, 0.5, 0.5], "cells": [2, 1, 1]}},
+              "density": 400, "young": 1e5, "poisson": 0.3}]
+})";
+
+inline Scene jelly(const std::string& patch)
+{
+    return read_scene(jelly_text, patch, "jelly.json", {{"/nowhere"}});
+}
+
 }  // namespace enduring::tests
