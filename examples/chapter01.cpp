@@ -3,8 +3,7 @@
 //     g++ -O2 chapter01.cpp && ./a.out          writes drop.svg: open it in a browser
 //
 // Which depth does the spring of a step use? The discrete penalty force takes that at the end of the
-// predicted step. The continuous one takes all depths on the way there. Both step as long as each other; look
-// at what a bounce keeps. Then change k, dt or the start.
+// predicted step, the continuous one all depths on the way there. Look at what a bounce keeps. Then change k.
 #include <algorithm>
 #include <cstdio>
 #include <vector>

@@ -2,7 +2,7 @@
 import re
 import sys
 
-LETTERS = {"alpha": "α", "delta": "δ", "varepsilon": "ε", "epsilon": "ε", "varphi": "φ", "zeta": "ζ", "mu": "μ", "pi": "π", "sigma": "σ", "tau": "τ", "omega": "ω", "Omega": "Ω"}
+LETTERS = {"alpha": "α", "delta": "δ", "varepsilon": "ε", "epsilon": "ε", "varphi": "φ", "zeta": "ζ", "beta": "β", "gamma": "γ", "kappa": "κ", "lambda": "λ", "mu": "μ", "pi": "π", "sigma": "σ", "tau": "τ", "omega": "ω", "Omega": "Ω"}
 SIGNS = {"cdot": "·", "times": "×", "le": "≤", "ge": "≥", "in": "∈", "sim": "~", "pm": "±", "mp": "∓", "int": "∫", "oint": "∮", "sum": "Σ", "dots": "…",
          "parallel": "∥", "perp": "⊥", "min": "min", "max": "max"}
 IN_ASCII = {"·": "*", "×": "x", "≤": "<=", "≥": ">=", "∈": "in", "±": "+-", "∓": "-+", "∫": "integral", "∮": "integral", "Σ": "sum", "∥": "par", "⊥": "perp", "√": "sqrt", "…": "...",

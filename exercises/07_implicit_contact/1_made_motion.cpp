@@ -10,9 +10,9 @@ namespace {
 
 /// The velocity w that is consistent with the impulse it causes: inertia (w - free_way) = I(w).
 ///
-/// I falls with w and is convex, so the difference of both sides rises and is concave. From the free velocity,
-/// at which the ground has not pushed yet, Newton's method climbs towards the solution and never passes it. No
-/// guess and no damping are needed.
+/// I falls with w and is convex, so the difference of both sides rises and is concave. From the free
+/// velocity, at which the ground has not pushed yet, Newton's method climbs towards the solution and never
+/// passes it. No guess and no damping are needed.
 double find_way(double height, double free_way, double inertia, const ImplicitParticle& problem,
                 int& newton_steps)
 {

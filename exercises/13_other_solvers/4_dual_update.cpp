@@ -1,6 +1,9 @@
 #include "exercises/13_other_solvers/4_dual_update.hpp"
 #include "exercises/not_implemented_yet.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace enduring {
 
 AugmentedContact dual_update(const AugmentedContact& contact, double error, double beta)
@@ -18,6 +21,9 @@ double step_height(const HeavyBlock& block, AugmentedContact& contact, double be
     not_implemented_yet("13.4");
 }
 
-double part_left(double mass, double stiffness, double dt) { not_implemented_yet("13.4"); }
+double part_left(double mass, double stiffness, double dt)
+{
+    not_implemented_yet("13.4");
+}
 
 }  // namespace enduring

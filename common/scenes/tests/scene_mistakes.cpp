@@ -75,8 +75,8 @@ TEST_CASE("scene: unknown and missing keys are named, and a near miss is guessed
           "ball.json: /camera/zebra: unknown key; allowed here: \"eye\", \"target\", \"field_of_view_deg\"");
     CHECK(complaint(R"({"/bodies/1/density": 5})") ==
           "ball.json: /bodies/1/density: unknown key; allowed here: \"name\", \"type\", "
-          "\"shape\", \"position\", \"rotation\", \"look\", \"material\", \"motion\", \"surface_velocity\", "
-          "\"sheet\"");
+          "\"shape\", \"shapes\", \"position\", \"rotation\", \"look\", \"material\", \"motion\", \"surface_velocity\", "
+          "\"sheet\", \"grain\"");
     CHECK(complaint(R"({"a/b": 5})").find("ball.json: /a~1b: unknown key") == 0);
     CHECK(complaint(R"({"dt": null})") == "ball.json: /: the key \"dt\" is missing");
     CHECK(complaint(R"({"/bodies/0": {"name": null}})") ==
