@@ -1,3 +1,4 @@
+#include "common/scenes/drawn_body.hpp"
 #include "live/laboratory.hpp"
 
 #include <emscripten/bind.h>
