@@ -32,6 +32,8 @@ export interface Body {
 export interface Options {
   /** Whose solver: 1 to 11, by default 10. */
   chapter?: number;
+  /** In place of a chapter: a method of chapter 13 by its name, as "xpbd". */
+  solver?: number | string;
   /** Text of the meshes that the scene names as files, by name. */
   meshes?: Record<string, string>;
 }

@@ -1,4 +1,4 @@
-// The solvers of the course, in JavaScript: a scene as the course's scene format has it, stepped under any chapter's solver.
+// The solvers of the course, in JavaScript: a scene as the course's scene format has it, stepped under any chapter's solver or a method of chapter 13.
 import factory from "./solver.cjs";
 
 const NUMBERS_A_PAIR = 24;
@@ -14,11 +14,11 @@ export class Simulation {
   #frame;
 
   /** Reads a scene. @throws {Error} with the message and the place that the program would print */
-  static async create(scene, { chapter = 10, meshes = {} } = {}) {
+  static async create(scene, { chapter = 10, solver = chapter, meshes = {} } = {}) {
     const made = new Simulation(), text = typeof scene === "string" ? scene : JSON.stringify(scene);
     made.#module = await factory();
     for (const [name, mesh] of Object.entries(meshes)) made.#module.add_mesh(name, mesh);
-    made.scene = made.#checked(made.#module.load(text, "scene.json", chapter));
+    made.scene = made.#checked(made.#module.load(text, "scene.json", String(solver)));
     made.#frame = made.#module.frame();
     return made;
   }
