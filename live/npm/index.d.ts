@@ -30,7 +30,7 @@ export interface Body {
 }
 
 export interface Options {
-  /** Whose solver: 1 to 11, by default 10. */
+  /** Whose solver: 1 to 12, by default 10. */
   chapter?: number;
   /** In place of a chapter: a method of chapter 13 by its name, as "xpbd". */
   solver?: number | string;

@@ -41,6 +41,14 @@ TEST_CASE(
     CHECK(crossing_steps(scene, 40) == 0);
 }
 
+TEST_CASE("contact by distance: nothing crosses where edges slide past each other's ends")
+{
+    constexpr int u_shapes = 5;
+    Scene scene = random_heap({u_shapes, 14, 0.04, 0.1, 10007});
+    CHECK(family_name(u_shapes) == "U shapes");
+    CHECK(crossing_steps(scene, 26) == 0);
+}
+
 TEST_CASE("contact by distance: where nothing touches nothing pushes, however thin the gap and long the step")
 {
     for (const double gap : {2e-3, 4e-4, 1e-6})
