@@ -73,10 +73,11 @@ TEST_CASE("scene: unknown and missing keys are named, and a near miss is guessed
           "ball.json: /contact/stifness: unknown key; did you mean \"stiffness\"?");
     CHECK(complaint(R"({"camera": {"zebra": 5}})") ==
           "ball.json: /camera/zebra: unknown key; allowed here: \"eye\", \"target\", \"field_of_view_deg\"");
-    CHECK(complaint(R"({"/bodies/1/density": 5})") ==
-          "ball.json: /bodies/1/density: unknown key; allowed here: \"name\", \"type\", "
-          "\"shape\", \"shapes\", \"position\", \"rotation\", \"look\", \"material\", \"motion\", \"surface_velocity\", "
-          "\"sheet\", \"grain\"");
+    CHECK(
+        complaint(R"({"/bodies/1/density": 5})") ==
+        "ball.json: /bodies/1/density: unknown key; allowed here: \"name\", \"type\", "
+        "\"shape\", \"shapes\", \"position\", \"rotation\", \"look\", \"material\", \"motion\", \"surface_velocity\", "
+        "\"sheet\", \"grain\"");
     CHECK(complaint(R"({"a/b": 5})").find("ball.json: /a~1b: unknown key") == 0);
     CHECK(complaint(R"({"dt": null})") == "ball.json: /: the key \"dt\" is missing");
     CHECK(complaint(R"({"/bodies/0": {"name": null}})") ==
