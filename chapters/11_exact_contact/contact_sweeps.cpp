@@ -48,7 +48,7 @@ Vec3 own_impulse(const OwnBlock& block, const Vec3& without, double mu, Vec3 imp
 {
     if (without.x() >= 0)
         return Vec3::Zero();
-    const Vec3 holding = -(block.inverse * without);
+    Vec3 holding = -(block.inverse * without);
     if (holding.x() > 0 && std::hypot(holding.y(), holding.z()) <= mu * holding.x())
         return holding;
     for (int i = 0; i < projections; ++i) {
