@@ -4,6 +4,7 @@
 #include "chapters/11_exact_contact/natural_map.hpp"
 #include "chapters/11_exact_contact/problem_file.hpp"
 #include "chapters/11_exact_contact/tests/one_block.hpp"
+#include "chapters/11_exact_contact/tests/row_of_blocks.hpp"
 #include "common/input/source_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -15,25 +16,6 @@ namespace {
 FrictionProblem public_problem(const char* name)
 {
     return read_problem(source_directory() / "chapters/11_exact_contact/problems" / name);
-}
-
-/// Blocks side by side, each on the ground, that pull their neighbours along.
-FrictionProblem row_of_blocks(int contacts)
-{
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int i = 0; i < 3 * contacts; ++i) {
-        entries.emplace_back(i, i, 2.0);
-        if (i >= 3) {
-            entries.emplace_back(i, i - 3, -0.5);
-            entries.emplace_back(i - 3, i, -0.5);
-        }
-    }
-    FrictionProblem problem;
-    problem.response.resize(3 * contacts, 3 * contacts);
-    problem.response.setFromTriplets(entries.begin(), entries.end());
-    problem.free_velocity = Vec3(-1, 0.2, 0.4).replicate(contacts, 1);
-    problem.mu = Eigen::VectorXd::Constant(contacts, 0.3);
-    return problem;
 }
 
 }  // namespace
@@ -76,7 +58,7 @@ TEST_CASE("contact sweeps: passes that begin with them take fewer steps of Newto
 
 TEST_CASE("contact sweeps: six thousand contacts are solved without a matrix of all of them")
 {
-    const FrictionProblem problem = row_of_blocks(6602);
+    const FrictionProblem problem = tests::row_of_blocks(6602);
     const ExactSolution solution = solve_exactly(problem);
     CHECK(solution.solved());
     CHECK(solution.newton_steps == 0);
@@ -85,7 +67,7 @@ TEST_CASE("contact sweeps: six thousand contacts are solved without a matrix of 
 TEST_CASE("contact sweeps: two thousand contacts in the plane are solved, and seven thousand")
 {
     for (const int contacts : {2020, 7002}) {
-        FrictionProblem flat = row_of_blocks(contacts);
+        FrictionProblem flat = tests::row_of_blocks(contacts);
         std::vector<Eigen::Triplet<double>> entries;
         for (int i = 0; i < 2 * contacts; ++i) {
             entries.emplace_back(i, i, 2.0);

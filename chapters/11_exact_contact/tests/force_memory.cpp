@@ -4,6 +4,7 @@
 #include "chapters/11_exact_contact/problem_file.hpp"
 #include "chapters/11_exact_contact/spring_pass.hpp"
 #include "chapters/11_exact_contact/tests/one_block.hpp"
+#include "chapters/11_exact_contact/tests/row_of_blocks.hpp"
 #include "common/input/input_error.hpp"
 #include "common/input/source_directory.hpp"
 
@@ -242,20 +243,5 @@ TEST_CASE("force memory: a pass does not depend on the units of mass and length,
 
 TEST_CASE("force memory: more than a hundred thousand numbers of W, most of them zero, are factored sparse")
 {
-    // 1,500 blocks side by side, of which each pushes its neighbours
-    constexpr int contacts = 1500;
-    std::vector<Eigen::Triplet<double>> entries;
-    for (int i = 0; i < 3 * contacts; ++i) {
-        entries.emplace_back(i, i, 2.0);
-        if (i >= 3) {
-            entries.emplace_back(i, i - 3, -0.5);
-            entries.emplace_back(i - 3, i, -0.5);
-        }
-    }
-    FrictionProblem problem;
-    problem.response.resize(3 * contacts, 3 * contacts);
-    problem.response.setFromTriplets(entries.begin(), entries.end());
-    problem.free_velocity = Vec3(-1, 0.2, 0.4).replicate(contacts, 1);
-    problem.mu = Eigen::VectorXd::Constant(contacts, 0.3);
-    CHECK(solve_exactly(problem, {.sweeps = false}).solved());
+    CHECK(solve_exactly(tests::row_of_blocks(1500), {.sweeps = false}).solved());
 }

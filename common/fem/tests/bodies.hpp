@@ -40,4 +40,14 @@ inline Mat3 random_rotation(unsigned seed)
     return Quaternion(q(0, 0), q(1, 0), q(2, 0), q(0, 1)).normalized().toRotationMatrix();
 }
 
+inline const Vec3 gravity(0, -9.81, 0);
+
+inline void run(ElasticBody& body, const Vec3& pull, double dt, int steps)
+{
+    for (int step = 0; step < steps; ++step) {
+        body.predict(pull, dt);
+        body.commit(dt);
+    }
+}
+
 }  // namespace enduring::test

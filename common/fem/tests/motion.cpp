@@ -12,16 +12,6 @@ using namespace enduring::test;
 
 namespace {
 
-const Vec3 gravity(0, -9.81, 0);
-
-void run(ElasticBody& body, const Vec3& pull, double dt, int steps)
-{
-    for (int step = 0; step < steps; ++step) {
-        body.predict(pull, dt);
-        body.commit(dt);
-    }
-}
-
 double energy(const ElasticBody& body) { return body.kinetic_energy() + body.elastic_energy(); }
 
 }  // namespace

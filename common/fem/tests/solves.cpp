@@ -10,20 +10,6 @@
 using namespace enduring;
 using namespace enduring::test;
 
-namespace {
-
-const Vec3 gravity(0, -9.81, 0);
-
-void run(ElasticBody& body, const Vec3& pull, double dt, int steps)
-{
-    for (int step = 0; step < steps; ++step) {
-        body.predict(pull, dt);
-        body.commit(dt);
-    }
-}
-
-}  // namespace
-
 TEST_CASE(
     "elastic body: impulses that mend others change the velocities as all of them at once do, and cost less")
 {
