@@ -4,8 +4,6 @@
 #include "common/simulation/make_joint.hpp"
 #include "common/simulation/rigid_body.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -26,10 +24,7 @@ void add_body(const World& world, const StepProblem& step, int number, double si
 {
     const Body& body = *world.bodies[static_cast<std::size_t>(number)];
     if (body.is_static()) {
-        const double dt = step.problem.step.dt;
-        const Eigen::AngleAxisd turn(predicted_pose(body, dt).orientation *
-                                     committed_pose(body).orientation.conjugate());
-        row.given += sign * turn.angle() / dt * turn.axis();
+        row.given += sign * mean_turn_rate(body, step.problem.step.dt);
         return;
     }
     const auto* const rigid = dynamic_cast<const RigidBody*>(&body);

@@ -4,8 +4,6 @@
 #include "common/simulation/body_pose.hpp"
 #include "common/simulation/joint_body.hpp"
 
-#include <Eigen/Geometry>
-
 #include <utility>
 
 namespace enduring {
@@ -15,8 +13,7 @@ namespace {
 EndRates given_rates(const Body& body, const Vec3& point, double dt)
 {
     const Pose start = committed_pose(body), end = predicted_pose(body, dt);
-    const Eigen::AngleAxisd turn(end.orientation * start.orientation.conjugate());
-    return {(end.to_world(start.to_body(point)) - point) / dt, turn.angle() / dt * turn.axis()};
+    return {(end.to_world(start.to_body(point)) - point) / dt, mean_turn_rate(start, end, dt)};
 }
 
 void add_soft_end(const World& world, const StepProblem& step, const JointEnd& end, double sign,

@@ -3,6 +3,8 @@
 #include "common/simulation/driven_body.hpp"
 #include "common/simulation/rigid_body.hpp"
 
+#include <Eigen/Geometry>
+
 namespace enduring {
 
 Pose committed_pose(const Body& body)
@@ -19,6 +21,17 @@ Pose predicted_pose(const Body& body, double dt)
         return rigid->motion().predicted_pose(dt);
     const auto* const driven = dynamic_cast<const DrivenBody*>(&body);
     return driven ? driven->pose(driven->time() + dt) : Pose{};
+}
+
+Vec3 mean_turn_rate(const Pose& from, const Pose& to, double dt)
+{
+    const Eigen::AngleAxisd turn(to.orientation * from.orientation.conjugate());
+    return turn.angle() / dt * turn.axis();
+}
+
+Vec3 mean_turn_rate(const Body& body, double dt)
+{
+    return mean_turn_rate(committed_pose(body), predicted_pose(body, dt), dt);
 }
 
 }  // namespace enduring

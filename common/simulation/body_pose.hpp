@@ -11,5 +11,9 @@ namespace enduring {
 Pose committed_pose(const Body& body);
 /// At the predicted end of a step of dt [s].
 Pose predicted_pose(const Body& body, double dt);
+/// The mean rate of the turn that leads from one pose to another in dt [s], by the shorter way [rad/s].
+Vec3 mean_turn_rate(const Pose& from, const Pose& to, double dt);
+/// The same of a body in a step.
+Vec3 mean_turn_rate(const Body& body, double dt);
 
 }  // namespace enduring

@@ -44,11 +44,7 @@ double turning_work(const World& world, const Contact& contact, double dt)
 {
     const auto turn = [&](int number) -> Vec3 {
         const Body& body = *world.bodies[static_cast<std::size_t>(number)];
-        if (!body.is_static())
-            return Vec3::Zero();
-        const Eigen::AngleAxisd turned(predicted_pose(body, dt).orientation *
-                                       committed_pose(body).orientation.conjugate());
-        return turned.angle() / dt * turned.axis();
+        return body.is_static() ? mean_turn_rate(body, dt) : Vec3(Vec3::Zero());
     };
     const bool on_plane = contact.kind == ContactKind::vertex_plane;
     return contact.turning.dot((on_plane ? Vec3(Vec3::Zero()) : turn(contact.body_b)) - turn(contact.body_a));
