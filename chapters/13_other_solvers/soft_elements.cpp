@@ -50,8 +50,12 @@ Mat3 SoftElements::deformation_gradient(std::size_t e, const FourPoints& x) cons
 
 double SoftElements::energy(std::size_t e, const FourPoints& x) const
 {
-    const Mat3 f = deformation_gradient(e, x);
-    return element(e).volume * std::visit([&](const auto& law) { return law.energy(f); }, law_);
+    return element(e).volume * energy_density(deformation_gradient(e, x));
+}
+
+double SoftElements::energy_density(const Mat3& f) const
+{
+    return std::visit([&](const auto& law) { return law.energy(f); }, law_);
 }
 
 Mat3 SoftElements::stress(const Mat3& f) const
@@ -71,7 +75,7 @@ Derivatives SoftElements::derivatives(std::size_t e, const FourPoints& x) const
     for (int i = 0; i < 4; ++i)
         motion.middleCols<3>(3 * i) = corner_map(element(e).gradients.col(i));
     Derivatives of;
-    of.value = energy(e, x);
+    of.value = element(e).volume * energy_density(f);
     of.gradient = element(e).volume * motion.transpose() * stress(f).reshaped();
     of.hessian = element(e).volume * motion.transpose() * stiffness(f) * motion;
     return of;

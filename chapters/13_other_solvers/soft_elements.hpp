@@ -35,6 +35,7 @@ public:
 
 private:
     GradientMap stiffness(const Mat3& f) const;
+    double energy_density(const Mat3& f) const;
     Mat3 stress(const Mat3& f) const;
 
     const std::vector<ElasticElement>* elements_;
