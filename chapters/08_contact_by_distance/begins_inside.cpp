@@ -3,6 +3,8 @@
 #include "chapters/02_collision_detection/broad_phase.hpp"
 #include "chapters/02_collision_detection/edge_triangle.hpp"
 #include "chapters/08_contact_by_distance/distance_parts.hpp"
+#include "chapters/08_contact_by_distance/own_directions.hpp"
+#include "chapters/08_contact_by_distance/skin.hpp"
 #include "common/geometry/winding_number.hpp"
 
 #include <algorithm>
@@ -11,14 +13,27 @@
 namespace enduring {
 namespace {
 
+//! [inner_surface]
+/// What touches is not inside, but rounding alone decides on which side of each other two surfaces in touch
+/// lie. So closed ones are asked for after each has moved in by what rounding may be; those of bodies that
+/// keep their shape lie inside by a skin already.
+std::vector<Vec3> inner_surface(const Body& body)
+{
+    const std::span<const Vec3> positions = body.contact_t0();
+    if (keeps_shape(body) || !body.surface().is_closed())
+        return {positions.begin(), positions.end()};
+    return inset_surface(body.surface(), positions, distance_parts.touching * body.size());
+}
+//! [inner_surface]
+
 /// A surface as it lies when the step begins.
 struct Still {
     const SurfaceTopology& topology;
-    std::span<const Vec3> positions;
+    std::vector<Vec3> positions;
     FaceTree tree;
 
     explicit Still(const Body& body)
-        : topology(body.surface()), positions(body.contact_t0()), tree(topology, positions)
+        : topology(body.surface()), positions(inner_surface(body)), tree(topology, positions)
     {
         tree.refit({topology, positions, positions});
     }
@@ -72,10 +87,10 @@ bool lies_in(const Still& inner, const Still& outer)
         return false;
     const auto asked = inner.tree.has_faces() ? std::min<std::size_t>(1, inner.positions.size())
                                               : inner.positions.size();
-    const std::span<const Vec3> points = inner.positions.first(asked);
-    return std::any_of(points.begin(), points.end(), [&](const Vec3& point) {
-        return winding_number(outer.topology.faces(), outer.positions, point) > 0.5;
-    });
+    return std::any_of(inner.positions.begin(), inner.positions.begin() + static_cast<std::ptrdiff_t>(asked),
+                       [&](const Vec3& point) {
+                           return winding_number(outer.topology.faces(), outer.positions, point) > 0.5;
+                       });
 }
 
 }  // namespace
