@@ -18,10 +18,10 @@ namespace enduring::chapter08 {
 const std::vector<force_rows::Kind>& force_rows::all_kinds()
 {
     static const std::vector<Kind> kinds{
-        weights,       tables, mirror_images, piles,          slopes,
-        wedges,        frames, arches,        chains,         soft_weights,
-        soft_pressure, hertz,  either_order,  straight_drops, momentum_of_impacts,
-        landings};
+        weights,       tables,      mirror_images, piles,          slopes,
+        wedges,        frames,      arches,        chains,         soft_weights,
+        soft_pressure, hertz,       either_order,  straight_drops, momentum_of_impacts,
+        landings,      rods_on_end, struck_balls};
     return kinds;
 }
 

@@ -15,4 +15,10 @@ Rows momentum_of_impacts(const MakeSolver& make, bool full);
 /// Balls that drop straight: no spin, and the largest force times dt is (1 + e) m v.
 Rows straight_drops(const MakeSolver& make, bool full);
 
+/// A rod that lands on its end, without friction.
+Rows rods_on_end(const MakeSolver& make, bool full);
+
+/// A ball that strikes two others at once, and one with backspin that strikes a wall.
+Rows struck_balls(const MakeSolver& make, bool full);
+
 }  // namespace enduring::chapter08::force_rows

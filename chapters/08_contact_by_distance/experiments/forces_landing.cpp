@@ -12,21 +12,47 @@
 namespace enduring::chapter08::force_rows {
 namespace {
 
-constexpr double ball_radius = 0.1, slides_with = 2, gravity = 9.81;  // [m], [m/s], [m/s^2]
+constexpr double ball_radius = 0.1, gravity = 9.81;  // [m], [m/s^2]
+constexpr int sides = 192;                           // of a cylinder or a torus
 
-SurfaceMesh round_mesh(int subdivisions, const Quaternion& turn)
+SurfaceMesh cylinder(double first_angle)
 {
-    if (subdivisions > 0)
-        return turned(sphere(ball_radius, subdivisions), turn);
-    constexpr int sides = 192;
     std::vector<std::array<double, 2>> outline;
     outline.reserve(sides);
-    const double first = Eigen::AngleAxisd(turn).angle();
     for (int i = 0; i < sides; ++i) {
-        const double angle = first + 2 * std::numbers::pi * i / sides;
+        const double angle = first_angle + 2 * std::numbers::pi * i / sides;
         outline.push_back({ball_radius * std::cos(angle), ball_radius * std::sin(angle)});
     }
     return chapter07::prism(outline, 0.2);
+}
+
+/// About the axis z.
+SurfaceMesh torus(double first_angle)
+{
+    constexpr int across = 12;
+    constexpr double tube = 0.3 * ball_radius;
+    SurfaceMesh mesh;
+    for (int i = 0; i < sides; ++i)
+        for (int j = 0; j < across; ++j) {
+            const double around = first_angle + 2 * std::numbers::pi * i / sides,
+                         inside = 2 * std::numbers::pi * j / across,
+                         radius = ball_radius - tube * (1 - std::cos(inside));
+            mesh.vertices.push_back(
+                {radius * std::cos(around), radius * std::sin(around), tube * std::sin(inside)});
+            const auto vertex = [](int a, int b) { return (a % sides) * across + b % across; };
+            mesh.faces.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+            mesh.faces.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+        }
+    return mesh;
+}
+
+SurfaceMesh round_mesh(const Landing& landing, const Quaternion& turn)
+{
+    switch (landing.shape) {
+        case Round::cylinder: return cylinder(Eigen::AngleAxisd(turn).angle());
+        case Round::torus: return torus(Eigen::AngleAxisd(turn).angle());
+        default: return turned(sphere(ball_radius, landing.subdivisions), turn);
+    }
 }
 
 /// Random, and the same on each machine.
@@ -61,15 +87,15 @@ double rolls_with(const Landing& landing, const Quaternion& turn, double phase, 
     Scene scene = empty_scene(landing.dt, landing.mu);
     scene.world.restitution.between = {landing.restitution};
     add_landing_ground(scene, landing.ground);
-    SurfaceMesh mesh = round_mesh(landing.subdivisions, turn);
+    SurfaceMesh mesh = round_mesh(landing, turn);
     double lowest = 0;
     for (const Vec3& vertex : mesh.vertices)
         lowest = std::min(lowest, vertex.y());
     const double down = std::sqrt(2 * gravity * landing.drop),
                  floor = landing.ground == Ground::slab ? 0.2 : 0;
     mesh = moved(mesh,
-                 Vec3(-phase * landing.dt * slides_with, floor - lowest + phase * landing.dt * down, 0));
-    add_rigid(scene, "ball", mesh, 1, Vec3(slides_with, -down, 0));
+                 Vec3(-phase * landing.dt * landing.slides, floor - lowest + phase * landing.dt * down, 0));
+    add_rigid(scene, "ball", mesh, 1, Vec3(landing.slides, -down, 0), Vec3(0, 0, landing.rim / ball_radius));
     const std::size_t ball = scene.world.bodies.size() - 1;
     Stepped run(std::move(scene), make);
     for (int rolled = 0; rolled < 3 && run.world().time < 2;) {
@@ -77,7 +103,7 @@ double rolls_with(const Landing& landing, const Quaternion& turn, double phase, 
         const RigidMotion& motion = dynamic_cast<const RigidBody&>(run.body(ball)).motion();
         const double slip = motion.velocity().x() +
                             ball_radius * std::sin(motion.angular_velocity().z() * landing.dt) / landing.dt;
-        if (rolled > 0 || slip < 0.01 * slides_with)
+        if (rolled > 0 || std::abs(slip) < 0.01 * (std::abs(landing.slides) + std::abs(landing.rim)))
             ++rolled;
     }
     return run.body(ball).mean_velocity().x();
@@ -99,9 +125,15 @@ std::string name_of(Ground ground)
 
 std::string name_of(const Landing& landing)
 {
-    return (landing.subdivisions > 0 ? named("ball s", landing.subdivisions) : std::string("cylinder")) +
-           " on a " + name_of(landing.ground) + named(", drop", landing.drop) + named(" m, mu", landing.mu) +
-           named(", e", landing.restitution) + named(", 1/Δt", std::round(1 / landing.dt));
+    const std::string shape = landing.shape == Round::cylinder ? "cylinder"
+                              : landing.shape == Round::torus  ? "torus"
+                                                               : named("ball s", landing.subdivisions),
+                      spin = landing.rim == 0
+                                 ? ""
+                                 : named(", slides", landing.slides) + named(", rim", landing.rim);
+    return shape + " on a " + name_of(landing.ground) + named(", drop", landing.drop) +
+           named(" m, mu", landing.mu) + named(", e", landing.restitution) +
+           named(", 1/Δt", std::round(1 / landing.dt)) + spin;
 }
 
 //! [rolling_speed]
@@ -125,21 +157,22 @@ Landed land(const Landing& landing, const MakeSolver& make)
         const Quaternion by = random_turn(random);
         landed.mean += rolls_with(landing, by, (turn + 0.5) / landing.turns, make) / landing.turns;
     }
-    const MassProperties properties = mass_properties(
-        round_mesh(landing.subdivisions, Quaternion::Identity()), 1);
+    const MassProperties properties = mass_properties(round_mesh(landing, Quaternion::Identity()), 1);
     const double ratio = properties.inertia(2, 2) / (properties.mass * ball_radius * ball_radius);
-    landed.formula = rolling_speed(slides_with, ratio, ball_radius, landing.dt);
+    landed.formula = rolling_speed(landing.slides - ratio * landing.rim, ratio, ball_radius, landing.dt);
     return landed;
 }
 
 Rows landings(const MakeSolver& make, bool full)
 {
     const std::string formula = "v / (1 + I / (m R²)), and the step's sine";
-    Row plane{"landing", "ball or cylinder that lands while it slides, on a plane",
+    Row plane{"landing", "ball, cylinder or torus that lands while it slides, on a plane",
               "speed with which it rolls", formula, 1},
         bodies{"landing_on_bodies", "the same on a box, a mesh of cells, a heavy free slab",
                "speed with which it rolls", formula, 1},
-        bounce{"landing_bounce", "the same with a rebound, e = 0.5", "speed with which it rolls", formula, 1};
+        bounce{"landing_bounce", "the same with a rebound, e = 0.5", "speed with which it rolls", formula, 1},
+        spin{"landing_spin", "ball that spins and drops straight, or slides with backspin",
+             "speed with which it rolls", "(v - w R I / (m R²)) / (1 + I / (m R²)), and the step's sine", 1};
     const auto add = [&](Row& row, const Landing& landing) {
         row.add(name_of(landing), 100 * std::abs(land(landing, make).error()));
     };
@@ -151,8 +184,11 @@ Rows landings(const MakeSolver& make, bool full)
     for (const double mu : full ? std::vector{0.1, 0.2, 1.0} : std::vector{0.1})
         for (const double dt : full ? std::vector{1.0 / 60, 1.0 / 240} : std::vector{1.0 / 60})
             add(plane, {.mu = mu, .dt = dt});
-    for (const int subdivisions : full ? std::vector{3, 4, 6, 0} : std::vector{0})
+    for (const int subdivisions : full ? std::vector{3, 4, 6} : std::vector<int>{})
         add(plane, {.subdivisions = subdivisions});
+    for (const Round shape : {Round::cylinder, Round::torus})
+        for (const double dt : full ? steps : std::vector{1.0 / 60})
+            add(plane, {.shape = shape, .dt = dt});
     for (const Ground ground :
          {Ground::box, Ground::over_a_vertex, Ground::over_an_edge, Ground::beside, Ground::slab})
         for (const double dt : full ? std::vector{1.0 / 60, 1.0 / 240} : std::vector{1.0 / 60})
@@ -161,7 +197,16 @@ Rows landings(const MakeSolver& make, bool full)
     for (const double dt : full ? steps : std::vector{1.0 / 60})
         for (const double drop : full ? std::vector{0.1, 0.3, 1.25} : std::vector{0.3})
             add(bounce, {.drop = drop, .restitution = 0.5, .dt = dt});
-    return {plane, bodies, bounce};
+    for (const double slides : {0.0, 2.0})
+        for (const double rim : full ? std::vector{-4.0, -2.0, 2.0, 12.0} : std::vector{-4.0, 12.0})
+            for (const double e : {0.0, 0.5})
+                for (const double dt : full ? std::vector{1.0 / 60, 1.0 / 240} : std::vector{1.0 / 240})
+                    add(spin, {.subdivisions = full ? 5 : 4,
+                               .slides = slides,
+                               .rim = rim,
+                               .restitution = e,
+                               .dt = dt});
+    return {plane, bodies, bounce, spin};
 }
 
 }  // namespace enduring::chapter08::force_rows

@@ -8,10 +8,16 @@ namespace enduring::chapter08::force_rows {
 enum class Ground { plane, box, over_a_vertex, over_an_edge, beside, slab };
 std::string name_of(Ground ground);
 
-/// A ball or a cylinder that slides with 2 m/s when it comes down, without spin.
+/// A cylinder has 192 sides, and so has a torus, which lands upright.
+enum class Round { ball, cylinder, torus };
+
+/// A round body that slides when it comes down.
 struct Landing {
     Ground ground = Ground::plane;
-    int subdivisions = 5;  ///< of a ball; 0 is a cylinder of 192 sides
+    Round shape = Round::ball;
+    int subdivisions = 5;  ///< of a ball
+    double slides = 2;     ///< velocity of its centre along the ground [m/s]
+    double rim = 0;        ///< its spin times its radius; what is positive pushes it back [m/s]
     double drop = 0.3;     ///< [m]
     double mu = 0.5, restitution = 0;
     double dt = 1.0 / 60;  ///< [s]

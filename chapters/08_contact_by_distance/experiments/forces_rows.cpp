@@ -44,10 +44,10 @@ void add_ground(Scene& scene, double slope_rad)
 }
 
 RigidBody& add_rigid(Scene& scene, const std::string& name, const SurfaceMesh& mesh, double mass,
-                     const Vec3& velocity)
+                     const Vec3& velocity, const Vec3& angular_velocity)
 {
     auto body = std::make_unique<RigidBody>(name, mesh, with_mass(mass_properties(mesh, 1000), mass),
-                                            velocity);
+                                            velocity, angular_velocity);
     RigidBody& added = *body;
     scene.world.bodies.push_back(std::move(body));
     return added;

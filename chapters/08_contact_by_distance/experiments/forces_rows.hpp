@@ -38,7 +38,7 @@ std::string named(const std::string& name, double value);
 Scene empty_scene(double dt, double mu);
 void add_ground(Scene& scene, double slope_rad = 0);  ///< a plane through the origin; it falls towards -x
 RigidBody& add_rigid(Scene& scene, const std::string& name, const SurfaceMesh& mesh, double mass,
-                     const Vec3& velocity = Vec3::Zero());
+                     const Vec3& velocity = Vec3::Zero(), const Vec3& angular_velocity = Vec3::Zero());
 void add_static(Scene& scene, const std::string& name, const SurfaceMesh& mesh);
 
 SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by);

@@ -113,3 +113,11 @@ TEST_CASE("forces: what lands while it slides rolls with the speed that its iner
 {
     check_rows(landings(quiet, false));
 }
+
+TEST_CASE("forces: a rod that lands on its end turns by its lever") { check_rows(rods_on_end(quiet, false)); }
+
+TEST_CASE(
+    "forces: a ball that strikes two shares its momentum, and backspin climbs a wall as far as friction lets it")
+{
+    check_rows(struck_balls(quiet, false));
+}
