@@ -1,7 +1,6 @@
 """A repository for students: the course without its solutions, with a workflow that judges each push."""
 import shutil
 import subprocess
-from pathlib import Path
 
 from catalogue import ROOT
 

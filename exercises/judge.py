@@ -43,10 +43,6 @@ class Outcome:
     def failed_cases(self):
         return list(dict.fromkeys(failure.case for failure in self.failures))
 
-    @property
-    def unwritten_cases(self):
-        return [failure.case for failure in self.failures if failure.message.startswith(NOT_IMPLEMENTED)]
-
 
 def judge(exercise, source, folder, chapters_tests=True):
     """Judges a file as an answer to an exercise.

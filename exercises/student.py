@@ -13,7 +13,7 @@ from alone import alone
 from catalogue import CLOSE_THE_PAGE, KINDS, all_exercises, filled, shown
 from judge import NOT_IMPLEMENTED, THREW, judge
 from progress import Progress
-from terminal import plain, readable_here
+from terminal import plain
 
 MOST_FAILURES = 3
 MUTANT_JUDGES = ThreadPoolExecutor(os.cpu_count())  # one for all answers: a class is graded by as many threads again

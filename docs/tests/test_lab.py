@@ -20,14 +20,18 @@ require(MODULE)().then(lab => {
   for (const [name, text] of Object.entries(given.meshes)) lab.add_mesh(name, text);
   const told = given.scenes.map(({ key, text, solver }) => [key, lab.load(text, `${key}.json`, String(solver)).error ?? lab.advance(1).error ?? 'steps']);
   told.push(['broken', lab.load('{"name": "x", "dt": -9, "duration": 1, "bodies": []}', 'own.json', '10').error]);
-  for (const method of ['sequential', 'soft_step', 'relaxation', 'xpbd', 'avbd', 'barrier'])
-    told.push([method, lab.load(given.scenes.find(({ key }) => key === 'tower').text, 'tower.json', method).error ?? lab.advance(1).error ?? 'steps']);
+  for (const [solver] of given.solvers)
+    told.push([solver, lab.load(given.scenes.find(({ key }) => key === 'tower').text, 'tower.json', solver).error ?? lab.advance(1).error ?? 'steps']);
   console.log(JSON.stringify(told));
 });"""
 LINKS = """import { readLink, writeLink } from LINK;
 const view = { eye: [1.25, -2, 3e-7], target: [0, 0.5, 0] };
 const own = { scene: 'own', solver: 7, beside: 'xpbd', step: 40, view, text: '{"name": "Würfel ÷ &=#"}' };
 console.log(JSON.stringify([readLink(writeLink(own)), readLink('scene=tower&eye=1,2&text=%%%'), writeLink(own)]));"""
+TOLD = """import { stateOf } from TOLD;
+const lane = (title, numbers, pairs) => ({ title: { textContent: title }, frames: [{ numbers: { step: 3, time: 0.03, ...numbers }, pairs: new Float64Array(24 * pairs) }] });
+const springs = lane('chapter 10', { pairs: 4, thrown_away: 2, work: { rounds: 1, newton_steps: 5 } }, 6), sweeps = lane('XPBD', { pairs: 0, work: { responses: 1 } }, 0);
+console.log(JSON.stringify([stateOf([springs], 0), stateOf([springs, sweeps], 0)]));"""
 AXES = """import { axisOf } from AXIS;
 const log = (...series) => { const axis = axisOf(series, { logarithmic: true }); return [axis.ends, series.map(values => axis.of(values.at(-1)))]; };
 console.log(JSON.stringify([log([0, 1e-15, 5e-3, 2e-4]), log([2e-10, 3e-12, 1e-13], [2e-5, 2e-6, 2e-6]), log([0, 0]), axisOf([[0, 3]], { from: 0 }).ends, axisOf([[7], [9, undefined]]).ends,
@@ -42,6 +46,13 @@ class Menu(unittest.TestCase):
     def test_a_row_begins_with_the_first_solver_that_passes_and_the_last_one_that_fails(self):
         rows = {row["key"]: row for row in lab.ledger_scenes()}
         self.assertEqual([(rows[f"ledger_{name}"]["solver"], rows[f"ledger_{name}"]["beside"]) for name in ("ground", "hooked", "deep", "folded")], [(1, 0), (6, 5), (7, 6), (10, 9)])
+
+    def test_it_offers_every_chapter_that_has_one_solver_and_every_method_by_the_name_that_programs_take(self):
+        offered = dict(lab.solvers())
+        last = re.search(r"last_chapter = (\d+)", (ROOT / "chapters/solvers/chapter_solver.hpp").read_text(encoding="utf-8"))[1]
+        methods = re.findall(r'`"(\w+)"`', (ROOT / "live/npm/README.md").read_text(encoding="utf-8"))
+        self.assertEqual(list(offered), [str(number) for number in range(1, int(last) + 1)] + methods)
+        self.assertEqual((offered["8"], offered["xpbd"]), ("8: Contact by distance", "13: XPBD"))
 
     def test_no_two_scenes_share_a_key_and_each_mesh_is_there(self):
         scenes = list(lab.all_scenes())
@@ -78,9 +89,11 @@ class Menu(unittest.TestCase):
 def said(calls, word, script):
     """What a few lines say that import one of the laboratory's scripts."""
     with tempfile.TemporaryDirectory() as folder:
-        copy, program = Path(folder) / f"{script}.mjs", Path(folder) / "test.mjs"
-        shutil.copyfile(ROOT / f"live/lab/{script}.js", copy)
-        program.write_text(calls.replace(word, json.dumps(copy.as_uri())))
+        for path in (ROOT / "live/lab").glob("*.js"):
+            shutil.copy(path, folder)
+        (Path(folder) / "package.json").write_text('{"type": "module"}')
+        program = Path(folder) / "test.mjs"
+        program.write_text(calls.replace(word, json.dumps((Path(folder) / f"{script}.js").as_uri())))
         return json.loads(subprocess.run([NODE, program], capture_output=True, text=True, check=True).stdout)
 
 
@@ -91,6 +104,12 @@ class Scripts(unittest.TestCase):
         self.assertEqual(read, {"scene": "own", "solver": 7, "beside": "xpbd", "step": 40, "text": '{"name": "Würfel ÷ &=#"}', "view": {"eye": [1.25, -2, 3e-7], "target": [0, 0.5, 0]}})
         self.assertEqual((cut["scene"], cut["view"], cut["text"]), ("tower", None, None))
         self.assertRegex(written, r"^[\w.,=&-]+$")
+
+    def test_the_line_of_state_has_pairs_and_work_of_each_solver_in_counted_words(self):
+        alone, both = said(TOLD, "TOLD", "told")
+        springs = "4 of 6 pairs push; 1 round with 5 Newton steps, 2 halved so far"
+        self.assertEqual(alone, f"Step 3, 0.030 s. {springs}.")
+        self.assertEqual(both, f"Step 3, 0.030 s. chapter 10: {springs}. XPBD: 0 of 0 pairs push; 1 response.")
 
     def test_an_axis_of_depths_begins_at_ten_nanometres_or_below_the_curve_of_exact_contact(self):
         springs, exact, nothing, steps, energy, *ends = said(AXES, "AXIS", "axis")
@@ -108,6 +127,7 @@ class Module(unittest.TestCase):
         told = dict(json.loads(done.stdout))
         self.assertIn("own.json: /dt: expected a number from 1e-06 to 3600 [s], found -9", told.pop("broken"))
         self.assertIn("barrier", told)
+        self.assertIn("12", told)
         self.assertEqual(set(told.values()), {"steps"}, told)
 
 

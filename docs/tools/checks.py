@@ -3,7 +3,6 @@ another program. Each check yields what is wrong, with its place."""
 import hashlib
 import re
 from html.parser import HTMLParser
-from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 FORMULA = re.compile(r"\\f\$(.+?)\\f\$|\\f\[(.+?)\\f\]", re.S)

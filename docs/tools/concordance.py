@@ -7,7 +7,6 @@ import json
 import re
 from collections import Counter
 from dataclasses import dataclass
-from pathlib import Path
 
 KINDS = ("equation", "algorithm", "figure", "experiment", "section")
 PARTS = ("function", "test", "paragraph")

@@ -29,6 +29,8 @@ LARGEST = 3_000_000  # bytes of all files, compressed: what a phone loads in som
 FILES = ["lab.js", "lab_data.js", "lab_page.js", "lab.css"]
 LEDGER = re.compile(r'\{\s*"(?P<name>\w+)",\s*"(?P<file>\w+)",\s*(?:R"\((?P<patch>.*?)\)"|""),\s*"(?P<quantity>[^"]*)",\s*"(?P<unit>[^"]*)",\s*'
                     r'Bound::at_(?P<bound>\w+),\s*(?P<limit>-?[\d.]+),\s*"(?P<reason>[^"]*)",\s*"(?P<expected>[pf]+)"', re.S)
+TITLE = re.compile(r"# Chapter (\d+): (.+)")
+METHOD = re.compile(r'\{"(\w+)", "([^"]+)", \[\]')  # a row of other_methods()
 BLOCK = ('<link rel="stylesheet" href="{place}lab.css"><div class="lab" data-lab="loading"><p>The laboratory is being loaded.</p></div>'
          '<script src="{place}lab.js"></script><script src="{place}lab_data.js"></script><script src="{place}lab_page.js"></script>')
 PAGE = """<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
@@ -45,6 +47,14 @@ const dark = matchMedia("(prefers-color-scheme: dark)"), theme = () => document.
 dark.addEventListener("change", theme);
 theme();
 </script></head><body><h1>The laboratory of <i>Enduring Contacts</i></h1>""" + BLOCK.format(place="") + "</body></html>\n"
+
+
+def solvers():
+    """(key, title) of what the menu offers: a chapter's solver by its number, a method of chapter 13 by its name."""
+    for path in sorted(ROOT.glob("chapters/[0-9][0-9]_*/chapter.md")):
+        number, title = TITLE.match(path.read_text(encoding="utf-8")).groups()
+        methods = METHOD.findall(text) if "other_methods()" in (text := (path.parent / "solver.cpp").read_text(encoding="utf-8")) else [(number, title)]
+        yield from ((key, f"{number}: {name}") for key, name in methods)
 
 
 def possible():
@@ -132,18 +142,18 @@ def run_in(path):
 
 
 def data(own=None):
-    scenes, given = list(all_scenes()), meshes()
+    scenes, offered, given = list(all_scenes()), list(solvers()), meshes()
     for scene in scenes:
         if "thumbnail" in scene:
             picture = (ROOT / "live/lab/thumbnails" / scene["thumbnail"]).read_bytes()
             scene["thumbnail"] = f"data:image/webp;base64,{base64.b64encode(picture).decode()}"
     if run := own and run_in(own):
-        return {"scenes": scenes, "meshes": given, "run": run}
+        return {"scenes": scenes, "solvers": offered, "meshes": given, "run": run}
     if own:
         scene, its = own_scene(own)
         scenes.insert(0, scene)
         given |= its
-    return {"scenes": scenes, "meshes": given}
+    return {"scenes": scenes, "solvers": offered, "meshes": given}
 
 
 def bundle():

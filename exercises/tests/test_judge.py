@@ -66,7 +66,7 @@ class Judging(unittest.TestCase):
 
     def test_one_written_function_of_two_is_an_attempt(self):
         outcome = self.run_case("untouched,right", expected=2)
-        self.assertEqual((outcome.state, outcome.unwritten_cases), ("failed", ["untouched"]))
+        self.assertEqual((outcome.state, outcome.failed_cases), ("failed", ["untouched"]))
 
     def test_a_loop_without_end_is_stopped(self):
         outcome = self.run_case("loop", seconds=2)

@@ -58,5 +58,3 @@ export class Knobs {
     }
   }
 }
-
-export { KNOBS };
