@@ -89,4 +89,16 @@ constexpr double value_error(std::size_t degree, double size)
     return 5 * Precision<Real>::unit * static_cast<double>(degree) * size;
 }
 
+/// The polynomial from 0 to s.
+template <std::size_t Degree>
+BoundedPolynomial<double, Degree> up_to(const BoundedPolynomial<double, Degree>& f, double s)
+{
+    BoundedPolynomial<double, Degree> part = f;
+    for (std::size_t round = 1; round <= Degree; ++round)
+        for (std::size_t i = Degree; i >= round; --i)
+            part.c[i] = (1 - s) * part.c[i - 1] + s * part.c[i];
+    part.error += value_error<double>(Degree, f.size());
+    return part;
+}
+
 }  // namespace enduring::certified

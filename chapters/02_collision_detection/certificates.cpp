@@ -78,4 +78,16 @@ double first_zero(const std::array<double, 4>& f, double length)
     return low;
 }
 
+double provable_length(const std::array<double, 4>& f, double length)
+{
+    const double zero = first_zero(f, length);
+    if (zero < length)
+        return zero;
+    const std::array<double, 4> b = bernstein(f, length);
+    if (b[1] > 0 && b[2] > 0)
+        return length;
+    const double turn = -f[1] / (f[2] + std::sqrt(std::max(f[2] * f[2] - 3 * f[1] * f[3], 0.0)));
+    return turn > 0 && turn < length ? turn : length;
+}
+
 }  // namespace enduring::certified

@@ -10,6 +10,10 @@ namespace enduring::certified {
 /// proposal.
 double first_zero(const std::array<double, 4>& f, double length);
 
+/// The same for a proof: where f is positive up to `length` and Bernstein coefficients do not show it, how
+/// far it is to where f turns.
+double provable_length(const std::array<double, 4>& f, double length);
+
 //! [certificates]
 /// A proof that the origin is outside the polygon: a sign that holds. There are three kinds (see the page):
 /// all corners on one side along an axis, two sides opposed along an axis, the height not zero.
@@ -59,10 +63,14 @@ struct Instant {
         Certificate best;
         for (std::size_t axis = 0; axis < 3; ++axis)
             keep_longer(best, by_corners(axis));
+        if (best.length >= rest)
+            return best;
+        std::array<MovingVector<Real, 0>, corners> sides;
+        for (std::size_t i = 0; i < corners; ++i)
+            sides[i] = side(at, i);
+        look_at_sides(best, sides);
         if (best.length < rest)
-            look_at_sides(best);
-        if (best.length < rest)
-            keep_longer(best, by_height());
+            keep_longer(best, by_height(dot(at.v[Differences<Real>::height[0]], sides[0])));
         return best;
     }
 
@@ -100,21 +108,18 @@ private:
                      first = a_rate[l] * b[m] - a_rate[m] * b[l] + a[l] * b_rate[m] - a[m] * b_rate[l],
                      second = a_rate[l] * b_rate[m] - a_rate[m] * b_rate[l];
         if (std::max(std::abs(first), std::abs(second)) > only_rounding * at.v[p].size * at.v[q].size)
-            return first_zero({sign * value, sign * first, sign * second, 0}, rest);
+            return provable_length({sign * value, sign * first, sign * second, 0}, rest);
         const auto [b0, b1, b2] = cross_component(between(at.v[p], end_of(motion.v[p])),
                                                   between(at.v[q], end_of(motion.v[q])), axis)
                                       .c;
-        return first_zero({sign * value, sign * 2 * rounded(b1 - b0) / rest,
-                           sign * rounded((b2 - b1) + (b0 - b1)) / (rest * rest), 0},
-                          rest);
+        return provable_length({sign * value, sign * 2 * rounded(b1 - b0) / rest,
+                                sign * rounded((b2 - b1) + (b0 - b1)) / (rest * rest), 0},
+                               rest);
     }
 
-    void look_at_sides(Certificate& best) const
+    void look_at_sides(Certificate& best, const std::array<MovingVector<Real, 0>, corners>& normals) const
     {
-        std::array<MovingVector<Real, 0>, corners> normals;
-        for (std::size_t i = 0; i < corners; ++i)
-            normals[i] = side(at, i);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = 0; axis < 3 && best.length < rest; ++axis) {
             std::array<double, 2> longest{};  // of a positive side and of a negative one
             std::array<std::size_t, 2> which{};
             std::array<double, corners> beyond{};  // the error
@@ -137,9 +142,8 @@ private:
         }
     }
 
-    Certificate by_height() const
+    Certificate by_height(const BoundedPolynomial<Real, 0>& now) const
     {
-        const auto now = height(at);
         const double value = rounded(now.c[0]), beyond = std::abs(value) - handed_over * now.error;
         if (!(beyond > 0))
             return {};
@@ -160,20 +164,21 @@ private:
                 0,
                 0,
                 0,
-                first_zero({beyond, sign * f[0], sign * f[1], sign * f[2]}, rest)};
+                provable_length({beyond, sign * f[0], sign * f[1], sign * f[2]}, rest)};
     }
 };
 
-/// Whether a certificate certainly holds from one time to another.
+/// Whether a certificate certainly holds from now to another time.
 template <class Real, template <class> class Differences>
-bool holds(const Certificate& proof, const Differences<MovingVector<Real, 0>>& from,
-           const Differences<MovingVector<Real, 0>>& to)
+bool holds(const Certificate& proof, const Differences<MovingDifference<Real>>& motion,
+           const Differences<MovingVector<Real, 0>>& now, const Real& end)
 {
     using D = Differences<Real>;
-    const auto moving = [&](std::size_t i) { return between(from.v[i], to.v[i]); };
+    const auto then = [&](std::size_t i) { return at(motion.v[i], end); };
+    const auto moving = [&](std::size_t i) { return between(now.v[i], then(i)); };
     if (proof.kind == Certificate::Kind::corners) {
         for (std::size_t i = 0; i < D::corners; ++i)  // on straight lines: both ends are enough
-            if (to.v[i].component(axes<Real>[proof.axis]).sign() != proof.sign)
+            if (then(i).component(axes<Real>[proof.axis]).sign() != proof.sign)
                 return false;
         return true;
     }

@@ -73,7 +73,7 @@ CertifiedAnswer first_touch_of(const Step& step, double start)
         return {std::nullopt, QueryStage::doubles};
 
     Touch<double> touch{Verdict::open, start};
-    if (start == 0 && changes_once(volume))
+    if (start == 0 && volume.sign(0) != 0)
         touch = touch_at_root(quick, volume);
     if (touch.verdict == Verdict::open)
         touch = first_touch(quick, touch.time);
@@ -81,7 +81,10 @@ CertifiedAnswer first_touch_of(const Step& step, double start)
         return {std::nullopt, QueryStage::doubles};
     if (touch.verdict == Verdict::touch)
         return {touch.time, QueryStage::doubles};
-    const auto last = first_touch(differences<DoubleDouble>(step), DoubleDouble(touch.time));
+    const auto fine = differences<DoubleDouble>(step);
+    if (touches_in_plane(quick, fine, touch.time))
+        return {touch.time, QueryStage::double_doubles};
+    const auto last = first_touch(fine, DoubleDouble(touch.time));
     if (last.verdict == Verdict::apart)
         return {std::nullopt, QueryStage::double_doubles};
     return {rounded(last.time), QueryStage::double_doubles};

@@ -34,19 +34,33 @@ Differences<Vec3> rates(const Differences<MovingDifference<Real>>& motion)
     return result;
 }
 
+/// The same in doubles.
+template <class Real, template <class> class Differences>
+Differences<MovingVector<double, 0>> in_doubles(const Differences<MovingVector<Real, 0>>& d)
+{
+    Differences<MovingVector<double, 0>> result;
+    for (std::size_t i = 0; i < d.v.size(); ++i) {
+        const auto& [x, y, z] = d.v[i].c[0];
+        result.v[i] = {{{{rounded(x), rounded(y), rounded(z)}}},
+                       d.v[i].size,
+                       d.v[i].error + Precision<double>::unit * d.v[i].size};
+    }
+    return result;
+}
+
 //! [crossing]
 /// Whether the origin is in the polygon at all times of a short span from `there` on.
 /// @return +1 certainly, -1 certainly not, as far as the sides tell, 0 too close to call
-template <class Real, template <class> class Differences>
-int within_sides(const Differences<MovingVector<Real, 0>>& there, double span)
+template <template <class> class Differences>
+int within_sides(const Differences<MovingVector<double, 0>>& there, double span)
 {
-    std::array<MovingVector<Real, 0>, Differences<Real>::corners> sides;
+    std::array<MovingVector<double, 0>, Differences<double>::corners> sides;
     for (std::size_t i = 0; i < sides.size(); ++i) {
         sides[i] = side(there, i);
         sides[i].error += 4 * span * sides[i].size;  // a quadratic changes at most by 4 sizes in the step
     }
     bool inside = false;
-    for (const auto axis : axes<Real>) {
+    for (const auto axis : axes<double>) {
         const Signs seen = signs(sides, axis);
         if (seen.some_disagree())
             return -1;
@@ -62,8 +76,8 @@ inline bool changes_once(const BoundedPolynomial<double, 3>& height)
     return s[0] * s[3] < 0 && s[1] * s[2] != 0 && (s[1] == s[0] || s[2] == s[3]);
 }
 
-/// The usual case in doubles: the height vanishes once. Its root is enclosed, and the sides tell whether the
-/// origin is in the polygon there. Where they do not, it is open from just before the root on.
+/// The usual case in doubles: the first root of the height is enclosed, and the sides tell whether the origin
+/// is in the polygon there. Where they do not, it is open from just before the root on.
 template <template <class> class Differences>
 Touch<double> touch_at_root(const Differences<MovingDifference<double>>& motion,
                             const BoundedPolynomial<double, 3>& height)
@@ -75,13 +89,34 @@ Touch<double> touch_at_root(const Differences<MovingDifference<double>>& motion,
          sign * (c[3] - 3 * c[2] + 3 * c[1] - c[0])},
         1);
     const double from = root - 0.4 * time_of_impact_slack, to = root + 0.4 * time_of_impact_slack;
-    const double error = height.error + value_error<double>(3, height.size());
-    if (!(from > 0 && to < 1 && sign * value_at(c, from) > error && sign * value_at(c, to) < -error))
+    if (!(from > 0 && to < 1))
         return {Verdict::open, 0};
-    const int within = within_sides<double, Differences>(at(motion, from), to - from);
-    return {within > 0 ? Verdict::touch : within < 0 ? Verdict::apart : Verdict::open, from};
+    const BoundedPolynomial<double, 3> before = up_to(height, from);
+    if (before.sign() != sign || !(sign * value_at(c, to) < -before.error))
+        return {Verdict::open, 0};
+    const int within = within_sides(at(motion, from), to - from);
+    if (within < 0 && changes_once(height))
+        return {Verdict::apart, 1};
+    return {within > 0 ? Verdict::touch : Verdict::open, from};
 }
 //! [crossing]
+
+//! [in_plane]
+/// Whether a moment after `time` the origin is in the polygon, as doubles tell, and no height is to be seen
+/// with 106 bits. Then no proof holds there: it is a touch.
+template <template <class> class Differences>
+bool touches_in_plane(const Differences<MovingDifference<double>>& motion,
+                      const Differences<MovingDifference<DoubleDouble>>& fine, double time)
+{
+    const double then = std::min(1.0, time + 0.4 * time_of_impact_slack);
+    const auto there = at(motion, then);
+    if (height(there).sign() != 0 || within_sides(there, 0) <= 0)
+        return false;
+    const auto [i, j, k] = Differences<double>::height;
+    const auto fine_at = [&](std::size_t n) { return at(fine.v[n], DoubleDouble(then)); };
+    return dot(fine_at(i), cross(fine_at(j), fine_at(k))).sign() == 0;
+}
+//! [in_plane]
 
 /// How many proofs one query takes in each precision, and how much shorter than proposed one of them may be.
 constexpr int most_proofs = 64;
@@ -106,12 +141,11 @@ bool go_on(const Certificate& proof, const Differences<MovingDifference<Real>>& 
     double length = proof.length;
     for (double less = a_little_less; length > shortest * proof.length; length *= less, less = 0.5) {
         const Real end = length >= rest ? Real(1.0) : time + Real(length);
-        const auto then = at(motion, end);
-        if (!holds<Real, Differences>(proof, now, then))
+        if (!holds<Real, Differences>(proof, motion, now, end))
             continue;
         const bool moved = time < end;
         time = end;
-        now = then;
+        now = at(motion, end);
         return moved;
     }
     return false;
@@ -136,7 +170,7 @@ Touch<Real> first_touch(const Differences<MovingDifference<Real>>& motion, Real 
             return {Verdict::apart, time};
         if (proof.kind == Certificate::Kind::height && left_of_step(time) > time_of_impact_slack &&
             height(at(motion, time + Real(time_of_impact_slack))).sign(0) == -proof.sign &&
-            within_sides<Real, Differences>(now, time_of_impact_slack) > 0)
+            within_sides(in_doubles(now), time_of_impact_slack) > 0)
             return {Verdict::touch, time};
     }
     return {Verdict::open, time};

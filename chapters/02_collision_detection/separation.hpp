@@ -115,6 +115,8 @@ MovingVector<Real, 0> at(const MovingDifference<Real>& d, const Real& t)
 {
     if (rounded(t) == 0)
         return {{d.c[0]}, d.size, d.error};
+    if (!(t < Real(1.0)))
+        return {{d.c[1]}, d.size, d.error};
     return {{d.c[0] + t * (d.c[1] + minus(d.c[0]))},
             d.size,
             d.error + instant_error * Precision<Real>::unit * d.size};

@@ -110,6 +110,28 @@ TEST_CASE(
     CHECK(same(time_of_impact(tangent(0)), 0.5));
 }
 
+TEST_CASE(
+    "certified query: what slides into a face in its plane touches it at its edge, and above it by 2^-60 does not")
+{
+    const auto sliding = [](double above, double turned) {
+        VertexFaceStep step = falling(0, 0);
+        step.v_t0 = Vec3(-1, 0.5, above);
+        step.v_t1 = Vec3(1, 0.5, above);
+        // planes that no axis lies in; shears by powers of two keep every digit
+        for (Vec3* x : {&step.v_t0, &step.f0_t0, &step.f1_t0, &step.f2_t0, &step.v_t1, &step.f0_t1,
+                        &step.f1_t1, &step.f2_t1})
+            x->z() += turned * (x->x() + 2 * x->y());
+        return step;
+    };
+    for (const double turned : {0.0, 0.25}) {
+        CAPTURE(turned);
+        CHECK(same(time_of_impact(sliding(0, turned)), 0.5));
+        CHECK(same(time_of_impact(sliding(0, turned), 0.75), 0.75));
+    }
+    CHECK_FALSE(time_of_impact(sliding(0x1p-60, 0)));
+    CHECK_FALSE(time_of_impact(sliding(-0x1p-60, 0)));
+}
+
 TEST_CASE("certified query: the ends of the step belong to it, and nothing beyond them does")
 {
     VertexFaceStep step = falling(0.5, 0.5);

@@ -158,6 +158,43 @@ TEST_CASE("proofs: the first zero of a product of linear factors is its smallest
     CHECK(first_zero({1, -4, 5, 0}, 0.7) == 0.7);
 }
 
+TEST_CASE("error bounds: no coefficient of the height up to a time is off by more than its bound says")
+{
+    Random random(17);
+    for (const Category& category : categories())
+        for (int i = 0; i < 40; ++i) {
+            CAPTURE(category.name);
+            CAPTURE(i);
+            const Points points = category.make(random, false);
+            const double end = random.uniform(0, 1);
+            const auto motion = differences<double>(step_of<VertexFaceStep>(points));
+            CHECK(largest_share(up_to(height(motion), end),
+                                over_part(exact_height(points), 0, Rational(end))) <= 1);
+        }
+}
+
+TEST_CASE("proofs: where a cubic only turns, its coefficients show its sign up to there")
+{
+    // s + small on both sides of a double zero, and a third zero beyond the step or none
+    Random random(18);
+    for (int i = 0; i < 2000; ++i) {
+        const double turn = random.uniform(0.05, 0.95), least = std::ldexp(1.0, -random.integer(10, 40)),
+                     third = random.integer(0, 1) * random.uniform(-0.4, 0.9);
+        // ((s - turn)^2 + least) (1 - third s)
+        const std::array<double, 4> f{turn * turn + least, -2 * turn - third * (turn * turn + least),
+                                      1 + 2 * third * turn, -third};
+        const double length = provable_length(f, 1);
+        CAPTURE(i);
+        CAPTURE(length);
+        CHECK(length > 0.5 * turn);
+        const double b = f[1] * length / 3, c = f[2] * length * length / 3;
+        CHECK(f[0] + b > 0);
+        CHECK(f[0] + 2 * b + c > 0);
+    }
+    CHECK(provable_length({1, -4, 0, 0}, 1) == 0.25);
+    CHECK(provable_length({1, 4, 0, 0}, 1) == 1);
+}
+
 TEST_CASE("double-double: sums and products of doubles are exact")
 {
     Random random(12);
