@@ -1,5 +1,7 @@
 #include "chapters/13_other_solvers/convex_relaxation.hpp"
 
+#include "chapters/13_other_solvers/impedance.hpp"
+
 #include <Eigen/SparseCholesky>
 
 #include <cmath>
@@ -14,7 +16,7 @@ RelaxedAnswer relaxed_answer(const RegularisedContact& contact, const Vec3& velo
 {
     const double mu = contact.mu, ratio = mu * contact.r_tangent / contact.r_normal;  // mu^ of the paper
     const double y_n = (contact.free_speed - velocity.x()) / contact.r_normal;
-    const Eigen::Vector2d y_t = -velocity.tail<2>() / contact.r_tangent;
+    const Eigen::Vector2d y_t = (contact.free_slip - velocity.tail<2>()) / contact.r_tangent;
     const double y_r = y_t.norm();
     RelaxedAnswer answer;
     if (y_r <= mu * y_n) {  // holds
@@ -168,6 +170,12 @@ private:
         row.j_a = jacobian(step_.lever_a(point));
         row.j_b = -jacobian(step_.lever_b(point));
         row.given = frame * point.given;
+        if (settings_.impedance) {
+            const double w = step_.a(point).inverse_mass + step_.b(point).inverse_mass;
+            row.contact = impedance_contact(*settings_.impedance, point.separation,
+                                            frame * step_.relative_velocity(point), w, point.mu_s, step_.dt);
+            return row;
+        }
         const double w = (step_.response(point, point.normal) + step_.response(point, point.tangent_1) +
                           step_.response(point, point.tangent_2)) /
                          3;

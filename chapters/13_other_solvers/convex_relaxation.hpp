@@ -5,12 +5,13 @@
 namespace enduring {
 
 //! [regularised]
-/// A contact of the relaxed law, regularised: R along the normal and along the surface, and the velocity at
-/// which the normal pushes nothing.
+/// A contact of the relaxed law, regularised: R along the normal and along the surface, and the velocity v^
+/// at which nothing pushes.
 struct RegularisedContact {
     double r_normal = 0, r_tangent = 0;  ///< velocity per impulse [1/kg]
     double free_speed = 0;               ///< v^_n [m/s]
     double mu = 0;
+    Eigen::Vector2d free_slip = Eigen::Vector2d::Zero();  ///< the same along the surface [m/s]
 };
 
 /// Impulse, potential and minus the derivative of the impulse; all in the frame of the contact, the normal

@@ -20,6 +20,11 @@ int main(int argc, char** argv)
              chapter13::over_iterations},
             {"soft_bodies", "soft scenes under the methods that have soft bodies, and under chapter 10",
              chapter13::soft_bodies},
+            {"pair_forces", "forces of pairs against statics and momentum, under each method",
+             chapter13::pair_forces},
+            {"ledger_scenes", "the scenes of the failure ledger under each method", chapter13::ledger_scenes},
+            {"beside_engines", "methods with the settings of an engine, beside what that engine has done",
+             chapter13::beside_engines},
         },
     };
     program.add_options = [method](CLI::App& app) {

@@ -33,13 +33,18 @@ double depth_to_take_away(const MethodStep& step, const ContactPoint& point,
     return std::max(0.0, -point.separation - settings.slop * size);
 }
 
+bool is_split(const ContactPoint& point, const SequentialSettings& settings)
+{
+    return -point.separation >= settings.split_from;
+}
+
 //! [target]
 /// What is apart may close in this step; a depth goes by a part of it each step (Baumgarte); an impact
 /// bounces.
 double normal_target(const MethodStep& step, const ContactPoint& point, const SequentialSettings& settings)
 {
     double target = -std::max(0.0, point.separation) / step.dt;
-    if (!settings.split)
+    if (!is_split(point, settings))
         target += settings.baumgarte * depth_to_take_away(step, point, settings) / step.dt;
     const double approach = -point.normal.dot(step.relative_velocity(point));
     if (approach > settings.restitution_threshold && approach * step.dt > point.separation)
@@ -100,7 +105,8 @@ std::vector<MovingBody> pushed_apart(const MethodStep& step, const SequentialSet
     std::vector<Row> rows;
     for (const ContactPoint& point : apart.points) {
         rows.push_back(row_along(apart, point, point.normal));
-        rows.back().target = settings.baumgarte * depth_to_take_away(apart, point, settings) / step.dt;
+        if (is_split(point, settings))
+            rows.back().target = settings.baumgarte * depth_to_take_away(apart, point, settings) / step.dt;
     }
     for (int i = 0; i < settings.iterations; ++i)
         for (std::size_t n = 0; n < rows.size(); ++n)
@@ -117,8 +123,7 @@ void sequential_impulses(MethodStep& step, const SequentialSettings& settings)
 {
     std::vector<PointRows> rows;
     for (ContactPoint& point : step.points) {
-        if (!settings.warm_start)
-            point.impulse.setZero();
+        point.impulse *= settings.warm_start;
         rows.push_back({row_along(step, point, point.normal),
                         {row_along(step, point, point.tangent_1), row_along(step, point, point.tangent_2)}});
         rows.back().normal.target = normal_target(step, point, settings);  // of velocities before gravity
@@ -129,14 +134,12 @@ void sequential_impulses(MethodStep& step, const SequentialSettings& settings)
     for (int i = 0; i < settings.iterations; ++i)
         sweep(step, rows);
 
-    const std::vector<MovingBody> apart = settings.split ? pushed_apart(step, settings) : step.bodies;
+    const std::vector<MovingBody> apart = pushed_apart(step, settings);
     for (std::size_t i = 0; i < step.bodies.size(); ++i) {
         MovingBody& body = step.bodies[i];
         MovingBody moved = body;
-        if (settings.split) {
-            moved.velocity += apart[i].velocity;
-            moved.angular_velocity += apart[i].angular_velocity;
-        }
+        moved.velocity += apart[i].velocity;
+        moved.angular_velocity += apart[i].angular_velocity;
         moved.move(step.dt);
         body.pose = moved.pose;
     }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace enduring {
 
 //! [search_settings]
@@ -25,11 +27,16 @@ struct SequentialSettings {
                              ///< contacts answer one by one.
     double slop = 0.005;  ///< of the size of a body [1]: depth that is left, so that contacts do not open and
                           ///< close; Box2D's 5 mm on 1 m
-    bool warm_start = true;  ///< begins with the impulses of the last step; without them a stack of ten sinks
-    bool split = true;  ///< takes depths away by velocities of their own, which are forgotten; without it
-                        ///< each push adds kinetic energy
+    double warm_start = 1;  ///< part of the impulses of the last step with which it begins [1]; Box2D 2.4.
+                            ///< With 0, a stack of ten sinks.
+    double split_from = 0;  ///< depth [m] from which on velocities of their own, which are forgotten, take a
+                            ///< depth away. Infinite: each push adds kinetic energy.
     double restitution_threshold = 1;  ///< approach below which nothing bounces [m/s]; Box2D 2.4
 };
+/// Bullet 3.24 (btContactSolverInfo): no slop, shallow depths by Baumgarte, a part of the last impulses.
+inline SequentialSettings bullet_settings() { return {.slop = 0, .warm_start = 0.85, .split_from = 0.04}; }
+/// Jolt (PhysicsSettings): 20 mm of slop; its rows of positions, after those of velocities, are split pushes.
+inline SequentialSettings jolt_settings() { return {.slop = 0.02}; }
 //! [sequential_settings]
 
 //! [soft_step_settings]
@@ -46,7 +53,21 @@ struct SoftStepSettings {
         0.005;  ///< of the size of a body [1]: a depth that no spring takes away; Box2D's 5 mm on 1 m
     double restitution_threshold = 1;  ///< [m/s]; Box2D 3
 };
+/// Rapier 0.21 of npm: 30 Hz, four substeps and a damping ratio of 10, which its `contact_erp` tells. Its
+/// slop acts on nothing: a cube rests at the same depth for a slop of 0, 0.1 and 5 mm.
+inline SoftStepSettings rapier_settings() { return {.slop = 0}; }
 //! [soft_step_settings]
+
+//! [impedance_settings]
+/// MuJoCo's softness of a contact (Todorov 2014; `solref` and `solimp` of its documentation).
+struct ImpedanceSettings {
+    double time_constant = 0.02;  ///< in which a depth goes [s]; MuJoCo. At least two steps, or it rings.
+    double damping_ratio = 1;     ///< of critical [1]; MuJoCo
+    double least = 0.9;   ///< impedance where a contact begins [1]; MuJoCo. 1 would be rigid, 0 no contact.
+    double most = 0.95;   ///< impedance from `width` on [1]; MuJoCo. 0.99: a fifth of the depth.
+    double width = 1e-3;  ///< [m]; MuJoCo
+};
+//! [impedance_settings]
 
 //! [relaxation_settings]
 /// The convex relaxation (Anitescu 2006; Drake's SAP, Castro 2022).
@@ -60,7 +81,10 @@ struct RelaxedSettings {
     double tolerance = 1e-10;    ///< of the gradient, in the momentum of the step [1]; ends Newton's method
     int max_steps = 100;         ///< of Newton's method; Drake. Stacks take below 20.
     int line_search_steps = 40;  ///< halvings: below 2^-40 nothing changes
+    std::optional<ImpedanceSettings> impedance = {};  ///< MuJoCo's softness instead of the near-rigid limit
 };
+/// MuJoCo's defaults: its softness in the same convex problem.
+inline RelaxedSettings mujoco_settings() { return {.impedance = ImpedanceSettings{}}; }
 //! [relaxation_settings]
 
 //! [xpbd_settings]

@@ -1,17 +1,16 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "chapters/13_other_solvers/experiments/experiments.hpp"
+#include "chapters/13_other_solvers/experiments/method_table.hpp"
 #include "chapters/13_other_solvers/solver.hpp"
 #include "chapters/engines/cases.hpp"
 #include "chapters/engines/judge.hpp"
 #include "common/experiments/report/growing_table.hpp"
 #include "common/input/input_error.hpp"
-#include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -101,49 +100,20 @@ std::vector<Case> cases_of(bool quick)
     return cases;
 }
 
-/// Whether a method has an answer: restitution is not in every paper, and a barrier cannot begin inside.
-bool is_defined(const Case& asked, const Column& column)
+/// Why a method has no answer; empty if it has: restitution is not in every paper, and a barrier cannot begin
+/// inside.
+std::string refusal_of(const Case& asked, const Column& column)
 {
     if (asked.name == "bounce" && !column.knows_restitution)
-        return false;
+        return column.is_method ? "there is no restitution in its papers"
+                                : "the page on engines passes no restitution on";
     if (column.is_method)
         try {
             column.engine.run(asked.make(0), column.engine.plain, 1);
         } catch (const InputError& refusal) {
-            std::fprintf(stderr, "%s, %s: not defined: %s\n", column.title.c_str(), asked.name.c_str(),
-                         refusal.what());
-            return false;
+            return refusal.what();
         }
-    return true;
-}
-
-std::string word_of(std::string title)
-{
-    std::replace(title.begin(), title.end(), ' ', '_');
-    return title;
-}
-
-std::string cell_of(const Measure& measure)
-{
-    const std::string value = std::isfinite(measure.value) ? readable(measure.value, 3) : "lost";
-    return value + (measure.right ? " ✓" : " ✗");
-}
-
-/// "drift [µm/s]" for drift_um_per_s, as a reader reads it.
-std::string with_unit(std::string quantity)
-{
-    constexpr std::array<std::pair<const char*, const char*>, 5> units{{{"_um_per_s", " [µm/s]"},
-                                                                        {"_m_per_s", " [m/s]"},
-                                                                        {"_um", " [µm]"},
-                                                                        {"_mm", " [mm]"},
-                                                                        {"_percent", " [%]"}}};
-    for (const auto& [word, unit] : units)
-        if (quantity.ends_with(word)) {
-            quantity.replace(quantity.size() - std::string(word).size(), std::string::npos, unit);
-            break;
-        }
-    std::replace(quantity.begin(), quantity.end(), '_', ' ');
-    return quantity;
+    return {};
 }
 
 }  // namespace
@@ -159,13 +129,18 @@ void same_scenes(const RunOptions& options, Report& report)
     GrowingTable table(report, "same_scenes",
                        {"scene", "method", "quantity", "value", "right", "time_over_ours_by_clock"});
     std::vector<long> right(columns.size(), 0);
+    std::vector<Refusal> refusals;
     long asked_of_each = 0;
     for (const Case& asked : cases_of(options.quick)) {
         std::vector<std::vector<Cell>> lines;
         std::vector<Verdict> verdicts;
-        for (const Column& column : columns)
-            verdicts.push_back(is_defined(asked, column) ? try_case(asked, column.engine, column.engine.plain)
-                                                         : Verdict{});
+        for (const Column& column : columns) {
+            const std::string reason = refusal_of(asked, column);
+            if (!reason.empty())
+                refusals.push_back({asked.name, column.title, reason});
+            verdicts.push_back(reason.empty() ? try_case(asked, column.engine, column.engine.plain)
+                                              : Verdict{});
+        }
         const auto ours =
             static_cast<std::size_t>(std::find_if(columns.begin(), columns.end(),
                                                   [](const Column& c) { return c.title == "chapter 10"; }) -
@@ -178,7 +153,7 @@ void same_scenes(const RunOptions& options, Report& report)
                     continue;
                 }
                 const Measure& measure = verdicts[i].measures[m];
-                line.emplace_back(cell_of(measure));
+                line.emplace_back(cell_of(measure.value, measure.right));
                 right[i] += measure.right;
                 report.fact("same_scenes",
                             asked.name + "_" + word_of(columns[i].title) + "_" + measure.quantity,
@@ -193,6 +168,7 @@ void same_scenes(const RunOptions& options, Report& report)
     }
     report.table("same_scenes", table);
     report.page_table("same_scenes", page);
+    report_refusals(report, "same_scenes", refusals);
     report.fact("same_scenes", "asked", static_cast<double>(asked_of_each));
     for (std::size_t i = 0; i < columns.size(); ++i)
         report.fact("same_scenes", word_of(columns[i].title) + "_right", static_cast<double>(right[i]));

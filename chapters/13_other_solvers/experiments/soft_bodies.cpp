@@ -1,32 +1,14 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
-#include "chapters/10_self_contact/solver.hpp"
 #include "chapters/13_other_solvers/experiments/experiments.hpp"
+#include "chapters/13_other_solvers/experiments/method_table.hpp"
 #include "chapters/13_other_solvers/experiments/soft_scenes.hpp"
-#include "chapters/13_other_solvers/solver.hpp"
 #include "common/experiments/run/processor_clock.hpp"
-#include "common/input/input_error.hpp"
-#include "common/input/number_text.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <map>
 
 namespace enduring::chapter13 {
 namespace {
-
-using MakeSoft = std::function<Solver(const ContactParameters&)>;
-
-/// What a scene is asked: a number, and whether it is right as physics.
-struct Answer {
-    double value = 0;
-    bool right = false;
-};
-
-struct SoftRow {
-    std::string scene, quantity;
-    std::function<Answer(const MakeSoft&)> ask;
-};
 
 void run_for(Scene& scene, const Solver& solver, double seconds)
 {
@@ -36,7 +18,7 @@ void run_for(Scene& scene, const Solver& solver, double seconds)
 }
 
 /// The mean height of the top over two swings, against rho g H^2 / (2 E).
-Answer ask_column(const MakeSoft& make)
+Answer ask_column(const MakeMethod& make)
 {
     Scene scene = soft_cube_scene({}, 0, 0);
     Contacts contacts;
@@ -47,7 +29,7 @@ Answer ask_column(const MakeSoft& make)
 }
 
 /// A bar that hangs as the base's implicit step leaves it, after half a second.
-Answer ask_bar(const MakeSoft& make)
+Answer ask_bar(const MakeMethod& make)
 {
     Scene damped = clamped_bar(0.01, 20);
     for (int step = 0; step < 300; ++step) {
@@ -63,7 +45,7 @@ Answer ask_bar(const MakeSoft& make)
 }
 
 /// Friction over normal force of a cube that slides, by what the ground has given.
-Answer ask_slide(const MakeSoft& make)
+Answer ask_slide(const MakeMethod& make)
 {
     Scene scene = soft_cube_scene({}, 50);
     const Body& body = *scene.world.bodies[0];
@@ -77,7 +59,7 @@ Answer ask_slide(const MakeSoft& make)
 }
 
 /// How far a free rigid box moves on which a soft cube lies.
-Answer ask_box(const MakeSoft& make)
+Answer ask_box(const MakeMethod& make)
 {
     Scene scene = chapter07::scene_of({{20, Vec3(0, 0.25, 0), 20, Vec3::UnitY(), Vec3(1.5, 0.5, 1.5)}}, 0.01);
     append_soft_cube(scene, {.centre = Vec3(0, 1, 0)});
@@ -89,7 +71,7 @@ Answer ask_box(const MakeSoft& make)
 
 /// The percent of its fall that a cube rises again. Elements have no loss of their own: more than 100 is
 /// wrong.
-Answer ask_bounce(const MakeSoft& make)
+Answer ask_bounce(const MakeMethod& make)
 {
     Scene scene = soft_cube_scene({.centre = Vec3(0, 1, 0), .poisson = 0.3});
     const Solver solver = make(scene.contact);
@@ -104,7 +86,7 @@ Answer ask_bounce(const MakeSoft& make)
 }
 
 /// Momentum that a collision with a rigid cube loses.
-Answer ask_collision(const MakeSoft& make)
+Answer ask_collision(const MakeMethod& make)
 {
     Scene scene = chapter07::scene_of({{10, Vec3(1.3, 0.3, 0.2), 50, Vec3(3, 1, 2).normalized()}}, 0.01, 0,
                                       0.3, 0.3);
@@ -118,7 +100,7 @@ Answer ask_collision(const MakeSoft& make)
 }
 
 /// Processor time of a step of a cube of 4^3 cells at rest [ms]; its base's prediction counts, too.
-double step_ms(const MakeSoft& make, int cells)
+double step_ms(const MakeMethod& make, int cells)
 {
     Scene scene = soft_cube_scene({.cells = cells}, 0);
     const Solver solver = make(scene.contact);
@@ -127,55 +109,20 @@ double step_ms(const MakeSoft& make, int cells)
     return 1000 * (processor_seconds() - start) / 20;
 }
 
-Solver our_solver(const ContactParameters& parameters)
-{
-    ImplicitSettings settings;
-    settings.record = [](const SolveRecord&) {};
-    settings.threads = 1;
-    return chapter10_solver(parameters, settings);
-}
-
 }  // namespace
 
 /// Soft scenes under each method that has soft bodies, and under chapter 10 beside them.
 void soft_bodies(const RunOptions& options, Report& report)
 {
-    const std::vector<SoftRow> rows{
+    const std::vector<Question> questions{
         {"column", "sinks_error_percent", ask_column}, {"hanging bar", "moved_percent", ask_bar},
         {"slide", "friction_over_normal", ask_slide},  {"on a box", "box_moved_mm", ask_box},
         {"bounce", "percent_of_fall", ask_bounce},     {"collision", "momentum_lost_percent", ask_collision}};
-    std::vector<std::pair<std::string, MakeSoft>> columns;
-    std::vector<std::string> head{"scene", "measured"};
-    for (const OtherMethod& method : other_methods())
-        columns.emplace_back(method.title, method.make);
-    columns.emplace_back("chapter 10", our_solver);
-    for (const auto& [title, make] : columns)
-        head.push_back(title);
-    Table page(head), table({"scene", "method", "quantity", "value", "right"});
-    const auto fact_word = [](std::string title) {
-        std::replace(title.begin(), title.end(), ' ', '_');
-        return title;
-    };
-    for (const SoftRow& row : rows) {
-        std::vector<Cell> line{row.scene, row.quantity};
-        for (const auto& [title, make] : columns)
-            try {
-                const Answer answer = row.ask(make);
-                line.emplace_back(readable(answer.value, 3) + (answer.right ? " ✓" : " ✗"));
-                table.add({row.scene, title, row.quantity, answer.value, answer.right ? "yes" : "no"});
-                report.fact("soft_bodies", fact_word(row.scene) + "_" + fact_word(title), answer.value);
-            } catch (const InputError& refusal) {
-                line.emplace_back("not defined");
-                std::fprintf(stderr, "%s, %s: not defined: %s\n", title.c_str(), row.scene.c_str(),
-                             refusal.what());
-            }
-        page.add(line);
-    }
-    report.table("soft_bodies", table);
-    report.page_table("soft_bodies", page);
+    if (!report_answers(options, report, "soft_bodies", questions))
+        return;
     const int cells = options.quick ? 2 : 4;
     Table speed({"method", "cells", "step_ms_by_clock"});
-    for (const auto& [title, make] : columns)
+    for (const auto& [title, make] : all_answering())
         if (title == "XPBD" || title == "AVBD" || title == "barrier" || title == "chapter 10")
             speed.add({title, static_cast<long>(cells), step_ms(make, cells)});
     report.table("soft_speed", speed);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 using namespace enduring;
@@ -22,7 +23,7 @@ Vec3 after_a_step(const SequentialSettings& settings, int steps)
 TEST_CASE("sequential impulses: in the limit of many sweeps a warm start makes no difference")
 {
     SequentialSettings warm{.iterations = 3000}, cold = warm;
-    cold.warm_start = false;
+    cold.warm_start = 0;
     CHECK((after_a_step(warm, 3) - after_a_step(cold, 3)).norm() <= 1e-9);
     warm.iterations = cold.iterations = 3;
     CHECK(after_a_step(cold, 3).norm() >= 3 * after_a_step(warm, 3).norm());
@@ -33,7 +34,8 @@ TEST_CASE("sequential impulses: each step takes the part baumgarte of what is de
     for (const bool split : {true, false}) {
         CAPTURE(split);
         Scene scene = one_cube(-0.105);
-        const SequentialSettings settings{.iterations = 500, .split = split};
+        const SequentialSettings settings{.iterations = 500,
+                                          .split_from = split ? 0 : std::numeric_limits<double>::infinity()};
         const Solver solver = chapter13_sequential_solver(scene.contact, settings);
         double depth = 0.1;  // beyond the slop of 5 mm
         Contacts contacts;

@@ -1,5 +1,5 @@
 #include "chapters/engines/experiments/experiments.hpp"
-#include "common/input/input_error.hpp"
+#include "chapters/engines/experiments/measured_rows.hpp"
 #include "common/input/source_directory.hpp"
 
 #include <algorithm>
@@ -11,34 +11,7 @@
 namespace enduring::engines {
 namespace {
 
-using Row = std::map<std::string, std::string>;  ///< a cell by its column
-
-/// A table that an earlier run of this program wrote; no cell of it has a comma.
-std::vector<Row> read_rows(const std::string& name)
-{
-    const auto path = source_directory() / "chapters/engines/measured" / name;
-    std::ifstream file(path);
-    std::string line, cell;
-    std::vector<std::string> columns;
-    std::vector<Row> rows;
-    while (std::getline(file, line)) {
-        std::istringstream cells(line);
-        if (columns.empty()) {
-            while (std::getline(cells, cell, ','))
-                columns.push_back(cell);
-            continue;
-        }
-        Row row;
-        for (const std::string& column : columns) {
-            std::getline(cells, cell, ',');
-            row[column] = cell;
-        }
-        rows.push_back(std::move(row));
-    }
-    if (rows.empty())
-        throw InputError(path.string() + ": no measurements");
-    return rows;
-}
+using Row = MeasuredRow;
 
 /// A name for a fact: letters, digits and underscores.
 std::string word(std::string text)
@@ -155,7 +128,7 @@ void report_verdicts(const std::vector<Row>& rows, Report& report)
 
 void measured(const RunOptions&, Report& report)
 {
-    const std::vector<Row> rows = read_rows("rows.csv");
+    const std::vector<Row> rows = measured_rows("rows.csv");
     pivot(rows, "rest",
           {{"stack", "depth_um", "stack, depth [µm]"},
            {"stack", "drift_um_per_s", "stack, drift [µm/s]"},
@@ -185,7 +158,7 @@ void measured(const RunOptions&, Report& report)
     report.fact("measured", "date", date);
 
     Table table({"scene", "engine", "way", "substeps", "error", "time_over_ours_by_clock"});
-    for (const Row& row : read_rows("curves.csv")) {
+    for (const Row& row : measured_rows("curves.csv")) {
         const double value = number(row.at("value"));
         if (row.at("scene") == "stack" && row.at("right") == "no")
             continue;  // a stack that falls or sinks: the depth of its parts says nothing
