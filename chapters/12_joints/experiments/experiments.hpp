@@ -11,5 +11,9 @@ void linkages(const RunOptions& options, Report& report);
 void motor(const RunOptions& options, Report& report);
 void chain(const RunOptions& options, Report& report);
 void door(const RunOptions& options, Report& report);
+void rope(const RunOptions& options, Report& report);
+void crane(const RunOptions& options, Report& report);
+void walker(const RunOptions& options, Report& report);
+void gripper(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter12

@@ -89,6 +89,67 @@ Path four_bar(double dt, double duration)
     return path;
 }
 
+/// Watt's linkage: two arms between pins that are 2 a apart, and a coupler of 2 c whose middle goes nearly
+/// straight where a^2 = b^2 + c^2.
+namespace watt {
+
+constexpr double arm = 1, half_coupler = 0.25;
+const double half_base = std::hypot(arm, half_coupler);
+/// From the pins' middle, along the coupler as it lies there [m].
+const Vec3 tangent(half_coupler / half_base, arm / half_base, 0);
+
+/// The point of Watt's curve beside another one, as far from the middle between the pins. The coupler's half
+/// h has |h - a| = sqrt(b^2 - r^2), which gives its angle; the middle lies at right angles to h - a.
+Vec3 on_curve(const Vec3& near)
+{
+    const double r = near.norm(),
+                 cosine = (r * r + 2 * half_coupler * half_coupler) / (2 * half_base * half_coupler),
+                 sine = std::sqrt(1 - cosine * cosine);
+    const Vec3 across = Vec3(half_coupler * sine, half_base - half_coupler * cosine, 0).normalized();
+    return std::copysign(r, near.dot(across)) * across;
+}
+
+/// How far the curve leaves its tangent, to the first order that is not zero.
+double bend(double r) { return std::pow(r, 5) / (8 * std::pow(arm, 3) * half_coupler); }
+
+}  // namespace watt
+
+struct WattPath {
+    Path path;
+    double straight = 0,
+           straight_exact = 0;  ///< largest distance from the tangent on 40 cm, and its formula [m]
+};
+
+/// A motor swings one arm of Watt's linkage by 0.4 rad to both sides.
+WattPath watt_linkage(double dt, double duration)
+{
+    const Vec3 pin(watt::half_base, 0, 0), end = watt::half_coupler * watt::tangent;
+    Machine machine(dt);
+    const int right = machine.add_bar(pin, end, 1), coupler = machine.add_bar(end, -end, 1),
+              left = machine.add_bar(-pin, -end, 1);
+    drive(machine.add_joint(JointKind::hinge, right, -1, pin));
+    machine.add_joint(JointKind::hinge, coupler, right, end);
+    machine.add_joint(JointKind::hinge, coupler, left, -end);
+    machine.add_joint(JointKind::hinge, left, -1, -pin);
+    World& world = machine.scene.world;
+    WattPath of;
+    machine.run(duration, [&] {
+        JointDrive& motor = world.joints[0].turn;
+        motor.motor_speed = std::copysign(1, world.joints[0].angle > 0.4    ? -1
+                                             : world.joints[0].angle < -0.4 ? 1
+                                                                            : motor.motor_speed);
+        const Vec3 middle = world.bodies[1]->centre();
+        of.path.off = std::max(of.path.off, (middle - watt::on_curve(middle)).norm());
+        of.path.far = std::max(of.path.far, 2 * middle.norm());
+        if (middle.norm() < 0.2) {
+            of.straight = std::max(of.straight, middle.cross(watt::tangent).norm());
+            of.straight_exact = std::max(of.straight_exact, watt::bend(middle.norm()));
+        }
+    });
+    of.path.error = machine.worst_error();
+    return of;
+}
+
 /// Two shafts with 40 degrees between them and Cardan's joint: the second turns unevenly.
 Path cardan(double dt, double duration)
 {
@@ -138,17 +199,22 @@ void linkages(const RunOptions& options, Report& report)
         error = std::max(error, path.error);
     };
     double missed = 0;
+    WattPath watt;
     for (const double dt : {0.01, 0.005}) {
         const Path piston = slider_crank(dt, duration);
         missed = std::max(missed, piston.speed_error);
         add("slider-crank", dt, piston);
         add("four-bar", dt, four_bar(dt, duration));
         add("Cardan", dt, cardan(dt, duration));
+        watt = watt_linkage(dt, 2 * duration);
+        add("Watt", dt, watt.path);
     }
     report.table("linkages", table);
     report.page_table("linkages", table, 2);
     report.fact("linkages", "off_m", off, 2);
     report.fact("linkages", "joint_error_m", error, 2);
+    report.fact("linkages", "watt_straight_mm", 1000 * watt.straight, 2);
+    report.fact("linkages", "watt_exact_mm", 1000 * watt.straight_exact, 2);
     report.fact("linkages", "speed_missed", missed, 2);
 }
 
