@@ -225,6 +225,7 @@ class Faults(unittest.TestCase):
                         self.assertEqual(done.returncode, 2)
                         self.check_told(done)
                         self.assertIn("pipe or a device", done.stderr)
+        self.scene.write_text(json.dumps(SCENE))
         for place in (pipe, "/dev/zero"):
             for done in (self.run_with(["--out", self.scratch / "out"], scene=place),
                          self.run_with(["--out", self.scratch / "out", "--resume", place]),
