@@ -162,6 +162,7 @@ void write_problems(Solver& solver, const ContactParameters& parameters, const s
         if (form == ProblemForm::fclib)
             return write_fclib(problem, folder / (name.str() + ".hdf5"),
                                solution.solved() ? solution.impulses : Eigen::VectorXd());
+        std::filesystem::remove(folder / (name.str() + ".answer"));  // of an earlier run
         write_file(folder / (name.str() + ".dat"), siconos_text(problem));
         if (solution.solved())
             write_file(folder / (name.str() + ".answer"), answer_text(solution.impulses));

@@ -1,4 +1,5 @@
 #include "chapters/engines/mjcf.hpp"
+#include "common/input/pending_file.hpp"
 #include "common/input/source_directory.hpp"
 
 #include <nlohmann/json.hpp>
@@ -32,7 +33,7 @@ public:
         static int count = 0;
         path_ = fs::temp_directory_path() /
                 ("enduring_scene_" + std::to_string(getpid()) + "_" + std::to_string(++count) + ".json");
-        std::ofstream(path_) << scene;
+        write_file(path_, scene.dump());
     }
     ~SceneFile()
     {

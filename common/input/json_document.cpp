@@ -43,6 +43,15 @@ private:
     int* line_;
 };
 
+/// What fits in a line, the middle left out: a number may have a million digits.
+std::string cut(const std::string& message)
+{
+    constexpr std::size_t longest = 200, kept = 90;
+    if (message.size() <= longest)
+        return message;
+    return message.substr(0, kept) + " ... " + message.substr(message.size() - kept);
+}
+
 /// The library keeps the last of two equal keys without a word; a scene
 /// where one was meant to count is a mistake.
 class KeyCheck {
@@ -62,7 +71,7 @@ public:
         else if (event == Json::parse_event_t::object_end)
             open_.pop_back();
         else if (event == Json::parse_event_t::key && !open_.back().insert(parsed.get<std::string>()).second)
-            fail("the key " + parsed.dump() + " stands twice in the same object");
+            fail("the key " + cut(parsed.dump()) + " stands twice in the same object");
         return true;
     }
 
@@ -78,15 +87,6 @@ std::string plain_message(const Json::exception& error)
     const std::string text = error.what();
     const std::size_t bracket = text.find("] ");
     return bracket == std::string::npos ? text : text.substr(bracket + 2);
-}
-
-/// What fits in a line, the middle left out: a number may have a million digits.
-std::string cut(const std::string& message)
-{
-    constexpr std::size_t longest = 200, kept = 90;
-    if (message.size() <= longest)
-        return message;
-    return message.substr(0, kept) + " ... " + message.substr(message.size() - kept);
 }
 
 /// The entry of a list by index or by its "name"; of an object by key, which the last step may create.
@@ -130,6 +130,10 @@ Json& resolve(Json& document, const std::string& path, const std::string& file)
 Json parse_json(const std::string& text, const std::string& file)
 {
     int line = 1;
+    // the library takes a zero for the end of the text
+    if (const auto zero = std::find(text.begin(), text.end(), '\0'); zero != text.end())
+        throw InputError(file + ":" + std::to_string(1 + std::count(text.begin(), zero, '\n')) +
+                         ": a byte that is zero; only text can be read");
     try {
         const LineCounter begin(text.data(), line), end(text.data() + text.size(), line);
         return Json::parse(begin, end, KeyCheck(file, line));

@@ -18,14 +18,17 @@ std::string shown(double x)
     return text.str();
 }
 
+/// As much of a text as fits in a message.
+std::string beginning(const std::string& text)
+{
+    constexpr std::size_t longest = 60;
+    return text.size() > longest ? text.substr(0, longest) + "..." : text;
+}
+
 /// What stands in the file, cut to what fits in a message.
 std::string excerpt(const nlohmann::json& value)
 {
-    constexpr std::size_t longest = 60;
-    std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-    if (text.size() > longest)
-        text = text.substr(0, longest) + "...";
-    return text;
+    return beginning(value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace));
 }
 
 std::string with_article(const nlohmann::json& value)
@@ -127,7 +130,7 @@ void JsonValue::require_keys(std::initializer_list<std::string_view> allowed) co
         fail("an object with the keys " + joined(allowed));
     for (const auto& [key, value] : value_->items())
         if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
-            JsonValue(value, file_, path_ + "/" + escaped(key))
+            JsonValue(value, file_, path_ + "/" + escaped(beginning(key)))
                 .complain("unknown key; " + advice(key, allowed));
 }
 

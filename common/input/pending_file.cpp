@@ -114,6 +114,8 @@ void PendingFile::cleaned_on_interrupt()
 {
     for (const int signal : {SIGINT, SIGTERM})
         std::signal(signal, remove_pending_and_end);
+    if (std::signal(SIGHUP, remove_pending_and_end) == SIG_IGN)
+        std::signal(SIGHUP, SIG_IGN);  // under nohup
 }
 
 }  // namespace enduring

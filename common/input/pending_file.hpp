@@ -26,8 +26,8 @@ public:
     /// @throws InputError  the rename failed
     void publish();
 
-    /// From now on SIGINT and SIGTERM first remove every pending
-    /// neighbour, then end the program as they always do.
+    /// From now on SIGINT, SIGTERM and SIGHUP first remove every pending neighbour, then end the program as
+    /// they always do. Under nohup SIGHUP stays ignored.
     static void cleaned_on_interrupt();
 
 private:

@@ -241,7 +241,7 @@ std::filesystem::path find_mesh(const JsonValue& value, const std::vector<std::f
     for (const std::filesystem::path& folder : folders) {
         std::error_code ignored;
         std::filesystem::path path = folder / name;
-        if (std::filesystem::is_regular_file(path, ignored))
+        if (std::filesystem::exists(path, ignored))
             return path;
         searched += (searched.empty() ? "" : " and ") + folder.string();
     }

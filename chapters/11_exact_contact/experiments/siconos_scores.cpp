@@ -4,11 +4,13 @@
 #include "common/input/number_text.hpp"
 #include "common/input/source_directory.hpp"
 
+#include <sys/wait.h>
 #include <unistd.h>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
 namespace enduring::chapter11 {
 namespace {
@@ -38,6 +40,7 @@ private:
 std::string file_of(std::size_t problem) { return std::to_string(problem) + ".dat"; }
 
 /// "SOLVER FILE SECONDS STEPS r...", behind the word "answer".
+/// @throws std::runtime_error  the line is cut
 SiconosAnswer answer_from(std::istream& line, const std::vector<NamedProblem>& problems)
 {
     SiconosAnswer answer;
@@ -48,7 +51,25 @@ SiconosAnswer answer_from(std::istream& line, const std::vector<NamedProblem>& p
     answer.impulses.resize(3 * problems[answer.problem].problem.contacts());
     for (double& x : answer.impulses)
         line >> x;
+    if (!line)
+        throw std::runtime_error("Siconos' solvers: an answer to " + problems[answer.problem].name +
+                                 " is cut");
     return answer;
+}
+
+/// Whether the script's solvers were there.
+/// @param status  with which it ended, as the system tells it
+/// @throws std::runtime_error  they were, and something else went wrong
+bool were_there(int status)
+{
+    constexpr int not_installed = 3, no_python = 127;
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (code == not_installed || code == no_python)
+        return false;
+    if (code != 0)
+        throw std::runtime_error("Siconos' solvers ended with exit status " + std::to_string(code) +
+                                 ", and without all answers");
+    return true;
 }
 
 }  // namespace
@@ -106,7 +127,7 @@ std::vector<SiconosAnswer> solve_by_siconos(const std::vector<NamedProblem>& pro
                    output = folder.path() / "answers";
     const std::string command = "/usr/bin/python3 '" + script.string() + "' '" + folder.path().string() +
                                 "' " + shortest(tolerance) + " > '" + output.string() + "' 2> /dev/null";
-    if (std::system(command.c_str()) != 0)
+    if (!were_there(std::system(command.c_str())))
         return {};
     std::vector<SiconosAnswer> answers;
     std::ifstream file(output);

@@ -23,6 +23,7 @@ inline const std::vector<std::string> siconos_solvers{"NSGS", "Newton", "ADMM"};
 /// Solves problems in three dimensions by the script siconos_solvers.py; each is given by its W, in blocks.
 /// Nothing where Siconos is not installed.
 /// @param tolerance  of the natural map, as Siconos measures it itself
+/// @throws std::runtime_error  Siconos is there, and its answers are not, as on a full disk
 std::vector<SiconosAnswer> solve_by_siconos(const std::vector<NamedProblem>& problems, double tolerance);
 
 /// Siconos' text with W in blocks of 3 x 3.

@@ -102,7 +102,7 @@ TEST_CASE("own problems: Siconos, where it is installed, reads our text and solv
         write_file(folder.path / name, siconos_text(problem));
         const Eigen::VectorXd theirs = siconos_answer(folder.path / name, problem);
         if (theirs.size() == 0) {
-            MESSAGE("Siconos is not installed (Debian 12: python3-siconos)");
+            MESSAGE("Siconos is not installed (on Debian 12: ./course setup siconos)");
             return;
         }
         REQUIRE(theirs.size() == problem.free_velocity.size());

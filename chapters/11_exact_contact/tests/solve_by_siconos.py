@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Reads a problem of bodies by Siconos and solves it: solve_by_siconos.py FILE COORDINATES prints its impulses, a number for each of r.
 
-Ends with 3 where Siconos is not installed (Debian 12: python3-siconos).
+Ends with 3 where Siconos or scipy is not installed (on Debian 12: ./course setup siconos).
 """
 import sys
 

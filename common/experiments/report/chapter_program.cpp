@@ -27,7 +27,7 @@ namespace {
 struct CommandLine {
     std::vector<std::string> words;
     std::string out, scene, parts, part;
-    bool list = false, quick = false, no_pictures = false;
+    bool help = false, list = false, quick = false, no_pictures = false;
 };
 
 /// "slope, mesh_slope": the experiments for which --scene FILE means something.
@@ -181,6 +181,18 @@ void run_experiments(const ChapterProgram& program, const std::vector<const Expe
     }
 }
 
+void run_what_is_asked(const ChapterProgram& program, const CommandLine& line,
+                       const std::vector<const Experiment*>& experiments)
+{
+    const RunOptions options = options_of(program, line);
+    want_pictures(options.pictures);
+    const Experiment own_scene{line.scene, "", program.own_scene};
+    if (is_own_scene(program, line))
+        run_experiments(program, {&own_scene}, options);
+    else if (!program.instead_of_experiments || !program.instead_of_experiments(options))
+        run_experiments(program, experiments, options);
+}
+
 /// A file that may not grow (ulimit -f) is an error of its writer, which is told, and not the end of the
 /// program.
 void tell_of_full_files() { std::signal(SIGXFSZ, SIG_IGN); }
@@ -224,28 +236,21 @@ int run_chapter(int argc, char** argv, const ChapterProgram& program)
         experiments = chosen(program, line.words);
         refuse_unread_scene(program, line);
     } catch (const CLI::CallForHelp&) {
-        std::cout << app.help() << "\nExperiments:\n";
-        list_experiments(program, std::cout);
-        return 0;
+        line.help = true;
     } catch (const CLI::ParseError& mistake) {
         return usage(mistake.what());
     } catch (const InputError& mistake) {
         return usage(mistake.what());
     }
-    if (line.list) {
-        list_experiments(program, std::cout);
-        return 0;
-    }
 
     PendingFile::cleaned_on_interrupt();
     try {
-        const RunOptions options = options_of(program, line);
-        want_pictures(options.pictures);
-        const Experiment own_scene{line.scene, "", program.own_scene};
-        if (is_own_scene(program, line))
-            run_experiments(program, {&own_scene}, options);
-        else if (!program.instead_of_experiments || !program.instead_of_experiments(options))
-            run_experiments(program, experiments, options);
+        if (line.help)
+            std::cout << app.help() << "\nExperiments:\n";
+        if (line.help || line.list)
+            list_experiments(program, std::cout);
+        else
+            run_what_is_asked(program, line, experiments);
         require_printed();
         return 0;
     } catch (const InputError& mistake) {

@@ -151,6 +151,19 @@ TEST_CASE("scene: a syntax error is named with its line, and a key that stands t
     CHECK(message("7").find("s.json: /: expected an object with the keys") == 0);
 }
 
+TEST_CASE(
+    "scene: a key of a million letters is cut in the message, and a byte that is zero ends no file early")
+{
+    const auto message = [](const std::string& text) {
+        return complaint_of([&] { read_scene(text, "", "s.json", {}); });
+    };
+    const std::string key = '"' + std::string(1'000'000, 'x') + "\": 1";
+    CHECK(message('{' + key + '}').find("...: unknown key") < 200);
+    CHECK(message('{' + key + ", " + key + '}').size() < 300);
+    CHECK(message("{\"dt\": 0.1}\n" + std::string(1, '\0') + "}") ==
+          "s.json:2: a byte that is zero; only text can be read");
+}
+
 TEST_CASE("scene: a file that is missing, a folder or empty is named")
 {
     const std::filesystem::path folder = std::filesystem::temp_directory_path() / "enduring_scene_test";

@@ -7,6 +7,7 @@
 
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 #include <csignal>
 
 using namespace enduring;
@@ -29,6 +30,20 @@ struct SmallDisk {
     }
     rlimit before{};
 };
+
+/// How a process ends that does this, and else ends well.
+template <class Work>
+int status_of_child(const Work& work)
+{
+    const pid_t child = ::fork();
+    if (child == 0) {
+        work();
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+}
 
 }  // namespace
 
@@ -56,22 +71,33 @@ TEST_CASE("pending file: until it is published a reader meets the old file")
     CHECK(folder.count() == 1);
 }
 
-TEST_CASE("pending file: Ctrl-C in the middle of a write leaves nothing behind and still ends the program")
+TEST_CASE(
+    "pending file: Ctrl-C, or a terminal that is closed, in the middle of a write leaves nothing behind and still ends the program")
 {
-    const TemporaryFolder folder;
-    const pid_t child = ::fork();
-    if (child == 0) {
-        PendingFile::cleaned_on_interrupt();
-        const PendingFile file(folder.path / "table.csv");
-        std::ofstream(file.neighbour()) << "half a tab" << std::flush;
-        std::raise(SIGINT);
-        ::_exit(0);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        CAPTURE(signal);
+        const TemporaryFolder folder;
+        const int status = status_of_child([&] {
+            std::signal(signal, SIG_DFL);
+            PendingFile::cleaned_on_interrupt();
+            const PendingFile file(folder.path / "table.csv");
+            std::ofstream(file.neighbour()) << "half a tab" << std::flush;
+            std::raise(signal);
+        });
+        CHECK(WIFSIGNALED(status));
+        CHECK(WTERMSIG(status) == signal);
+        CHECK(folder.count() == 0);
     }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    CHECK(WIFSIGNALED(status));
-    CHECK(WTERMSIG(status) == SIGINT);
-    CHECK(folder.count() == 0);
+}
+
+TEST_CASE("pending file: a signal that nohup has the program ignore does not end it")
+{
+    const int status = status_of_child([] {
+        std::signal(SIGHUP, SIG_IGN);
+        PendingFile::cleaned_on_interrupt();
+        std::raise(SIGHUP);
+    });
+    CHECK(WIFEXITED(status));
 }
 
 TEST_CASE("pending file: a place that is a folder is refused and stays as it was")
