@@ -3,6 +3,8 @@
 #include "chapters/02_collision_detection/body_broad_phase.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -42,25 +44,41 @@ void CandidateSearch::find_candidates(const World& world, std::span<const double
     };
     if (!std::equal(bodies_.begin(), bodies_.end(), world.bodies.begin(), world.bodies.end(), same))
         build(world);
+    refit_candidates(world, margins, std::vector<bool>(trees_.size(), true));
+}
+
+//! [refit]
+void CandidateSearch::refit_candidates(const World& world, std::span<const double> margins,
+                                       const std::vector<bool>& moved)
+{
     std::vector<SweptBox> boxes;
     for (std::size_t i = 0; i < trees_.size(); ++i) {
-        trees_[i].refit(surface_step(*world.bodies[i]), margins.empty() ? 0 : margins[i]);
+        if (moved[i])
+            trees_[i].refit(surface_step(*world.bodies[i]), margins.empty() ? 0 : margins[i]);
         boxes.push_back(trees_[i].box());
     }
+    last_pairs_.swap(body_pairs_);
+    auto last = last_pairs_.begin();
     std::size_t count = 0;
     for (const auto& [a, b] : overlapping_bodies(boxes)) {
         if (!bodies_may_meet(world, a, b))
             continue;
         if (count == body_pairs_.size())
             body_pairs_.emplace_back();
-        BodyPair& pair = body_pairs_[count++];  // one of the last step: its lists keep their memory
+        BodyPair& pair = body_pairs_[count++];  // one of an earlier step: its lists keep their memory
         pair.a = a;
         pair.b = b;
-        collect_pairs(trees_[at(a)], trees_[at(b)], pair.pairs);
+        while (last != last_pairs_.end() && std::tie(last->a, last->b) < std::tie(a, b))
+            ++last;
+        if (!moved[at(a)] && !moved[at(b)] && last != last_pairs_.end() && last->a == a && last->b == b)
+            std::swap(pair.pairs, last->pairs);
+        else
+            collect_pairs(trees_[at(a)], trees_[at(b)], pair.pairs);
     }
     body_pairs_.resize(count);
     find_more(world);
 }
+//! [refit]
 
 std::size_t CandidateSearch::candidate_count() const
 {

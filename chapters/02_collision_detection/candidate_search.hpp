@@ -21,6 +21,11 @@ public:
     /// @param margins  of each body: by how much the box of each of its features is larger on each side [m];
     ///     none: 0
     void find_candidates(const World& world, std::span<const double> margins = {});
+    /// The same after some bodies have another prediction: boxes of all others stand, and so do pairs of
+    /// features of two others.
+    /// @param moved  for each body, whether it has
+    void refit_candidates(const World& world, std::span<const double> margins,
+                          const std::vector<bool>& moved);
 
     /// Pairs of bodies whose boxes overlap, and of which at least one can
     /// move: those whose features are looked at.
@@ -74,6 +79,7 @@ private:
     std::vector<const Body*> bodies_;  ///< whose trees these are
     std::vector<FaceTree> trees_;
     std::vector<BodyPair> body_pairs_;  ///< of this step, ascending
+    std::vector<BodyPair> last_pairs_;  ///< those before the last refit
 };
 
 /// What makes two contacts the same pair.

@@ -71,8 +71,7 @@ Contacts DistanceSearch::find(World& world, double dt)
 //! [check]
 void DistanceSearch::check(World& world, Contacts& contacts, double dt)
 {
-    if (has_moved(world))
-        fit_boxes(world);
+    fit_boxes_of_moved(world);
     Crossings crossings = find_crossings(world, *this, nearness_, contacts);
     hand_over(world, crossings.let_through, dt);
     const bool is_last = world.attempt.responses_left == 0;
@@ -129,14 +128,19 @@ void DistanceSearch::fit_boxes(const World& world)
     boxed_t1_ = ends_of(world);
 }
 
-/// Further than the boxes reach around its path.
-bool DistanceSearch::has_moved(const World& world) const
+/// Of bodies that end farther from where the boxes expect them than these reach around their path.
+void DistanceSearch::fit_boxes_of_moved(const World& world)
 {
-    for (std::size_t i = 0; i < world.bodies.size(); ++i)
-        for (std::size_t v = 0; v < boxed_t1_[i].size(); ++v)
-            if ((world.bodies[i]->contact_t1()[v] - boxed_t1_[i][v]).norm() > margins_[i])
-                return true;
-    return false;
+    std::vector<bool> moved(world.bodies.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        const std::span<const Vec3> ends = world.bodies[i]->contact_t1();
+        for (std::size_t v = 0; v < ends.size() && !moved[i]; ++v)
+            moved[i] = (ends[v] - boxed_t1_[i][v]).norm() > margins_[i];
+        if (moved[i])
+            boxed_t1_[i].assign(ends.begin(), ends.end());
+    }
+    if (std::find(moved.begin(), moved.end(), true) != moved.end())
+        refit_candidates(world, margins_, moved);
 }
 
 /// Of the pair's points against each other, as the step would end without an answer and without gravity [m].

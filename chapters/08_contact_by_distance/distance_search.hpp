@@ -56,7 +56,7 @@ private:
     Vec3 motion_without_answer(const World& world, const Contact& contact) const;
     void stand_still(World& world, const Contacts& contacts, Crossings crossings);
     void fit_boxes(const World& world);
-    bool has_moved(const World& world) const;
+    void fit_boxes_of_moved(const World& world);
 
     Skins skins_;
     Nearness nearness_;
