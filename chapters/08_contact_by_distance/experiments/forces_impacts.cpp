@@ -30,7 +30,7 @@ struct Meeting {
     bool gravity = true;
 };
 
-/// Few bodies that meet askew, so that chaos does not part the two orders within some steps.
+/// Few bodies that meet askew, so that chaos does not part the two orders within some steps of their meeting.
 std::vector<Meeting> meetings()
 {
     const SurfaceMesh slab = box({1, 0.2, 1}), cube = box({0.3, 0.3, 0.3}, {2, 2, 2});
@@ -77,10 +77,11 @@ Rows either_order(const MakeSolver& make, bool full)
                 other(scene_of_meeting(meeting, dt, 0, true), make);
             double largest = 0, off = 0;
             int worst = 0;
-            for (int step = 1; step <= 20; ++step) {
+            for (int step = 1, met = 0; met < 20 && one.world().time < 1; ++step) {
                 one.step();
                 other.step();
                 const Vec3 force = one.between(1, 0);
+                met += met > 0 || !force.isZero(0);
                 largest = std::max(largest, force.norm());
                 const double difference = (force - other.between(0, 1)).norm();
                 if (difference > off) {

@@ -172,9 +172,15 @@ Rows landings(const MakeSolver& make, bool full)
                "speed with which it rolls", formula, 1},
         bounce{"landing_bounce", "the same with a rebound, e = 0.5", "speed with which it rolls", formula, 1},
         spin{"landing_spin", "ball that spins and drops straight, or slides with backspin",
-             "speed with which it rolls", "(v - w R I / (m R²)) / (1 + I / (m R²)), and the step's sine", 1};
+             "speed with which it rolls, over that with which surfaces meet",
+             "(v - w R I / (m R²)) / (1 + I / (m R²)), and the step's sine", 2};
     const auto add = [&](Row& row, const Landing& landing) {
         row.add(name_of(landing), 100 * std::abs(land(landing, make).error()));
+    };
+    const auto add_spin = [&](const Landing& landing) {
+        const Landed landed = land(landing, make);
+        spin.add(name_of(landing), 100 * std::abs(landed.mean - landed.formula) /
+                                       (std::abs(landing.slides) + std::abs(landing.rim)));
     };
     const std::vector<double> steps = full ? std::vector{1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 960}
                                            : std::vector{1.0 / 60, 1.0 / 240};
@@ -201,11 +207,11 @@ Rows landings(const MakeSolver& make, bool full)
         for (const double rim : full ? std::vector{-4.0, -2.0, 2.0, 12.0} : std::vector{-4.0, 12.0})
             for (const double e : {0.0, 0.5})
                 for (const double dt : full ? std::vector{1.0 / 60, 1.0 / 240} : std::vector{1.0 / 240})
-                    add(spin, {.subdivisions = full ? 5 : 4,
-                               .slides = slides,
-                               .rim = rim,
-                               .restitution = e,
-                               .dt = dt});
+                    add_spin({.subdivisions = full ? 5 : 4,
+                              .slides = slides,
+                              .rim = rim,
+                              .restitution = e,
+                              .dt = dt});
     return {plane, bodies, bounce, spin};
 }
 
