@@ -50,7 +50,7 @@ void add_rod(Row& speed, Row& spin, double leaning, double e, double dt, const M
 Rows rods_on_end(const MakeSolver& make, bool full)
 {
     Row speed{"rod_speed", "rod that lands on its end, without friction",
-              "speed of its middle, over that before", "J / m - v with J = (1 + e) v / (1 / m + a² / I)", 1},
+              "speed of its middle, over that before", "J / m - v with J = (1 + e) v / (1 / m + a² / I)", 2},
         spin{"rod_spin", "the same", "its spin times half its length, over the speed before", "J a / I", 1};
     for (const double leaning : full ? std::vector{0.0, 0.1, 0.5, 1.0, 1.4} : std::vector{0.0, 0.5})
         for (const double e : {0.0, 0.5})
@@ -120,8 +120,10 @@ void add_backspin(Row& row, double rim, double mu, double e, double dt, const Ma
 
 Rows struck_balls(const MakeSolver& make, bool full)
 {
-    Row three{"three_balls", "ball that strikes two at once, without friction", "its speed, over that before",
-              "v - 2 J cos a / m with J = (1 + e) m v cos a / (1 + 2 cos² a)", 1},
+    Row three{
+        "three_balls", "ball that strikes two at once, without friction", "its speed, over that before",
+        "v - 2 J cos a / m with J = (1 + e) m v cos a / (1 + 2 cos² a)",
+        5},  // in a step of 1/60 s the ball passes a quarter of its size, and normals are those of its end
         wall{"backspin", "ball with backspin that flies against a wall", "speed along the wall",
              "min(μ (1 + e) v, 2/7 w R)", 1};
     for (const int subdivisions : full ? std::vector{3, 4, 5} : std::vector{4})
