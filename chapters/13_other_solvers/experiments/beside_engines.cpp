@@ -62,9 +62,10 @@ std::vector<Case> cases_beside(bool quick)
 {
     const std::vector<Case> theirs = all_cases(false);
     std::vector<Case> cases;
-    for (const std::string name : quick ? std::vector{"ratio_1000", "overlap"}
-                                        : std::vector{"stack", "ratio_1000", "ratio_5000", "arch", "wall",
-                                                      "slopes", "overlap", "thin"})
+    std::vector<std::string> names{"stack", "ratio_1000", "arch", "wall", "slopes", "overlap"};
+    if (!quick)
+        names.insert(names.end(), {"ratio_5000", "thin"});
+    for (const std::string& name : names)
         cases.push_back(case_named(theirs, name));
     return cases;
 }

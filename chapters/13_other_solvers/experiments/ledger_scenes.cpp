@@ -43,7 +43,7 @@ Question question_of(const MotivatingScene& asked)
 /// The scenes of the failure ledger under each method, with the ledger's own bounds.
 void ledger_scenes(const RunOptions& options, Report& report)
 {
-    const std::set<std::string> few{"fast_plate", "deep", "thin", "labels"};
+    const std::set<std::string> few{"fast_plate", "deep", "thin", "labels", "mesh_slope", "slope", "tower"};
     std::vector<Question> questions;
     for (const MotivatingScene& asked : motivating_scenes())
         if (!options.quick || few.contains(asked.name))
