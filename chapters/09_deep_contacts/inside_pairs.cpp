@@ -119,8 +119,8 @@ void InsidePairs::trace(const World& world)
     for (int i = 0; i < count; ++i)
         for (int j = i + 1; j < count; ++j) {
             const Body &a = *bodies_[i], &b = *bodies_[j];
-            if (!trees_[i].box().overlaps(trees_[j].box()) || !a.surface().is_closed() ||
-                !b.surface().is_closed() || !bodies_may_meet(world, i, j))
+            if (!a.surface().is_closed() || !b.surface().is_closed() ||
+                !trees_[i].box().overlaps(trees_[j].box()) || !bodies_may_meet(world, i, j))
                 continue;
             if (auto found = find_overlaps(still(i), still(j)); !found.empty())
                 overlaps_.push_back({i, j, std::move(found)});
