@@ -21,11 +21,13 @@ constexpr int deepest_nesting = 32;
 /// Walks over a text and counts its lines, since the library tells the place of a syntax error only.
 class LineCounter {
 public:
+    // NOLINTBEGIN(readability-identifier-naming): the names of std::iterator_traits
     using iterator_category = std::input_iterator_tag;
     using value_type = char;
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
     using reference = const char&;
+    // NOLINTEND(readability-identifier-naming)
 
     LineCounter(const char* at, int& line) : at_(at), line_(&line) {}
     reference operator*() const { return *at_; }

@@ -62,7 +62,7 @@ def solve(file, make, tolerance):
 
 def processor_seconds(process):
     """What a process has had: what other programs take on a loaded machine does not count."""
-    numbers = pathlib.Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    numbers = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
     return (int(numbers[11]) + int(numbers[12])) / os.sysconf("SC_CLK_TCK")
 
 
