@@ -171,7 +171,7 @@ Drop drop_straight(double radius, double mu, double restitution, double gap_in_s
         const double given = dt * run.on_bodies()[0].y();
         drop.impulse += given > 0 ? given - dt * run.weight(0) : 0;
         drop.largest = std::max(drop.largest, given);
-        const double spin = dynamic_cast<const RigidBody&>(run.body(0)).motion().angular_velocity().norm();
+        const double spin = run.motion(0).angular_velocity().norm();
         drop.rim_speed = std::max(drop.rim_speed, spin * radius);
     }
     return drop;

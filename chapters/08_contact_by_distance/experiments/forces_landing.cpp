@@ -55,14 +55,6 @@ SurfaceMesh round_mesh(const Landing& landing, const Quaternion& turn)
     }
 }
 
-/// Random, and the same on each machine.
-Quaternion random_turn(std::mt19937& random)
-{
-    const auto number = [&] { return 2 * (static_cast<double>(random()) / std::mt19937::max()) - 1; };
-    const double w = number(), x = number(), y = number(), z = number();
-    return Quaternion(w, x, y, z).normalized();
-}
-
 /// Cells of half a metre; the body lands at x = 0.
 void add_landing_ground(Scene& scene, Ground ground)
 {
@@ -88,19 +80,16 @@ double rolls_with(const Landing& landing, const Quaternion& turn, double phase, 
     scene.world.restitution.between = {landing.restitution};
     add_landing_ground(scene, landing.ground);
     SurfaceMesh mesh = round_mesh(landing, turn);
-    double lowest = 0;
-    for (const Vec3& vertex : mesh.vertices)
-        lowest = std::min(lowest, vertex.y());
     const double down = std::sqrt(2 * gravity * landing.drop),
                  floor = landing.ground == Ground::slab ? 0.2 : 0;
-    mesh = moved(mesh,
-                 Vec3(-phase * landing.dt * landing.slides, floor - lowest + phase * landing.dt * down, 0));
+    mesh = moved(mesh, Vec3(-phase * landing.dt * landing.slides,
+                            floor - lowest(mesh).y() + phase * landing.dt * down, 0));
     add_rigid(scene, "ball", mesh, 1, Vec3(landing.slides, -down, 0), Vec3(0, 0, landing.rim / ball_radius));
     const std::size_t ball = scene.world.bodies.size() - 1;
     Stepped run(std::move(scene), make);
     for (int rolled = 0; rolled < 3 && run.world().time < 2;) {
         run.step();
-        const RigidMotion& motion = dynamic_cast<const RigidBody&>(run.body(ball)).motion();
+        const RigidMotion& motion = run.motion(ball);
         const double slip = motion.velocity().x() +
                             ball_radius * std::sin(motion.angular_velocity().z() * landing.dt) / landing.dt;
         if (rolled > 0 || std::abs(slip) < 0.01 * (std::abs(landing.slides) + std::abs(landing.rim)))

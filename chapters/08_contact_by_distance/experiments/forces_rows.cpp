@@ -59,6 +59,19 @@ void add_static(Scene& scene, const std::string& name, const SurfaceMesh& mesh)
         name, SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices));
 }
 
+Quaternion random_turn(std::mt19937& random)
+{
+    const auto number = [&] { return 2 * (static_cast<double>(random()) / std::mt19937::max()) - 1; };
+    const double w = number(), x = number(), y = number(), z = number();
+    return Quaternion(w, x, y, z).normalized();
+}
+
+Vec3 lowest(const SurfaceMesh& mesh)
+{
+    return *std::min_element(mesh.vertices.begin(), mesh.vertices.end(),
+                             [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
+}
+
 SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
 {
     for (Vec3& vertex : mesh.vertices)

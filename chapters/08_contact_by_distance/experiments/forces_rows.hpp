@@ -5,6 +5,7 @@
 #include "common/simulation/rigid_body.hpp"
 
 #include <functional>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -41,8 +42,13 @@ RigidBody& add_rigid(Scene& scene, const std::string& name, const SurfaceMesh& m
                      const Vec3& velocity = Vec3::Zero(), const Vec3& angular_velocity = Vec3::Zero());
 void add_static(Scene& scene, const std::string& name, const SurfaceMesh& mesh);
 
+/// Random, and the same on each machine.
+Quaternion random_turn(std::mt19937& random);
+
 SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by);
 SurfaceMesh turned(SurfaceMesh mesh, const Quaternion& by);
+/// The first of its lowest vertices.
+Vec3 lowest(const SurfaceMesh& mesh);
 /// Both as one surface of several parts.
 SurfaceMesh together(SurfaceMesh one, const SurfaceMesh& other);
 
@@ -75,6 +81,11 @@ public:
     const Contacts& contacts() const { return contacts_; }
     double dt() const { return scene_.dt; }
     const Body& body(std::size_t index) const { return *world().bodies[index]; }
+    /// Of a rigid body.
+    const RigidMotion& motion(std::size_t index) const
+    {
+        return dynamic_cast<const RigidBody&>(body(index)).motion();
+    }
     double weight(std::size_t index) const { return body(index).mass() * world().gravity.norm(); }
 
     std::vector<Vec3> on_bodies() const;  ///< of all pairs [N]

@@ -9,17 +9,6 @@
 namespace enduring::chapter08::force_rows {
 namespace {
 
-const RigidMotion& motion_of(const Stepped& run, std::size_t body)
-{
-    return dynamic_cast<const RigidBody&>(run.body(body)).motion();
-}
-
-Vec3 lowest(const SurfaceMesh& mesh)
-{
-    return *std::min_element(mesh.vertices.begin(), mesh.vertices.end(),
-                             [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
-}
-
 /// Without gravity, since a rod that leans begins to fall.
 void add_rod(Row& speed, Row& spin, double leaning, double e, double dt, const MakeSolver& make)
 {
@@ -39,7 +28,7 @@ void add_rod(Row& speed, Row& spin, double leaning, double e, double dt, const M
     const double inertia = properties.inertia(2, 2) / properties.mass,
                  arm = leaning == 0 ? 0 : lowest(rod).x(),  // a rod that stands lands on four corners
         impulse = (1 + e) * v / (1 + arm * arm / inertia);
-    const RigidMotion& after = motion_of(run, 0);
+    const RigidMotion& after = run.motion(0);
     const std::string name = named("leaning", leaning) + named(", e", e) + named(", dt", dt);
     speed.add(name, 100 * std::abs(after.velocity().y() + v - impulse) / v);
     spin.add(name, 100 * std::abs(after.angular_velocity().z() - impulse * arm / inertia) * length / 2 / v);
@@ -80,7 +69,7 @@ void add_three_balls(Row& row, int subdivisions, double e, double dt, const Make
         run.step();
     const double cosine = along / std::hypot(along, across),
                  impulse = (1 + e) * v * cosine / (1 + 2 * cosine * cosine),
-                 measured = motion_of(run, 0).velocity().x();
+                 measured = run.motion(0).velocity().x();
     row.add("s " + std::to_string(subdivisions) + named(", e", e) + named(", dt", dt),
             100 * std::abs(measured - (v - 2 * impulse * cosine)) / v);
 }
@@ -98,9 +87,7 @@ void add_backspin(Row& row, double rim, double mu, double e, double dt, const Ma
         scene.world.gravity.setZero();
         scene.world.restitution.between = {e};
         add_static(scene, "wall", moved(box({0.2, 2, 2}, {1, 4, 4}), Vec3(0.1, 0, 0)));
-        const auto number = [&] { return 2 * (static_cast<double>(random()) / std::mt19937::max()) - 1; };
-        const double a = number(), b = number(), c = number(), d = number();
-        SurfaceMesh ball = turned(sphere(radius, 5), Quaternion(a, b, c, d).normalized());
+        SurfaceMesh ball = turned(sphere(radius, 5), random_turn(random));
         double front = 0;
         for (const Vec3& vertex : ball.vertices)
             front = std::max(front, vertex.x());
@@ -109,7 +96,7 @@ void add_backspin(Row& row, double rim, double mu, double e, double dt, const Ma
         Stepped run(std::move(scene), make);
         for (int step = 0; step < 4; ++step)
             run.step();
-        up += motion_of(run, 1).velocity().y() / turns;
+        up += run.motion(1).velocity().y() / turns;
     }
     const double formula = std::min(mu * (1 + e) * v, 2.0 / 7 * rim);
     row.add(named("rim", rim) + named(", mu", mu) + named(", e", e) + named(", dt", dt),

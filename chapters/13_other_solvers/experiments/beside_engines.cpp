@@ -140,14 +140,14 @@ void beside_engines(const RunOptions& options, Report& report)
             for (std::size_t b = 0; b < all.size(); ++b) {
                 const MeasuredRow row = rows_of(measured, all[b].engine, cases[c].name).at(q);
                 const KeptCase& kept = (*found)[c * all.size() + b];
-                const double theirs = row.at("value") == "inf" ? INFINITY : std::stod(row.at("value"));
+                const double theirs = measured_number(row.at("value"));
                 if (b == 0)
                     line.emplace_back(with_unit(row.at("quantity")));
                 line.emplace_back(cell_of(theirs, row.at("right") == "yes"));
                 line.emplace_back(cell_of(kept.values.at(q), kept.right.at(q)));
                 table.add({cases[c].name, row.at("quantity"), all[b].engine, theirs, all[b].method,
                            kept.values.at(q)});
-                const std::string word = cases[c].name + "_" + word_of(all[b].engine) + "_" +
+                const std::string word = cases[c].name + "_" + fact_word(all[b].engine) + "_" +
                                          row.at("quantity");
                 report.fact("beside_engines", word, theirs);
                 report.fact("beside_engines", word + "_of_method", kept.values.at(q));

@@ -2,6 +2,7 @@
 
 #include "chapters/10_self_contact/solver.hpp"
 #include "chapters/13_other_solvers/solver.hpp"
+#include "chapters/engines/experiments/measured_rows.hpp"
 #include "common/experiments/report/sweep.hpp"
 #include "common/input/number_text.hpp"
 
@@ -45,12 +46,6 @@ const std::vector<Answering>& all_answering()
         return columns;
     }();
     return all;
-}
-
-std::string word_of(std::string title)
-{
-    std::replace(title.begin(), title.end(), ' ', '_');
-    return title;
 }
 
 std::string with_unit(std::string quantity)
@@ -130,7 +125,8 @@ bool report_answers(const RunOptions& options, Report& report, const std::string
             const auto& [value, right] = kept.answer;
             line.emplace_back(cell_of(value, right));
             table.add({question.scene, columns[c].title, question.quantity, value, right ? "yes" : "no"});
-            report.fact(name, word_of(question.scene) + "_" + word_of(columns[c].title), value);
+            report.fact(name, engines::fact_word(question.scene) + "_" + engines::fact_word(columns[c].title),
+                        value);
         }
         page.add(line);
     }

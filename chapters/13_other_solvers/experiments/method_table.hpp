@@ -33,8 +33,6 @@ struct Question {
     std::function<Answer(const MakeMethod&)> ask;
 };
 
-/// "a b" as a word of a fact.
-std::string word_of(std::string title);
 /// "drift [µm/s]" for drift_um_per_s, as a reader reads it.
 std::string with_unit(std::string quantity);
 /// A number with a mark for right or wrong; "lost" if it is none.

@@ -4,6 +4,7 @@
 #include "chapters/13_other_solvers/experiments/method_table.hpp"
 #include "chapters/13_other_solvers/solver.hpp"
 #include "chapters/engines/cases.hpp"
+#include "chapters/engines/experiments/measured_rows.hpp"
 #include "chapters/engines/judge.hpp"
 #include "common/experiments/report/growing_table.hpp"
 #include "common/input/input_error.hpp"
@@ -156,7 +157,7 @@ void same_scenes(const RunOptions& options, Report& report)
                 line.emplace_back(cell_of(measure.value, measure.right));
                 right[i] += measure.right;
                 report.fact("same_scenes",
-                            asked.name + "_" + word_of(columns[i].title) + "_" + measure.quantity,
+                            asked.name + "_" + fact_word(columns[i].title) + "_" + measure.quantity,
                             measure.value);
                 const double ratio = verdicts[i].ms / verdicts[ours].ms;  // of a short run: no number
                 table.add({asked.name, columns[i].title, measure.quantity, measure.value,
@@ -171,7 +172,7 @@ void same_scenes(const RunOptions& options, Report& report)
     report_refusals(report, "same_scenes", refusals);
     report.fact("same_scenes", "asked", static_cast<double>(asked_of_each));
     for (std::size_t i = 0; i < columns.size(); ++i)
-        report.fact("same_scenes", word_of(columns[i].title) + "_right", static_cast<double>(right[i]));
+        report.fact("same_scenes", fact_word(columns[i].title) + "_right", static_cast<double>(right[i]));
 }
 
 }  // namespace enduring::chapter13

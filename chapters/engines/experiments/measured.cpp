@@ -13,15 +13,6 @@ namespace {
 
 using Row = MeasuredRow;
 
-/// A name for a fact: letters, digits and underscores.
-std::string word(std::string text)
-{
-    std::replace(text.begin(), text.end(), ' ', '_');
-    return text;
-}
-
-double number(const std::string& text) { return text == "inf" ? INFINITY : std::stod(text); }
-
 std::string short_number(double value)
 {
     if (std::isinf(value))
@@ -69,9 +60,9 @@ void pivot(const std::vector<Row>& rows, const std::string& name, const std::vec
                 continue;
             if (columns[i].quantity == row.at("quantity"))
                 lines[key][i + 2] = (row.at("right") == "no" ? "✗ " : "") +
-                                    short_number(number(row.at("value")));
+                                    short_number(measured_number(row.at("value")));
             else if (columns[i].quantity == "time")
-                lines[key][i + 2] = short_number(number(row.at("time_over_ours_by_clock")));
+                lines[key][i + 2] = short_number(measured_number(row.at("time_over_ours_by_clock")));
         }
     }
     for (const std::string& key : order)
@@ -84,10 +75,10 @@ void pivot(const std::vector<Row>& rows, const std::string& name, const std::vec
 void report_facts(const std::vector<Row>& rows, Report& report)
 {
     for (const Row& row : rows) {
-        const std::string who = word(row.at("engine"));
-        const std::string name = word(row.at("scene")) + "_" + who + "_" + row.at("way") + "_" +
+        const std::string who = fact_word(row.at("engine"));
+        const std::string name = fact_word(row.at("scene")) + "_" + who + "_" + row.at("way") + "_" +
                                  row.at("quantity");
-        report.fact("measured", name, short_number(number(row.at("value"))));
+        report.fact("measured", name, short_number(measured_number(row.at("value"))));
         report.fact("measured", "version_" + who, row.at("version"));
     }
 }
@@ -117,7 +108,7 @@ void report_verdicts(const std::vector<Row>& rows, Report& report)
                                       [&](const Row& one) { return one.at("engine") == who.first; });
         table.add({who.first, row->at("version"), count("default"), count("best"),
                    static_cast<long>(right[who].size())});
-        report.fact("measured", "right_" + word(who.first), static_cast<double>(count("best")));
+        report.fact("measured", "right_" + fact_word(who.first), static_cast<double>(count("best")));
         report.fact("measured", "scenes", static_cast<double>(right[who].size()));
     }
     report.table("engine_verdicts", table);
@@ -159,13 +150,13 @@ void measured(const RunOptions&, Report& report)
 
     Table table({"scene", "engine", "way", "substeps", "error", "time_over_ours_by_clock"});
     for (const Row& row : measured_rows("curves.csv")) {
-        const double value = number(row.at("value"));
+        const double value = measured_number(row.at("value"));
         if (row.at("scene") == "stack" && row.at("right") == "no")
             continue;  // a stack that falls or sinks: the depth of its parts says nothing
         table.add({row.at("scene"), row.at("engine"), row.at("way"),
-                   static_cast<long>(number(row.at("substeps"))),
+                   static_cast<long>(measured_number(row.at("substeps"))),
                    row.at("quantity") == "kept" ? std::abs(1 - value) : value,
-                   number(row.at("time_over_ours_by_clock"))});
+                   measured_number(row.at("time_over_ours_by_clock"))});
     }
     report.table("error_over_time", table);
     report.plot("chapters/engines/plots/error_over_time.gp");

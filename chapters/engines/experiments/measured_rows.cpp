@@ -3,6 +3,8 @@
 #include "common/input/input_error.hpp"
 #include "common/input/source_directory.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -33,6 +35,14 @@ std::vector<MeasuredRow> measured_rows(const std::string& name)
     if (rows.empty())
         throw InputError(path.string() + ": no measurements");
     return rows;
+}
+
+double measured_number(const std::string& text) { return text == "inf" ? INFINITY : std::stod(text); }
+
+std::string fact_word(std::string title)
+{
+    std::replace(title.begin(), title.end(), ' ', '_');
+    return title;
 }
 
 }  // namespace enduring::engines

@@ -13,4 +13,9 @@ using MeasuredRow = std::map<std::string, std::string>;  ///< a cell by its colu
 /// @throws InputError  it has no rows
 std::vector<MeasuredRow> measured_rows(const std::string& name);
 
+/// A number of such a table; "inf" is what was lost.
+double measured_number(const std::string& text);
+/// A name for a fact: letters, digits and underscores.
+std::string fact_word(std::string title);
+
 }  // namespace enduring::engines
