@@ -253,10 +253,13 @@ void IslandSolve::follow_motion()
         settings_.elements.follow(world_, step_);
 }
 
-/// Levers of a motion that is far from the one to be found would lead astray.
+/// Levers of a motion that is far from the one to be found would lead astray. They follow even where no step
+/// of Newton's method is left: a small residual by other levers than the motion's own says nothing, and would
+/// let the step pass.
 bool IslandSolve::follow_levers_when_near()
 {
-    const bool followed = record_.residual <= settings_.kept_residual && steps_left() > 0 &&
+    const bool followed = record_.residual <= settings_.kept_residual &&
+                          record_.rounds < settings_.max_newton_steps &&
                           follow_levers(world_, step_, settings_.lever_turn);
     if (followed)
         matrix_.begin_response(matrix_.solves());

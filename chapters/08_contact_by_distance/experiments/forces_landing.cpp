@@ -140,15 +140,17 @@ double rolling_speed(double v0, double inertia_ratio, double radius, double dt)
 
 Landed land(const Landing& landing, const MakeSolver& make)
 {
-    std::mt19937 random(7);
-    Landed landed;
-    for (int turn = 0; turn < landing.turns; ++turn) {
-        const Quaternion by = random_turn(random);
-        landed.mean += rolls_with(landing, by, (turn + 0.5) / landing.turns, make) / landing.turns;
-    }
     const MassProperties properties = mass_properties(round_mesh(landing, Quaternion::Identity()), 1);
     const double ratio = properties.inertia(2, 2) / (properties.mass * ball_radius * ball_radius);
+    Landed landed;
     landed.formula = rolling_speed(landing.slides - ratio * landing.rim, ratio, ball_radius, landing.dt);
+    std::mt19937 random(7);
+    for (int turn = 0; turn < landing.turns; ++turn) {
+        const Quaternion by = random_turn(random);
+        const double speed = rolls_with(landing, by, (turn + 0.5) / landing.turns, make);
+        landed.mean += speed / landing.turns;
+        landed.worst = std::max(landed.worst, std::abs(speed / landed.formula - 1));
+    }
     return landed;
 }
 

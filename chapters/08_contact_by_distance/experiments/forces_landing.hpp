@@ -28,6 +28,7 @@ std::string name_of(const Landing& landing);
 /// Speed with which it rolls [m/s], three steps after it has ceased to slide.
 struct Landed {
     double mean = 0, formula = 0;
+    double worst = 0;  ///< error of any one turn, of the formula [1]
     double error() const { return mean / formula - 1; }
 };
 Landed land(const Landing& landing, const MakeSolver& make);

@@ -114,6 +114,15 @@ TEST_CASE("forces: what lands while it slides rolls with the speed that its iner
     check_rows(landings(quiet, false));
 }
 
+TEST_CASE("forces: a step that does not come to the levers of its motion is halved, and not kept")
+{
+    for (const double drop : {0.3, 1.25}) {
+        const Landed landed = land({.shape = Round::cylinder, .drop = drop, .dt = 1.0 / 30, .turns = 24},
+                                   quiet);
+        CHECK_MESSAGE(landed.worst < 0.05, drop);
+    }
+}
+
 TEST_CASE("forces: a rod that lands on its end turns by its lever") { check_rows(rods_on_end(quiet, false)); }
 
 TEST_CASE(
