@@ -46,10 +46,13 @@ void for_each_index(std::size_t count, [[maybe_unused]] int threads,
 #ifdef ENDURING_TBB
     using namespace oneapi;
     if (threads > 1 && count > 1) {
-        // The library makes no more threads than there are cores, unless it is asked for them. Asked anew in
-        // each call, its threads would go to sleep in between.
-        static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most_threads);
-        tbb::task_arena arena(threads);
+        // The library makes no more threads than there are cores, unless it is asked for them; asked anew in
+        // each call, its threads would go to sleep in between. And no more than these: a call that ends
+        // before its thread has come would leave it behind, and soon there are a thousand.
+        static const int most = std::max(threads, allowed_threads());
+        static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                               static_cast<std::size_t>(most));
+        tbb::task_arena arena(std::min(threads, most));
         arena.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
         return;
     }

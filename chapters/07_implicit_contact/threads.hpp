@@ -12,6 +12,7 @@ namespace enduring {
 int allowed_threads();
 
 /// Calls work(i) once for each i below count, on up to this many threads. What one of them throws comes out.
+/// The first call that has several decides how many the program has at most: these, or allowed_threads().
 void for_each_index(std::size_t count, int threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace enduring

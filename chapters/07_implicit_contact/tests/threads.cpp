@@ -3,7 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -36,7 +39,21 @@ private:
     std::optional<std::string> before_;
 };
 
+/// That this program has.
+long threads_now()
+{
+    const std::filesystem::directory_iterator tasks("/proc/self/task");
+    return static_cast<long>(std::distance(begin(tasks), end(tasks)));
+}
+
 }  // namespace
+
+TEST_CASE("threads: many short calls leave no more of them than were asked for")
+{
+    for (int i = 0; i < 300; ++i)
+        for_each_index(2, 2, [](std::size_t) {});
+    CHECK(threads_now() <= std::max(4, allowed_threads()));
+}
 
 TEST_CASE("threads: the environment's number is taken, and what is none is named")
 {
@@ -58,7 +75,7 @@ TEST_CASE("threads: the environment's number is taken, and what is none is named
 
 TEST_CASE("threads: each index is worked on once, and an exception comes out")
 {
-    for (const int threads : {1, 2, 4})
+    for (const int threads : {4, 2, 1})  // the first decides how many there are at most
         for (const std::size_t count : {0u, 1u, 2u, 100u}) {
             std::vector<int> calls(count, 0);
             for_each_index(count, threads, [&](std::size_t i) { ++calls[i]; });
