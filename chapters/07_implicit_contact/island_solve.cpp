@@ -149,6 +149,7 @@ private:
     const bool first_, has_elements_, is_soft_;
     const double dt_, least_;  ///< [s], see least_speed()
     StepProblem step_;
+    const bool has_new_pairs_;  ///< in the first response all are
     const bool has_budget_;
     const int most_steps_;  ///< of Newton's method since the attempt began
     const int mixed_;       ///< see ImplicitSettings::mixing_rounds
@@ -167,6 +168,8 @@ IslandSolve::IslandSolve(World& world, const Island& island, const ImplicitSetti
       least_(least_speed(world, island, dt)),
       step_(set_up(world, island, settings.stiffness, settings.friction, {settings.centre, dt}, first,
                    settings.sparse_operation)),
+      has_new_pairs_(std::any_of(step_.of_row.begin(), step_.of_row.end(),
+                                 [](const Contact* contact) { return contact->waiting(); })),
       has_budget_(!is_soft_ && !has_elements_),
       most_steps_(has_budget_ ? std::min(settings.max_newton_steps, allowed.newton_steps)
                               : settings.max_newton_steps),
@@ -223,7 +226,7 @@ void IslandSolve::take_rounds()
             continue;
         record_.converged = record_.residual <= settings_.tolerance ||
                             record_.residual <= rounding_residual(world_, step_, least_);
-        if (record_.converged && (first_ || record_.rounds > 0))
+        if (record_.converged && (record_.rounds > 0 || has_new_pairs_))
             record_.newton_steps += take_own_impulses(world_, step_, matrix_, settings_.tolerance_of_laws);
         if (record_.converged && stiffen_where_pressed(world_, step_, settings_.stiffness))
             continue;

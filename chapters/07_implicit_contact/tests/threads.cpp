@@ -50,9 +50,10 @@ long threads_now()
 
 TEST_CASE("threads: many short calls leave no more of them than were asked for")
 {
+    const long at_first = threads_now();  // tests before have some
     for (int i = 0; i < 300; ++i)
         for_each_index(2, 2, [](std::size_t) {});
-    CHECK(threads_now() <= std::max(4, allowed_threads()));
+    CHECK(threads_now() <= at_first + std::max(2, allowed_threads()));
 }
 
 TEST_CASE("threads: the environment's number is taken, and what is none is named")

@@ -3,6 +3,7 @@
 #include "common/geometry/box_shapes.hpp"
 #include "common/simulation/contact_forces.hpp"
 #include "common/simulation/contact_geometry.hpp"
+#include "common/simulation/natural_units.hpp"
 #include "common/simulation/static_body.hpp"
 
 #include <algorithm>
@@ -187,6 +188,7 @@ double Stepped::off_law() const
 {
     if (solver_.exact)
         return 0;
+    constexpr double trembling = 1e-10;  // of a body's size, by which a pair that pushes nothing may be off
     const double part = last_part(world(), scene_.dt);
     double largest = 0, off = 0;
     for (const Contact& contact : contacts_) {
@@ -195,7 +197,8 @@ double Stepped::off_law() const
         const double depth = contact_geometry(world(), contact, 1).depth,
                      spring = contact.stiffness * std::max(0.0, contact.rest_offset - depth),
                      force = pair_force(contact, part).normal.norm();
-        largest = std::max({largest, spring, force});
+        largest = std::max(
+            {largest, spring, force, contact.stiffness * trembling * natural_length(world(), contact)});
         off = std::max(off, std::abs(force - spring));
     }
     return largest > 0 ? off / largest : 0;

@@ -22,7 +22,7 @@ std::string name_of(const Vice& vice);
 struct Squeezed {
     double force = 0;       ///< of one wall at the end [N]
     double difference = 0;  ///< of both walls' forces, over the larger [1]
-    double off_law = 0;     ///< of any step from when the walls stand on (Stepped::off_law)
+    double off_law = 0;     ///< of any step (Stepped::off_law)
     double fastest = 0;     ///< the body [m/s]
     double lifted = 0;      ///< [m]
     double carried = 0;     ///< vertical force on the body at the end, over its weight

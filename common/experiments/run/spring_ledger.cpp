@@ -22,7 +22,7 @@ std::vector<std::vector<Vec3>> positions_of(const World& world)
 SpringLedger::SpringLedger(const World& world, double stiffness,
                            std::optional<double> max_depenetration_velocity)
     : stiffness_(stiffness), max_depenetration_velocity_(max_depenetration_velocity),
-      positions_(positions_of(world))
+      positions_(positions_of(world)), ended_badly_(world.ended_badly)
 {}
 
 double SpringLedger::held() const
@@ -34,7 +34,8 @@ double SpringLedger::held() const
 }
 
 /// What a pair's spring does in the step, and what its impulses do.
-SpringLedger::Booked SpringLedger::book(const World& world, const Contact& contact, double dt)
+SpringLedger::Booked SpringLedger::book(const World& world, const Contact& contact, bool ended_badly,
+                                        double dt)
 {
     const ContactGeometry end = contact_geometry(world, contact, 1);
     Vec3 way = Vec3::Zero();  // of p against q
@@ -50,6 +51,8 @@ SpringLedger::Booked SpringLedger::book(const World& world, const Contact& conta
         return Spring{compression, k * compression * compression / 2, k};
     };
     Spring spring = spring_at(end.depth);
+    if (ended_badly && contact.stiffness > 0)
+        spring.energy = std::min(spring.energy, contact.load * contact.load / (2 * k));
     const double pushed = contact.impulse.dot(way) / dt;
     accounts_.pushed += pushed;
     accounts_.rubbed += contact.friction.dot(way) / dt;
@@ -95,9 +98,10 @@ std::multimap<SpringLedger::Key, SpringLedger::Spring>::iterator SpringLedger::f
 void SpringLedger::add_step(const World& world, const Contacts& contacts, double dt)
 {
     std::vector<Booked> all;
+    const bool ended_badly = world.ended_badly > std::exchange(ended_badly_, world.ended_badly);
     for (const Contact& contact : contacts)
         if (!contact.held() && !contact.waiting())  // what waits has not begun
-            all.push_back(book(world, contact, dt));
+            all.push_back(book(world, contact, ended_badly, dt));
     for (Booked& booked : all)
         if (const auto before = springs_.find(booked.key); before != springs_.end())
             take_over(booked, before, dt);

@@ -11,7 +11,9 @@ namespace enduring {
 
 /// Where the energy of the contacts' springs came from and where it went, summed over the steps so far [J].
 ///
-/// A spring of stiffness k holds k c^2 / 2, where c is how much deeper its pair is than its rest offset.
+/// A spring of stiffness k holds k c^2 / 2, where c is how much deeper its pair is than its rest offset. In a
+/// step that ended badly a pair's impulse is not what its depth says, as where driven bodies squeeze a stack:
+/// there a spring holds no more than its pair has pushed with.
 struct SpringAccounts {
     double born = 0;    ///< that new pairs had where their bodies lay at the start of their first step
     double died = 0;    ///< that pairs still had when they ended or were held
@@ -65,7 +67,7 @@ private:
         bool known = false;                 ///< it was there in the last step
     };
 
-    Booked book(const World& world, const Contact& contact, double dt);
+    Booked book(const World& world, const Contact& contact, bool ended_badly, double dt);
     void take_over(Booked& booked, std::multimap<Key, Spring>::iterator before, double dt);
     std::multimap<Key, Spring>::iterator find_at_any_face(Key key);
 
@@ -73,6 +75,7 @@ private:
     std::optional<double> max_depenetration_velocity_;
     std::vector<std::vector<Vec3>> positions_;  ///< of each body before the step
     std::multimap<Key, Spring> springs_;
+    long ended_badly_;  ///< parts so far
     SpringAccounts accounts_;
 };
 

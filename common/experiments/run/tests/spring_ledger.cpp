@@ -52,6 +52,19 @@ TEST_CASE(
     CHECK(ledger.held() == 0);
 }
 
+TEST_CASE("spring ledger: in a step that ended badly a spring holds no more than its pair pushed with")
+{
+    World world = points_in_ground(0.1);
+    Contact jammed = on_ground(0);
+    jammed.load = 20;  // a tenth of what its depth says
+    SpringLedger ledger(world, 1000, max_depenetration_velocity);
+    ++world.ended_badly;
+    ledger.add_step(world, {jammed}, dt);
+    CHECK(ledger.held() == doctest::Approx(0.01 * 0.5 * 2000 * 0.01));
+    ledger.add_step(world, {jammed}, dt);  // which ends well: what is said is what the depth says
+    CHECK(ledger.held() == doctest::Approx(0.5 * 2000 * 0.01));
+}
+
 TEST_CASE(
     "spring ledger: a rest offset that fades at the largest depenetration velocity lifts, and a faster one makes a jump")
 {
