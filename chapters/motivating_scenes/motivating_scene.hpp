@@ -76,7 +76,7 @@ using MakeSolver = std::function<Solver(const ContactParameters&)>;
 /// A solver that takes over more of a scene than its contact parameters.
 using PrepareScene = std::function<Solver(Scene&)>;
 
-/// Runs a scene under a solver.
+/// Runs a scene under a solver; one that has no joints runs it without them.
 /// @param limits        see limits_of
 /// @param with_picture  takes one at the last of the scene's moments, the pairs marked
 Outcome try_scene(const MotivatingScene& scene, const MakeSolver& make, const RunLimits& limits = {},

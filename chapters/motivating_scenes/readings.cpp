@@ -4,6 +4,7 @@
 #include "chapters/motivating_scenes/self_crossings.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
+#include "common/simulation/joint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +157,14 @@ Gauge::Reading energy_if_above(const std::string& body)
         before = world.step == 0 ? energy : before;
         value = body_named(world, body).centre().y() < 0 ? Value() : Value(energy / before);
     };
+}
+
+void gap_of_joints(Value& value, const World& world, const Contacts&, double)
+{
+    for (const Joint& joint : world.joints) {
+        const JointPose pose = committed_pose(world, joint);
+        value = std::max(value.value_or(0), 1000 * (pose.point_a - pose.point_b).norm());
+    }
 }
 
 Gauge::Reading edges_through(const std::string& body, double apart, double standing)

@@ -57,6 +57,10 @@ Gauge::Reading energy_gained_after(double time, const std::string& last, double 
 /// Kinetic energy at the end over that at the start, unless the body's middle is below height 0.
 Gauge::Reading energy_if_above(const std::string& body);
 
+/// How far the two ends of a joint were apart over the run [mm], of all joints, whether the solver has joints
+/// or not.
+void gap_of_joints(Value& value, const World& world, const Contacts&, double dt);
+
 /// Most edges of a body that passed, after a step, through faces that were `apart` from them at first [m],
 /// unless the body still stands higher than `standing` [m]. Surfaces that are pressed into each other by less
 /// than a millimetre do not cross.

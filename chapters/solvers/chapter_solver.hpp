@@ -6,7 +6,7 @@
 
 namespace enduring::solvers {
 
-/// Those that run the same scenes side by side.
+/// Those whose contact differs; the last is what a program takes if none is chosen.
 constexpr int chapters = 11;
 /// The last one with a solver: chapter 12's also has joints.
 constexpr int last_chapter = 12;

@@ -39,7 +39,7 @@ Table all_cells(const std::vector<LedgerCell>& cells)
 Table page_of(const std::vector<LedgerCell>& cells)
 {
     std::vector<std::string> head{"scene", "measured", "passes_if"};
-    for (int chapter = 1; chapter <= chapters; ++chapter)
+    for (int chapter = 1; chapter <= last_chapter; ++chapter)
         head.push_back(std::to_string(chapter));
     head.push_back(solver_name(bullet_column));
     Table table(head);
@@ -100,10 +100,10 @@ std::string solver_name(int column)
 
 bool at_border(const MotivatingScene& scene, int chapter)
 {
-    const auto expected = [&](int c) { return scene.expected[std::clamp(c, 1, chapters) - 1]; };
+    const auto expected = [&](int c) { return scene.expected[std::clamp(c, 1, last_chapter) - 1]; };
     const bool changes = scene.expected.find_first_not_of(scene.expected[0]) != std::string::npos;
     return changes ? expected(chapter) != expected(chapter - 1) || expected(chapter) != expected(chapter + 1)
-                   : chapter == 1 || chapter == chapters;
+                   : chapter == 1 || chapter == last_chapter;
 }
 
 std::vector<std::string> surprises(const std::vector<LedgerCell>& cells)
@@ -138,7 +138,7 @@ std::vector<LedgerCell> fill_ledger(const std::vector<MotivatingScene>& scenes, 
 {
     std::vector<LedgerCell> cells;
     for (const MotivatingScene& scene : scenes) {
-        for (int chapter = 1; chapter <= chapters; ++chapter) {
+        for (int chapter = 1; chapter <= last_chapter; ++chapter) {
             const bool border = at_border(scene, chapter);
             if (border || !borders_only)
                 cells.push_back({&scene, chapter, try_chapter(scene, chapter, with_pictures && border)});

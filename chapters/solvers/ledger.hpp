@@ -8,7 +8,7 @@ namespace enduring::solvers {
 using namespace motivating;
 
 /// The ledger's column behind those of the chapters: the Bullet library, to compare with.
-constexpr int bullet_column = chapters + 1;
+constexpr int bullet_column = last_chapter + 1;
 
 /// What is expected of a scene in a column: 'p' passes, 'f' fails, '-' the question does not apply.
 char expectation(const MotivatingScene& scene, int column);

@@ -45,7 +45,8 @@ class Menu(unittest.TestCase):
 
     def test_a_row_begins_with_the_first_solver_that_passes_and_the_last_one_that_fails(self):
         rows = {row["key"]: row for row in lab.ledger_scenes()}
-        self.assertEqual([(rows[f"ledger_{name}"]["solver"], rows[f"ledger_{name}"]["beside"]) for name in ("ground", "hooked", "deep", "folded")], [(1, 0), (6, 5), (7, 6), (10, 9)])
+        self.assertEqual([(rows[f"ledger_{name}"]["solver"], rows[f"ledger_{name}"]["beside"]) for name in ("ground", "hooked", "deep", "folded", "double_pendulum")],
+                         [(1, 0), (6, 5), (7, 6), (10, 9), (12, 0)])
 
     def test_it_offers_every_chapter_that_has_one_solver_and_every_method_by_the_name_that_programs_take(self):
         offered = dict(lab.solvers())

@@ -92,8 +92,9 @@ def ledger_scenes():
         solver = row["expected"].rindex("f") + 2 if "f" in row["expected"] else 1
         note = (f"{row['quantity'].capitalize()}: at {row['bound']} {row['limit']} {row['unit']}".rstrip() + f" ({row['reason']})."
                 + (f" Chapter {solver - 1} fails, chapter {solver} holds." if solver > 1 else " All chapters hold."))
+        text = text_of(row["file"], row["patch"])
         yield {"key": f"ledger_{row['name']}", "group": "Why a next chapter (the failure ledger)", "title": f"{row['name'].replace('_', ' ')}: why chapter {solver}?" if solver > 1 else row["name"],
-               "text": text_of(row["file"], row["patch"]), "note": note, "solver": solver, "beside": solver - 1}
+               "text": text, "note": note, "solver": solver, "beside": 0 if solver_of(text) == 12 else solver - 1}  # a solver without joints refuses them
 
 
 def all_scenes():

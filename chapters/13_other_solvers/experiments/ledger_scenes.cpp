@@ -38,6 +38,12 @@ Question question_of(const MotivatingScene& asked)
             }};
 }
 
+/// A row that asks for a joint says nothing about them: none has joints.
+bool asks_contact_alone(const MotivatingScene& asked)
+{
+    return load_scene(scene_file(asked.file), asked.patch).asks_joints.empty();
+}
+
 }  // namespace
 
 /// The scenes of the failure ledger under each method, with the ledger's own bounds.
@@ -46,7 +52,7 @@ void ledger_scenes(const RunOptions& options, Report& report)
     const std::set<std::string> few{"fast_plate", "deep", "thin", "labels", "mesh_slope", "slope", "tower"};
     std::vector<Question> questions;
     for (const MotivatingScene& asked : motivating_scenes())
-        if (!options.quick || few.contains(asked.name))
+        if (asks_contact_alone(asked) && (!options.quick || few.contains(asked.name)))
             questions.push_back(question_of(asked));
     report_answers(options, report, "ledger_scenes", questions);
 }

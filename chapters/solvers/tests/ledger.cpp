@@ -41,7 +41,7 @@ TEST_CASE(
     }
     std::vector<MotivatingScene> scenes{motivating_scene("fast_plate"), motivating_scene("labels")};
     scenes[0].with_bullet = 'f';
-    scenes[0].expected = scenes[1].expected = std::string(chapters, 'f');
+    scenes[0].expected = scenes[1].expected = std::string(last_chapter, 'f');
     const std::vector<LedgerCell> cells = fill_ledger(scenes, true, false);
     REQUIRE(cells.size() == 5);  // the first and the last chapter of both, and Bullet in the first
     CHECK(cells[2].column == bullet_column);
@@ -49,6 +49,17 @@ TEST_CASE(
     CHECK(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
         return line.find("fast_plate under Bullet passes") == 0;
     }));
+}
+
+TEST_CASE("failure ledger: the chapter with joints holds both bars, and without joints the lower one falls")
+{
+    const MotivatingScene& scene = motivating_scene("double_pendulum");
+    const Outcome held = try_chapter(scene, last_chapter), falls = try_chapter(scene, last_chapter - 1);
+    REQUIRE(held.broken.empty());
+    CHECK(held.value.value() < 1e-9);
+    // the upper bar swings below its nail, or nothing would be left to hang on
+    REQUIRE(falls.broken.empty());
+    CHECK(falls.value.value() > 200);
 }
 
 TEST_CASE("failure ledger: nothing to measure is a failure, whichever side the bound is on")
