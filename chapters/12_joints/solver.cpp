@@ -19,8 +19,9 @@ Solver chapter12_solver(const ContactParameters& parameters, ImplicitSettings se
     const auto before = std::make_shared<std::vector<JointRates>>();
     solver.insert_before(solver.passes(StepStage::refresh).front().name, "note joints",
                          [before](World& world, Contacts&, double dt) { *before = joint_rates(world, dt); });
-    solver.append(StepStage::finish, "book joints",
-                  [before](World& world, Contacts&, double dt) { book_joints(world, *before, dt); });
+    solver.append(StepStage::finish, "book joints", [before](World& world, Contacts& contacts, double dt) {
+        book_joints(world, contacts, *before, dt);
+    });
     solver.append(StepStage::after_commit, "end joints",
                   [](World& world, Contacts&, double) { end_joints(world); });
     return solver;

@@ -85,7 +85,7 @@ void walker(const RunOptions& options, Report& report)
     report.fact("walker", "joint_error_m", walker.joint_error(), 2);
     report.fact("walker", "off_plan_deg", 180 / std::numbers::pi * walker.off_plan(), 2);
     report.fact("walker", "ground_force_off", std::abs(pushed / weight - 1), 2);
-    report.fact("walker", "driven_j", world.driven, 3);
+    report.fact("walker", "braked_j", -world.driven, 3);
     report.fact("walker", "lost_j", first - own, 3);
     report.fact("walker", "gained_in_a_step_j", gained, 2);
     report.fact("walker", "halved", static_cast<double>(world.thrown_away));

@@ -114,10 +114,10 @@ TEST_CASE("walker: it stays up and whole on its way, the ground carries its weig
             for (const Contact& contact : walker.contacts())
                 pushed += pair_force(contact, last_part(world, walker.machine.scene.dt)).normal.y();
     });
-    CHECK(worst <= 0.02);
+    CHECK(worst <= 1e-4);
     CHECK(walker.hips().centre().x() - start.x() > 0.35);
     CHECK(walker.joint_error() <= 1e-9);
     CHECK(pushed == doctest::Approx(9.81 * walker.mass()).epsilon(0.01));
     CHECK(own_energy() < first);
-    CHECK(world.ended_badly <= 1);  // where the first foot leaves the ground
+    CHECK(world.thrown_away == 0);  // motors that lift the whole machine from the ground gain no energy
 }
