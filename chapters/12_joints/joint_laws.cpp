@@ -72,11 +72,12 @@ double speed_to_target(const JointDrive& drive, double mass, double coordinate, 
 }
 //! [speed_to_target]
 
-void set_drive(const JointDrive& drive, double mass, double coordinate, double dt, ElementLaw& law)
+void set_drive(const JointDrive& drive, double mass, double coordinate, double dt, double left,
+               ElementLaw& law)
 {
     law.lines[0].slope = drive.stiffness * dt * dt + drive.damping * dt;
     if (drive.motor_most > 0 && mass > 0) {
-        const double speed = drive.motor_target ? speed_to_target(drive, mass, coordinate, dt)
+        const double speed = drive.motor_target ? speed_to_target(drive, mass, coordinate, left)
                                                 : drive.motor_speed;
         law.lines[1].slope = joint_choice.motor * mass;
         law.lines[1].bias = -law.lines[1].slope * speed;

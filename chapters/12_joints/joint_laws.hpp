@@ -51,7 +51,9 @@ const Vec3& numbers_of(const JointMeasure& measure, int part);
 void set_lock(const Joint& joint, int part, const Vec3& masses, double stiffness, ElementLaw& law);
 /// A spring with a damper is the first line of a drive, a motor the second, both along the free axis.
 /// @param coordinate  where the step begins [m, rad]
-void set_drive(const JointDrive& drive, double mass, double coordinate, double dt, ElementLaw& law);
+/// @param left        until the end of the whole step [s]; a motor is at its target then
+void set_drive(const JointDrive& drive, double mass, double coordinate, double dt, double left,
+               ElementLaw& law);
 
 /// Lets a lock's lines aim at no error where the step ends, through what acts.
 /// @param numbers   of the joint at the predicted end

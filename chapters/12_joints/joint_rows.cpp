@@ -69,7 +69,7 @@ void add_row(const World& world, StepProblem& step, int element, const JointPose
     const Vec3 masses = masses_of(world, step, step.problem.rows.back(), soft, own.axes);
     if (is_drive(part)) {
         const double coordinate = is_turn(part) ? turn_of(world, joint) : way_of(world, joint);
-        set_drive(drive_of(joint, part), masses[0], coordinate, dt, own);
+        set_drive(drive_of(joint, part), masses[0], coordinate, dt, dt + world.attempt.behind, own);
         return;
     }
     const double stiffness = soft.empty() ? joint_choice.k_dt2_over_m : joint_choice.soft_k_dt2_over_m;

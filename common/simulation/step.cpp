@@ -258,11 +258,11 @@ void take_step(World& world, Contacts& contacts, const Solver& solver, double dt
 
 //! [try_step]
 /// Takes a step, and says in the world's attempt how it ended.
-void try_step(World& world, Contacts& contacts, const Solver& solver, double dt, bool may_be_halved,
-              const PassObserver& done)
+void try_step(World& world, Contacts& contacts, const Solver& solver, double dt, double behind,
+              bool may_be_halved, const PassObserver& done)
 {
     const HeldEnergy before = held_energy(world, contacts);
-    world.attempt = {may_be_halved, StepTrouble::none, before.springs};
+    world.attempt = {may_be_halved, StepTrouble::none, before.springs, 0, behind};
     try {
         take_step(world, contacts, solver, dt, done);
     } catch (const std::runtime_error&) {  // a number is not finite
@@ -302,27 +302,28 @@ bool begins_too_long(const World& world, double max_turn, double dt)
     return swing > most_joint_swing;
 }
 
-void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, double dt, int halvings,
-                       const PassObserver& done);
+void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, double dt, double behind,
+                       int halvings, const PassObserver& done);
 
-void advance_both_halves(World& world, Contacts& contacts, const Solver& solver, double dt, int halvings,
-                         const PassObserver& done)
+void advance_both_halves(World& world, Contacts& contacts, const Solver& solver, double dt, double behind,
+                         int halvings, const PassObserver& done)
 {
-    for (int half = 0; half < 2; ++half)
-        advance_in_halves(world, contacts, solver, dt / 2, halvings, done);
+    advance_in_halves(world, contacts, solver, dt / 2, behind + dt / 2, halvings, done);
+    advance_in_halves(world, contacts, solver, dt / 2, behind, halvings, done);
 }
 
 /// A step that does not end well is thrown away, and its halves are tried in its place.
+/// @param behind    what of the whole step comes behind [s]
 /// @param halvings  how often what is left of the step was halved because it had not ended well
-void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, double dt, int halvings,
-                       const PassObserver& done)
+void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, double dt, double behind,
+                       int halvings, const PassObserver& done)
 {
     if (begins_too_long(world, solver.max_turn, dt)) {
-        advance_both_halves(world, contacts, solver, dt, halvings, done);
+        advance_both_halves(world, contacts, solver, dt, behind, halvings, done);
         return;
     }
     const SavedState before(world, contacts);
-    try_step(world, contacts, solver, dt, halvings < solver.max_halvings, done);
+    try_step(world, contacts, solver, dt, behind, halvings < solver.max_halvings, done);
     world.work.add(world.attempt.work,
                    world.attempt.trouble == StepTrouble::none || !world.attempt.may_be_halved);
     if (world.attempt.trouble == StepTrouble::none)
@@ -334,7 +335,7 @@ void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, d
     }
     ++world.thrown_away;
     before.restore(world, contacts);
-    advance_both_halves(world, contacts, solver, dt, halvings + 1, done);
+    advance_both_halves(world, contacts, solver, dt, behind, halvings + 1, done);
 }
 //! [try_step]
 
@@ -345,7 +346,7 @@ void advance(World& world, Contacts& contacts, const Solver& solver, double dt, 
     world.whole_dt = dt;
     world.work = {};
     if (solver.max_halvings > 0) {
-        advance_in_halves(world, contacts, solver, dt, 0, done);
+        advance_in_halves(world, contacts, solver, dt, 0, 0, done);
     } else {
         world.attempt = {};
         take_step(world, contacts, solver, dt, done);

@@ -53,6 +53,7 @@ struct StepAttempt {
     double springs = 0;  ///< energy that springs held when it began [J]
     /// energy that came in on purpose: by a rule that winds springs up, by bodies that move as given [J]
     double added_energy = 0;
+    double behind = 0;                           ///< what of the whole step comes behind this part [s]
     int responses_left = 0;                      ///< that may still answer what passes of detection find
     std::vector<OutsideImpulse> from_outside{};  ///< in this step: their work counts as added_energy
     StepWork work{};                             ///< what it has cost so far

@@ -77,6 +77,30 @@ TEST_CASE(
     CHECK(machine.scene.world.joints[0].angle == doctest::Approx(target).epsilon(1e-6));
 }
 
+TEST_CASE("drives: a motor follows its target at one speed, also where its step is taken in parts")
+{
+    const Vec3 size(0.4, 0.1, 0.1);
+    const double rate = 1;  // of the target [rad/s]
+    for (const double spin : {0.0, 100.0}) {
+        CAPTURE(spin);
+        Machine machine(0.01, Vec3::Zero());
+        machine.add_box(size, 1, Vec3::Zero());
+        Joint& hinge = machine.add_joint(JointKind::hinge, 0, -1, Vec3::Zero());
+        hinge.turn.motor_speed = 20;
+        hinge.turn.motor_most = 1e7;  // can stop at once, so it does not lag
+        // a second body turns so fast that all steps are taken in parts
+        machine.add_box(Vec3(0.1, 0.1, 0.1), 1, Vec3(2, 0, 0), 0, Vec3::Zero(), Vec3(0, 0, spin));
+        World& world = machine.scene.world;
+        for (int step = 1; step <= 20; ++step) {
+            world.joints[0].turn.motor_target = rate * machine.scene.dt * step;
+            machine.run(machine.scene.dt);
+            CHECK((world.work.parts > 1) == (spin > 0));
+            CHECK(world.joints[0].angle == doctest::Approx(rate * machine.scene.dt * step).epsilon(1e-6));
+            CHECK(machine.rigid(0).motion().angular_velocity().z() == doctest::Approx(rate).epsilon(1e-6));
+        }
+    }
+}
+
 TEST_CASE("drives: a motor with a target carries the load that hangs on it, if its torque is enough")
 {
     Machine machine(0.01);
