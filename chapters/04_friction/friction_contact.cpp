@@ -31,10 +31,10 @@ void friction_impulses(const World& world, Contacts& contacts, const YamaneNakam
         const double normal_impulse = contact.impulse.norm();
         const TangentPlane plane(contact.impulse / normal_impulse);
         const FrictionImpulse answer = yamane_nakamura(
-            {plane.of(contact.stretch), plane.of(relative_velocity(world, contact)), normal_impulse},
+            {plane.of(contact.spring.stretch), plane.of(relative_velocity(world, contact)), normal_impulse},
             friction, dt);
         contact.friction = plane.in_space(answer.impulse);
-        contact.slip = answer.slip;
+        contact.spring.slip = answer.slip;
     }
 }
 
@@ -44,7 +44,7 @@ Vec3 after_slip(const Contact& contact, const Vec3& stretch, const FrictionParam
     const auto* lagging = std::get_if<MassSplitting>(&friction);
     if (!lagging)
         return Vec3::Zero();
-    const double longest = stretch_after_slip(contact.slip, contact.friction.norm(), *lagging, dt),
+    const double longest = stretch_after_slip(contact.spring.slip, contact.friction.norm(), *lagging, dt),
                  length = stretch.norm();
     return length > longest ? Vec3(stretch * (longest / length)) : stretch;
 }
@@ -57,7 +57,7 @@ void compute_friction_impulses(const World& world, Contacts& contacts, const Fri
 {
     for (Contact& contact : contacts)
         if (contact.waiting())
-            contact.slip = 0;
+            contact.spring.slip = 0;
     std::visit([&](const auto& model) { friction_impulses(world, contacts, model, dt); }, friction);
 }
 //! [compute_friction_impulses]
@@ -68,17 +68,19 @@ void move_friction_anchors(const World& world, Contacts& contacts, const Frictio
 {
     for (Contact& contact : contacts) {
         const Mat3 turn = surface_turn(world, contact);
-        contact.stretch = turn * contact.stretch;
+        contact.spring.stretch = turn * contact.spring.stretch;
         if (contact.held())
             continue;
         const double normal_impulse = contact.impulse.norm();
         if (normal_impulse <= least_impulse) {
-            contact.stretch.setZero();
+            contact.spring.stretch.setZero();
             continue;
         }
         const TangentPlane plane(contact.impulse / normal_impulse);
-        const Vec3 stretch = plane.projected(contact.stretch + motion_on_surface(world, contact, turn));
-        contact.stretch = contact.slip > 0 ? after_slip(contact, stretch, friction, dt) : stretch;
+        const Vec3 stretch =
+            plane.projected(contact.spring.stretch + motion_on_surface(world, contact, turn));
+        contact.spring.stretch = contact.spring.slip > 0 ? after_slip(contact, stretch, friction, dt)
+                                                         : stretch;
     }
 }
 //! [move_anchors]

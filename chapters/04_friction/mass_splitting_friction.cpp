@@ -66,7 +66,7 @@ std::vector<FrictionPair> friction_pairs(const World& world, Contacts& contacts,
         const double inverse_mass = shares.inverse_mass(world, contact, plane);
         if (inverse_mass > 0)  // else nothing here can move
             pairs.push_back({&contact, plane, normal_impulse, inverse_mass,
-                             anchor_of(friction, inverse_mass, plane.of(contact.stretch), dt)});
+                             anchor_of(friction, inverse_mass, plane.of(contact.spring.stretch), dt)});
     }
     return pairs;
 }
@@ -112,7 +112,7 @@ double improve(Trials& trials, std::vector<FrictionPair>& pairs, const MassSplit
             pair.impulse, pair.plane.of(trials.velocity(*pair.contact)), pair.inverse_mass,
             pair.normal_impulse, pair.anchor, friction);
         pair.change = toward(better, friction.mu_s, pair) - pair.impulse;
-        pair.contact->slip = better.slip;
+        pair.contact->spring.slip = better.slip;
         change += pair.change.squaredNorm();
         most += std::pow(friction.mu_s * pair.normal_impulse, 2);
     }

@@ -14,8 +14,8 @@ void hand_on(const World& world, Contact& contact, double tau, const FaceTrial& 
     redefinitions.push_back({contact.body_a, contact.feature_a, contact.body_b, contact.feature_b,
                              choice.face, b.face_normal(choice.face), contact.start});
     // Over the edge between two faces the friction anchor's stretch goes on as it would on a flat surface.
-    contact.stretch = shortest_turn(b.face_normal(contact.feature_b), b.face_normal(choice.face)) *
-                      contact.stretch;
+    contact.spring.stretch = shortest_turn(b.face_normal(contact.feature_b), b.face_normal(choice.face)) *
+                             contact.spring.stretch;
     put_on_face(contact, b.step.topology, choice.face, choice.foot.weights);
     contact.category = ContactCategory::regular;
     contact.hold(false);

@@ -38,9 +38,9 @@ namespace {
 /// Whether a pair carried an impulse, and not what rounding leaves of none.
 bool has_pushed(const World& world, const Contact& contact, double dt)
 {
-    return contact.answered() && contact.is_spring() && contact.stiffness > 0 &&
-           contact.impulse.norm() >
-               contact.stiffness * dt * restitution_limits.least_length * natural_length(world, contact);
+    return contact.answered() && contact.is_spring() && contact.spring.stiffness > 0 &&
+           contact.impulse.norm() > contact.spring.stiffness * dt * restitution_limits.least_length *
+                                        natural_length(world, contact);
 }
 
 PushedPair pushed_pair(const World& world, const Contact& contact, const FrictionCoefficients& friction,

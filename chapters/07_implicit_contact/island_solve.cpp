@@ -20,8 +20,10 @@ double springs_at_start(const World& world, const StepProblem& step)
 {
     double sum = 0;
     for (const Contact* contact : step.of_row) {
-        const double compression = std::min(0.0, depth_at_start(world, *contact) - contact->rest_offset);
-        sum += contact->stiffness / 2 * (compression * compression + contact->stretch.squaredNorm());
+        const double compression = std::min(0.0,
+                                            depth_at_start(world, *contact) - contact->spring.rest_offset);
+        sum += contact->spring.stiffness / 2 *
+               (compression * compression + contact->spring.stretch.squaredNorm());
     }
     return sum;
 }

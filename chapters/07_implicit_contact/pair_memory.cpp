@@ -12,10 +12,10 @@ namespace {
 /// The largest stiffness that a pair may be given [N/m]: pressed as it is, its spring then holds no more than
 /// others can bring. What presses harder comes from what cannot give way. No stiffness makes that less deep,
 /// and each would ask for more.
-double most_stiffness(const Contact& contact, double depth_t0, double max_load)
+double most_stiffness(const PairMemory& spring, double depth_t0, double max_load)
 {
-    const double pressed = contact.rest_offset - depth_t0;
-    return pressed > 0 ? std::max(contact.stiffness, max_load / pressed)
+    const double pressed = spring.rest_offset - depth_t0;
+    return pressed > 0 ? std::max(spring.stiffness, max_load / pressed)
                        : std::numeric_limits<double>::infinity();
 }
 
@@ -37,13 +37,13 @@ double wanted_stiffness(double mass, double load, const StiffnessChoice& choice,
 }
 
 //! [stiffen]
-void stiffen(Contact& contact, double depth_t0, double stiffness)
+void stiffen(PairMemory& spring, double depth_t0, double stiffness)
 {
-    const double before = std::exchange(contact.stiffness, stiffness),
-                 compressed = depth_t0 - contact.rest_offset;
+    const double before = std::exchange(spring.stiffness, stiffness),
+                 compressed = depth_t0 - spring.rest_offset;
     if (compressed < 0) {
-        contact.rest_offset = depth_t0 - compressed * before / stiffness;
-        contact.stretch *= before / stiffness;
+        spring.rest_offset = depth_t0 - compressed * before / stiffness;
+        spring.stretch *= before / stiffness;
     }
 }
 //! [stiffen]
@@ -52,23 +52,24 @@ void stiffen(Contact& contact, double depth_t0, double stiffness)
 void adapt_stiffness(Contact& contact, double depth_t0, double mass, const StiffnessChoice& choice, double dt,
                      double max_load)
 {
-    const double asked = wanted_stiffness(mass, contact.load, choice, dt);
-    if (contact.stiffness == 0) {
-        contact.stiffness = asked;
-        contact.rest_offset = std::min(0.0, depth_t0);
+    PairMemory& spring = contact.spring;
+    const double asked = wanted_stiffness(mass, spring.load, choice, dt);
+    if (spring.stiffness == 0) {
+        spring.stiffness = asked;
+        spring.rest_offset = std::min(0.0, depth_t0);
         return;
     }
-    const double wanted = std::min(asked, most_stiffness(contact, depth_t0, max_load));
-    const bool carries_its_load = contact.stiffness * (contact.rest_offset - depth_t0) <=
-                                  choice.at_once * contact.load;  // else it is wound up, and would throw
-    if (wanted > contact.stiffness || (choice.at_once * wanted < contact.stiffness && carries_its_load))
-        stiffen(contact, depth_t0, wanted);
+    const double wanted = std::min(asked, most_stiffness(spring, depth_t0, max_load));
+    const bool carries_its_load = spring.stiffness * (spring.rest_offset - depth_t0) <=
+                                  choice.at_once * spring.load;  // else it is wound up, and would throw
+    if (wanted > spring.stiffness || (choice.at_once * wanted < spring.stiffness && carries_its_load))
+        stiffen(spring, depth_t0, wanted);
     // What pushes more than others can bring upon it does not move out, and is not wound up. Its load is that
     // of impulses that moved something; a push that another one cancels is seen in its spring.
-    const double compressed = contact.rest_offset - depth_t0 - choice.depth();
-    if (contact.rest_offset < 0 && std::max(contact.load, contact.stiffness * compressed) <= max_load)
-        contact.rest_offset = std::min(choice.keep * contact.rest_offset,
-                                       contact.rest_offset + contact.outward * choice.fading_speed() * dt);
+    const double compressed = spring.rest_offset - depth_t0 - choice.depth();
+    if (spring.rest_offset < 0 && std::max(spring.load, spring.stiffness * compressed) <= max_load)
+        spring.rest_offset = std::min(choice.keep * spring.rest_offset,
+                                      spring.rest_offset + contact.outward * choice.fading_speed() * dt);
 }
 //! [adapt_stiffness]
 
@@ -104,18 +105,18 @@ bool stiffen_where_pressed(const World& world, StepProblem& step, const Stiffnes
         const double load = std::min(law.normal.dot(step.problem.rows[i].acting) / dt, step.max_load);
         const double depth = choice.of_pair(natural_units(world, contact, dt)).depth();
         const double wanted = std::min(choice.k_dt2_over_m * masses[i] / (dt * dt), load / depth);
-        if (wanted < choice.at_once * contact.stiffness)
+        if (wanted < choice.at_once * contact.spring.stiffness)
             continue;
         const double depth_t0 = depth_at_start(world, contact);
         const double stiffness =
             std::min({wanted, choice.max_k_dt2_over_m * mass_along(law.normal, step.responses[i]) / (dt * dt),
-                      most_stiffness(contact, depth_t0, step.max_load)});
-        if (stiffness < choice.at_once * contact.stiffness)
+                      most_stiffness(contact.spring, depth_t0, step.max_load)});
+        if (stiffness < choice.at_once * contact.spring.stiffness)
             continue;
-        const double before = contact.stiffness;
-        stiffen(contact, depth_t0, stiffness);
-        law.stiffness = contact.stiffness;
-        law.stretch = law.viscous > 0 ? Vec3(before / stiffness * law.stretch) : contact.stretch;
+        const double before = contact.spring.stiffness;
+        stiffen(contact.spring, depth_t0, stiffness);
+        law.stiffness = contact.spring.stiffness;
+        law.stretch = law.viscous > 0 ? Vec3(before / stiffness * law.stretch) : contact.spring.stretch;
         any = true;
     }
     return any;
@@ -130,17 +131,18 @@ namespace {
 bool was_open(const World& world, const Contact& contact)
 {
     const double least = restitution_limits.least_length * natural_length(world, contact);
-    return contact.load <= contact.stiffness * least &&
-           depth_at_start(world, contact) - std::min(0.0, contact.rest_offset) > -least;
+    return contact.spring.load <= contact.spring.stiffness * least &&
+           depth_at_start(world, contact) - std::min(0.0, contact.spring.rest_offset) > -least;
 }
 
 /// A spring that is shorter than its pair's load says gets the length of this load. Where the pair is solved,
 /// both agree but for rounding.
 void take_given_length(const World& world, Contact& contact)
 {
-    const double given = contact_geometry(world, contact, 1).depth + contact.load / contact.stiffness;
-    if (contact.rest_offset - given > restitution_limits.least_length * natural_length(world, contact))
-        contact.rest_offset = given;
+    const double given = contact_geometry(world, contact, 1).depth +
+                         contact.spring.load / contact.spring.stiffness;
+    if (contact.spring.rest_offset - given > restitution_limits.least_length * natural_length(world, contact))
+        contact.spring.rest_offset = given;
 }
 
 }  // namespace
@@ -148,17 +150,18 @@ void take_given_length(const World& world, Contact& contact)
 void remember_pairs(const World& world, Contacts& contacts, double dt)
 {
     for (Contact& contact : contacts) {
+        PairMemory& spring = contact.spring;
         contact.began_open = was_open(world, contact);
         if (contact.held()) {  // its spring lets go: where the pair pushes again, it begins as a new one does
-            contact.stiffness = 0;
-            contact.stretch.setZero();
+            spring.stiffness = 0;
+            spring.stretch.setZero();
             continue;
         }
-        contact.load = contact.impulse.norm() / dt;
-        contact.stretch = contact.stiffness > 0 ? Vec3(contact.friction / (-contact.stiffness * dt))
-                                                : Vec3(Vec3::Zero());
-        contact.stretch = surface_turn(world, contact) * contact.stretch;
-        if (world.attempt.work.unsolved > 0 && contact.stiffness > 0)  // what is not solved presses no spring
+        spring.load = contact.impulse.norm() / dt;
+        spring.stretch = spring.stiffness > 0 ? Vec3(contact.friction / (-spring.stiffness * dt))
+                                              : Vec3(Vec3::Zero());
+        spring.stretch = surface_turn(world, contact) * spring.stretch;
+        if (world.attempt.work.unsolved > 0 && spring.stiffness > 0)  // what is not solved presses no spring
             take_given_length(world, contact);
     }
 }

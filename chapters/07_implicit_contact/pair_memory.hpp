@@ -56,7 +56,7 @@ double wanted_stiffness(double mass, double load, const StiffnessChoice& choice,
 
 /// Changes a pair's stiffness, up or down, and no force of its: its spring gets a rest offset, and friction's
 /// another stretch.
-void stiffen(Contact& contact, double depth_t0, double stiffness);
+void stiffen(PairMemory& spring, double depth_t0, double stiffness);
 
 /// Gives a pair its stiffness for the step. That of an enduring one rises with its load, and falls where it
 /// is far too large, without a jump of its force: its spring gets a rest offset, which fades while the pair

@@ -59,7 +59,7 @@ void update_row(const World& world, const Contact& contact, const StepLaw& step,
                                                  : contact_geometry(world, contact, step.centre).normal;
     const Vec3 start = relative_position(world, contact, &Body::positions_t0),
                end = relative_position(world, contact, &Body::positions_t1);
-    row.law.depth_t0 = row.law.normal.dot(start) - contact.gap - contact.rest_offset;
+    row.law.depth_t0 = row.law.normal.dot(start) - contact.gap - contact.spring.rest_offset;
     row.velocity = (end - start) / step.dt;
     row.acting = contact.impulse + contact.friction;
     if (!contact.sliding_normal.isZero(0))

@@ -28,9 +28,10 @@ double part_without_gain(const World& world, const StepProblem& step)
     double given = 0, held_t0 = 0, held_t1 = 0;  // the latter two of springs, twice
     for (const Contact* contact : step.of_row) {
         given += given_work(world, *contact);
-        held_t0 += contact->load * contact->load / contact->stiffness +
-                   contact->stiffness * contact->stretch.squaredNorm();
-        held_t1 += (contact->impulse + contact->friction).squaredNorm() / (contact->stiffness * dt * dt);
+        held_t0 += contact->spring.load * contact->spring.load / contact->spring.stiffness +
+                   contact->spring.stiffness * contact->spring.stretch.squaredNorm();
+        held_t1 += (contact->impulse + contact->friction).squaredNorm() /
+                   (contact->spring.stiffness * dt * dt);
     }
     const Eigen::VectorXd momentum = momentum_of(step), change = times_response(step.problem, momentum);
     const double slope = momentum.dot(velocities_of(world, step) - change) - given;

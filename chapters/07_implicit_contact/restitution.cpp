@@ -146,8 +146,8 @@ void let_go(const IslandImpact& island, const Bounce& bounce)
         leaving.insert(bodies_of(*island.step.of_row[static_cast<std::size_t>(pair)]));
     for (Contact* const contact : island.step.of_row)
         if (leaving.count(bodies_of(*contact)) > 0) {
-            contact->load = 0;
-            contact->stretch.setZero();
+            contact->spring.load = 0;
+            contact->spring.stretch.setZero();
         }
 }
 

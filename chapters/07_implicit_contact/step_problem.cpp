@@ -87,7 +87,7 @@ void add_parts(const World& world, const Contact& contact, const StepProblem& st
 /// Whether a pair slips too fast for friction to stop it in this step; else it may hold again.
 bool slides_on(const Contact& contact, double mass, const FrictionCoefficients& friction, double dt)
 {
-    return contact.slip > 0 && contact.slip * mass > friction.mu_s * contact.load * dt;
+    return contact.spring.slip > 0 && contact.spring.slip * mass > friction.mu_s * contact.spring.load * dt;
 }
 //! [slides_on]
 
@@ -112,10 +112,10 @@ bool can_move(const PairRow& row)
 /// pressed it at its first stiffness.
 bool has_friction(const Contact& contact, double mass, const StiffnessChoice& choice, double dt)
 {
-    if (contact.rest_offset >= -choice.friction_offset * choice.depth())
+    if (contact.spring.rest_offset >= -choice.friction_offset * choice.depth())
         return true;
     const double first = wanted_stiffness(mass, 0, choice, dt);
-    return -contact.rest_offset * first <= contact.load;
+    return -contact.spring.rest_offset * first <= contact.spring.load;
 }
 //! [has_friction]
 
@@ -195,14 +195,14 @@ StepProblem set_up(const World& world, const Island& island, const StiffnessChoi
         step.responses.push_back(response_of(world, contact, step, row));
         const double mass = mass_along(row.law.normal, step.responses.back());
         const StiffnessChoice own = choice.of_pair(natural_units(world, contact, step_law.dt));
-        if (first || contact.stiffness == 0)
+        if (first || contact.spring.stiffness == 0)
             adapt_stiffness(contact, depth_t0, mass, own, step_law.dt, most);
-        row.law.stiffness = contact.stiffness;
-        row.law.stretch = contact.stretch;
+        row.law.stiffness = contact.spring.stiffness;
+        row.law.stretch = contact.spring.stretch;
         const FrictionCoefficients& of_pair = pair_friction(world, contact, friction);
         if (row.law.viscous = of_pair.laws.viscous; row.law.viscous > 0)
-            row.law.stretch = stretch_without_film(contact.stretch,
-                                                   of_pair.mu_s * contact.load / contact.stiffness);
+            row.law.stretch = stretch_without_film(
+                contact.spring.stretch, of_pair.mu_s * contact.spring.load / contact.spring.stiffness);
         row.law.mu = !has_friction(contact, mass, own, step_law.dt)   ? 0
                      : slides_on(contact, mass, of_pair, step_law.dt) ? of_pair.mu_d
                                                                       : of_pair.mu_s;
@@ -325,7 +325,8 @@ Eigen::VectorXd last_impulses(const World& world, const StepProblem& step)
         // along the normal of the start, which is that of the last step's end
         const Vec3 normal = normal_of(pair_step(world, contact), 0);
         impulses.segment<3>(static_cast<Eigen::Index>(3 * i)) =
-            step.problem.step.dt * (contact.load * normal - contact.stiffness * contact.stretch);
+            step.problem.step.dt *
+            (contact.spring.load * normal - contact.spring.stiffness * contact.spring.stretch);
     }
     return impulses;
 }
@@ -385,7 +386,8 @@ void find_slip(StepProblem& step)
     for (std::size_t i = 0; i < step.of_row.size(); ++i) {
         const PairRow& row = step.problem.rows[i];
         const Vec3 along = row.velocity - row.law.normal.dot(row.velocity) * row.law.normal;
-        step.of_row[i]->slip = pushed(row.law, row.velocity, step.problem.step).slips ? along.norm() : 0;
+        step.of_row[i]->spring.slip = pushed(row.law, row.velocity, step.problem.step).slips ? along.norm()
+                                                                                             : 0;
     }
 }
 

@@ -12,16 +12,7 @@
 namespace enduring {
 namespace {
 
-bool is_remembered(const Contact& contact) { return contact.stiffness > 0; }
-
-void take_over(const Contact& last, Contact& contact)
-{
-    contact.stiffness = last.stiffness;
-    contact.load = last.load;
-    contact.rest_offset = last.rest_offset;
-    contact.stretch = last.stretch;
-    contact.slip = last.slip;
-}
+bool is_remembered(const Contact& contact) { return contact.spring.stiffness > 0; }
 
 /// Of a vertex against a body, whatever the face.
 using VertexKey = std::tuple<int, int, int>;
@@ -36,9 +27,10 @@ bool hand_on(const World& world, const Contact& last, Contact& contact)
                           now = contact_geometry(world, contact, contact.start);
     if (before.normal.dot(now.normal) < distance_parts.hand_on)
         return false;
-    take_over(last, contact);
-    contact.rest_offset = std::min(0.0, now.depth - std::min(0.0, before.depth - last.rest_offset));
-    contact.stretch = shortest_turn(before.normal, now.normal) * last.stretch;
+    contact.spring = last.spring;
+    contact.spring.rest_offset = std::min(0.0,
+                                          now.depth - std::min(0.0, before.depth - last.spring.rest_offset));
+    contact.spring.stretch = shortest_turn(before.normal, now.normal) * last.spring.stretch;
     return true;
 }
 //! [hand_on]
@@ -53,7 +45,7 @@ void remember(const World& world, const Contacts& last, Contacts& found)
         by_key[key_of(contact)] = &contact;
     for (Contact& contact : found)
         if (const auto same = by_key.find(key_of(contact)); same != by_key.end()) {
-            take_over(*same->second, contact);
+            contact.spring = same->second->spring;
             by_key.erase(same);
         }
     std::multimap<VertexKey, const Contact*> left_over;

@@ -26,12 +26,12 @@ bool is_let_out(const World& world, const Contact& contact, double aim)
     return aim < -still_let_out * natural_length(world, contact);
 }
 
-bool pushes(const Contact& contact) { return !contact.held() && contact.stiffness > 0; }
+bool pushes(const Contact& contact) { return !contact.held() && contact.spring.stiffness > 0; }
 
 /// The force along the normal that a pair's rest offset holds: of the last pass, or of the last step [N].
 double remembered_force(const Contact& contact, double dt)
 {
-    return contact.answered() ? contact.impulse.norm() / dt : contact.load;
+    return contact.answered() ? contact.impulse.norm() / dt : contact.spring.load;
 }
 
 std::vector<double> remembered_forces(const Contacts& contacts, double dt)
@@ -49,9 +49,9 @@ void begin_with_load(const World& world, Contacts& contacts)
 {
     for (Contact& contact : contacts)
         if (contact.waiting() && pushes(contact)) {
-            if (!is_let_out(world, contact, contact.rest_offset))
-                contact.rest_offset *= kept_gap;
-            contact.rest_offset += contact.load / contact.stiffness;
+            if (!is_let_out(world, contact, contact.spring.rest_offset))
+                contact.spring.rest_offset *= kept_gap;
+            contact.spring.rest_offset += contact.spring.load / contact.spring.stiffness;
         }
 }
 //! [begin_with_load]
@@ -62,12 +62,12 @@ void begin_with_load(const World& world, Contacts& contacts)
 /// @return      how far the solve has moved it beyond that [m]
 double remember_force(Contact& contact, double held, double dt)
 {
-    const double k = contact.stiffness, force = contact.impulse.norm() / dt;
+    const double k = contact.spring.stiffness, force = contact.impulse.norm() / dt;
     const Vec3 stretch = contact.friction / (-k * dt);
-    const double moved = std::max(std::abs(force - held) / k, (stretch - contact.stretch).norm());
-    const double aim = contact.rest_offset - held / k;  // the depth at which the step should end
-    contact.rest_offset = aim + force / k;
-    contact.stretch = stretch;
+    const double moved = std::max(std::abs(force - held) / k, (stretch - contact.spring.stretch).norm());
+    const double aim = contact.spring.rest_offset - held / k;  // the depth at which the step should end
+    contact.spring.rest_offset = aim + force / k;
+    contact.spring.stretch = stretch;
     return moved;
 }
 //! [remember_force]
@@ -111,10 +111,10 @@ void leave_force_to_load(World& world, Contacts& contacts)
     for (Contact& contact : contacts) {
         if (!pushes(contact))
             continue;
-        const double aim = contact.rest_offset - contact.load / contact.stiffness;
-        contact.rest_offset = contact.load > 0 && !is_let_out(world, contact, aim)
-                                  ? contact_geometry(world, contact, 1).depth
-                                  : std::min(0.0, aim);
+        const double aim = contact.spring.rest_offset - contact.spring.load / contact.spring.stiffness;
+        contact.spring.rest_offset = contact.spring.load > 0 && !is_let_out(world, contact, aim)
+                                         ? contact_geometry(world, contact, 1).depth
+                                         : std::min(0.0, aim);
     }
     world.attempt.added_energy += spring_energy(contacts) - world.attempt.springs;
 }

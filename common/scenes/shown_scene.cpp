@@ -82,7 +82,7 @@ PairNumbers pair_numbers(const World& world, const Contact& contact, int since)
     return {number(contact.kind), number(contact.body_a), number(contact.body_b), number(contact.feature_a), number(contact.feature_b),
             p.x(), p.y(), p.z(), n.x(), n.y(), n.z(), at.depth,
             i.x(), i.y(), i.z(), f.x(), f.y(), f.z(),
-            contact.stiffness, contact.rest_offset, contact.load, contact.slip, number(contact.is_spring()), number(since)};
+            contact.spring.stiffness, contact.spring.rest_offset, contact.spring.load, contact.spring.slip, number(contact.is_spring()), number(since)};
     // clang-format on
 }
 

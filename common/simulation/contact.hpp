@@ -17,6 +17,15 @@ enum class ContactState : std::uint8_t { waiting, answered, held };
 /// Whether a pair pushes its bodies apart or along each other.
 enum class ContactCategory : std::uint8_t { unknown, regular, hooked };
 
+/// What a pair hands on to the next step: the spring along its normal, and that of its friction.
+struct PairMemory {
+    Vec3 stretch = Vec3::Zero();  ///< from the point where friction holds p to p, along the surface [m]
+    double slip = 0;              ///< speed at which friction lets go in this step [m/s], 0 while it holds
+    double stiffness = 0;         ///< k of a pair that is given its own [N/m]; 0 before that
+    double rest_offset = 0;       ///< depth at which the spring of such a pair pushes nothing [m]
+    double load = 0;              ///< normal force that such a pair carried at the end of the last step [N]
+};
+
 /// One pair of features in contact: a point p of body A and a point q of
 /// body B, each a fixed combination of vertices.
 ///
@@ -41,11 +50,7 @@ struct Contact {
 
     Vec3 friction = Vec3::Zero();  ///< friction impulse on A in this step [N s]
     Vec3 turning = Vec3::Zero();   ///< against rolling and spinning, on A in this step [N m s]
-    Vec3 stretch = Vec3::Zero();   ///< from the point where friction holds p to p, along the surface [m]
-    double slip = 0;               ///< speed at which friction lets go in this step [m/s], 0 while it holds
-    double stiffness = 0;          ///< k of a pair that is given its own [N/m]; 0 before that
-    double rest_offset = 0;        ///< depth at which the spring of such a pair pushes nothing [m]
-    double load = 0;               ///< normal force that such a pair carried at the end of the last step [N]
+    PairMemory spring{};           ///< what the next step takes over
     double outward = 1;            ///< part of the way out of the other body that lies along its normal
     /// normal of the path on which the pair's vertex came along a surface that bends in this step; zero where
     /// it did not

@@ -20,11 +20,11 @@ inline void visit_state(StateArchive& archive, Contact& contact)
     archive(contact.impulse);
     archive(contact.friction);
     archive(contact.turning);
-    archive(contact.stretch);
-    archive(contact.slip);
-    archive(contact.stiffness);
-    archive(contact.rest_offset);
-    archive(contact.load);
+    archive(contact.spring.stretch);
+    archive(contact.spring.slip);
+    archive(contact.spring.stiffness);
+    archive(contact.spring.rest_offset);
+    archive(contact.spring.load);
     archive(contact.outward);
     archive(contact.sliding_normal);
     archive(contact.normal_t0);

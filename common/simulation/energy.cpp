@@ -26,7 +26,7 @@ double friction_spring_energy(const Contacts& contacts, const FrictionParameters
     const double spring = std::visit(spring_of, friction);
     double sum = 0;
     for (const Contact& contact : contacts)
-        sum += 0.5 * spring * contact.stretch.squaredNorm();
+        sum += 0.5 * spring * contact.spring.stretch.squaredNorm();
     return sum;
 }
 
@@ -34,8 +34,9 @@ double spring_energy(const Contacts& contacts)
 {
     double sum = 0;
     for (const Contact& contact : contacts)
-        if (const double k = contact.stiffness; k > 0)
-            sum += 0.5 * (contact.load * contact.load / k + k * contact.stretch.squaredNorm());
+        if (const double k = contact.spring.stiffness; k > 0)
+            sum += 0.5 *
+                   (contact.spring.load * contact.spring.load / k + k * contact.spring.stretch.squaredNorm());
     return sum;
 }
 

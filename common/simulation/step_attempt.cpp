@@ -77,7 +77,7 @@ double driven_work(const World& world, const Contacts& contacts, double dt)
                         (contact.impulse + contact.friction)
                             .dot(body.positions_t1()[vertex] - body.positions_t0()[vertex]) /
                         dt;
-            if (contact.stiffness > 0)  // of a solver that reads how surfaces run
+            if (contact.spring.stiffness > 0)  // of a solver that reads how surfaces run
                 work -= contact.weights[n] * contact.friction.dot(body.surface_velocity());
         }
     return work;

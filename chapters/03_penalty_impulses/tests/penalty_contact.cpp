@@ -236,7 +236,7 @@ TEST_CASE(
         std::make_unique<StaticBody>("floor", SurfaceTopology(3, {{0, 1, 2}}),
                                      std::vector<Vec3>{{-50, 0, -50}, {-50, 0, 100}, {100, 0, -50}}));
     Contact touching{ContactKind::vertex_face, 0, 1, 0, 0, {0, 0, 1, 2}, {1, -0.5, -0.25, -0.25}};
-    touching.stretch = {0.003, 0, 0};
+    touching.spring.stretch = {0.003, 0, 0};
     REQUIRE(contact_geometry(world, touching, 0).depth == 0);  // and it is about to go in
     for (const bool by_6_1_1 : {false, true}) {
         CAPTURE(by_6_1_1);
@@ -254,7 +254,7 @@ TEST_CASE(
             pass.run(world, contacts, 0.01);
         const auto pair = std::find_if(contacts.begin(), contacts.end(),
                                        [](const Contact& contact) { return contact.vertices[0] == 0; });
-        const bool remembers = pair != contacts.end() && pair->stretch == touching.stretch;
+        const bool remembers = pair != contacts.end() && pair->spring.stretch == touching.spring.stretch;
         CHECK(remembers != by_6_1_1);
     }
 }

@@ -161,7 +161,7 @@ RideRecord take(const Ride& ride, const MakeSolver& make_solver)
             advance(world, contacts, solver, ride.dt());
             record.slipped = record.slipped ||
                              (turn > 0 && std::any_of(contacts.begin(), contacts.end(),
-                                                      [](const Contact& c) { return c.slip > 0; }));
+                                                      [](const Contact& c) { return c.spring.slip > 0; }));
         }
         const Vec3 moved = middle() - before;
         if (turn == 0)

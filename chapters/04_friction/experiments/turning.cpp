@@ -40,7 +40,7 @@ double largest_angle(const World& world, const Contacts& contacts, const std::ve
         const auto v = static_cast<std::size_t>(contact.vertices[0]);
         const Vec3 way = world.bodies.front()->positions_t0()[v] - before[v];
         const Vec3 slip = way - way.y() * Vec3::UnitY();
-        if (contact.slip > 0 && slip.norm() > 0 && contact.friction.norm() > 0)
+        if (contact.spring.slip > 0 && slip.norm() > 0 && contact.friction.norm() > 0)
             largest = std::max(largest,
                                std::atan2(contact.friction.cross(slip).norm(), -contact.friction.dot(slip)));
     }

@@ -44,44 +44,44 @@ TEST_CASE("friction anchors: a point that is held drags its stretch along the su
 {
     for (const FrictionParameters& model : both_models) {
         OnPlane it(model, {0.01, -0.5, 0.02});
-        it.contact().stretch = {0.001, 0, 0};
+        it.contact().spring.stretch = {0.001, 0, 0};
         it.finish();
-        CHECK((it.contact().stretch - Vec3(0.011, 0, 0.02)).norm() < 1e-15);
+        CHECK((it.contact().spring.stretch - Vec3(0.011, 0, 0.02)).norm() < 1e-15);
         it.contact().start = 0.75;  // a new pair counts from its time of impact
         it.finish();
-        CHECK((it.contact().stretch - Vec3(0.0135, 0, 0.025)).norm() < 1e-15);
+        CHECK((it.contact().spring.stretch - Vec3(0.0135, 0, 0.025)).norm() < 1e-15);
     }
 }
 
 TEST_CASE("friction anchors: a pair that does not push has none, and one that is held keeps its own")
 {
     OnPlane it(MassSplitting{.spring = 50}, {0.01, 0, 0});
-    it.contact().stretch = {0.001, 0, 0};
+    it.contact().spring.stretch = {0.001, 0, 0};
     it.contact().hold(true);
     it.contact().impulse.setZero();
     it.finish();
-    CHECK(it.contact().stretch == Vec3(0.001, 0, 0));
+    CHECK(it.contact().spring.stretch == Vec3(0.001, 0, 0));
     it.contact().hold(false);
     it.finish();
-    CHECK(it.contact().stretch == Vec3::Zero());
+    CHECK(it.contact().spring.stretch == Vec3::Zero());
 }
 
 TEST_CASE(
     "friction anchors: when a pair lets go, the thesis' anchor comes to the point, the mass-splitting one within its pull")
 {
     OnPlane printed(YamaneNakamura{}, {0.3, 0, 0});
-    printed.contact().slip = 3;
+    printed.contact().spring.slip = 3;
     printed.finish();
-    CHECK(printed.contact().stretch == Vec3::Zero());
+    CHECK(printed.contact().spring.stretch == Vec3::Zero());
 
     OnPlane mass_splitting(MassSplitting{.spring = 50}, {0.3, 0, 0});
-    mass_splitting.contact().slip = 0.01;
+    mass_splitting.contact().spring.slip = 0.01;
     mass_splitting.contact().friction = {-0.6, 0, 0};  // 6 N, that is 0.12 m of a spring of 50 N/m
     mass_splitting.finish();
-    CHECK((mass_splitting.contact().stretch - Vec3(0.12 * std::exp(-20 * 0.01), 0, 0)).norm() < 1e-14);
-    mass_splitting.contact().slip = 10;
+    CHECK((mass_splitting.contact().spring.stretch - Vec3(0.12 * std::exp(-20 * 0.01), 0, 0)).norm() < 1e-14);
+    mass_splitting.contact().spring.slip = 10;
     mass_splitting.finish();
-    CHECK(mass_splitting.contact().stretch.norm() < 1e-20);
+    CHECK(mass_splitting.contact().spring.stretch.norm() < 1e-20);
 }
 
 TEST_CASE("friction: the pass computes and applies nothing, and only for pairs that wait and push")
@@ -116,9 +116,9 @@ TEST_CASE("friction anchors: a pair that waits and does not push slips no more")
     for (const FrictionParameters& model : both_models) {
         OnPlane it(model, {0.01, 0, 0});
         it.contact().impulse.setZero();
-        it.contact().slip = 3;  // of the step before
+        it.contact().spring.slip = 3;  // of the step before
         compute_friction_impulses(it.world, it.contacts, it.friction, OnPlane::dt);
-        CHECK(it.contact().slip == 0);
+        CHECK(it.contact().spring.slip == 0);
     }
 }
 
@@ -126,10 +126,10 @@ TEST_CASE("friction anchors: a stretch from before the surface tilted is laid al
 {
     for (const double slip : {0.0, 0.01}) {
         OnPlane it(MassSplitting{.spring = 50}, Vec3::Zero());
-        it.contact().stretch = {0.01, 0.02, 0};
-        it.contact().slip = slip;
+        it.contact().spring.stretch = {0.01, 0.02, 0};
+        it.contact().spring.slip = slip;
         it.contact().friction = {-0.6, 0, 0};  // enough for 0.12 m
         it.finish();
-        CHECK((it.contact().stretch - Vec3(0.01, 0, 0)).norm() < 1e-15);
+        CHECK((it.contact().spring.stretch - Vec3(0.01, 0, 0)).norm() < 1e-15);
     }
 }

@@ -67,8 +67,8 @@ Seen run_heap(const FrictionParameters& model, const std::string& response)
             seen.vertex_plane += contact.kind == ContactKind::vertex_plane;
             seen.vertex_face += contact.kind == ContactKind::vertex_face;
             seen.edge_edge += contact.kind == ContactKind::edge_edge;
-            seen.slipping += contact.slip > 0;
-            seen.holding += contact.slip == 0;
+            seen.slipping += contact.spring.slip > 0;
+            seen.holding += contact.spring.slip == 0;
             seen.worst_normal_part = std::max(
                 seen.worst_normal_part,
                 std::abs(contact.friction.dot(contact.impulse)) / (friction * normal));
@@ -167,7 +167,7 @@ struct RandomMeeting {
     {
         const Vec3 normal = (Vec3::UnitY() + vector(0.3)).normalized();
         contact.impulse = std::exp(random(-9, 5)) * normal;
-        contact.stretch = TangentPlane(normal).projected(vector(0.01));
+        contact.spring.stretch = TangentPlane(normal).projected(vector(0.01));
     }
 
 private:
@@ -215,7 +215,7 @@ TEST_CASE(
         friction.mu_d = it.random(0, friction.mu_s);
         for (Contact& contact : it.contacts) {  // a stretch that friction could have left
             const double longest = friction.mu_s * contact.impulse.norm() / (it.dt * friction.spring);
-            contact.stretch *= std::min(1.0, longest / contact.stretch.norm());
+            contact.spring.stretch *= std::min(1.0, longest / contact.spring.stretch.norm());
         }
         double stiffest = 1e300;  // that no anchor has to soften for this step
         MassShares shares(it.world, it.contacts);

@@ -200,7 +200,7 @@ TEST_CASE(
     while (scene.world.time < 40) {
         advance(scene.world, contacts, solver, scene.dt);
         const Progress1d now = along_slope(scene.world, 10);
-        if (stuck_at == 0 && contacts.size() == 4 && contacts[0].slip == 0)
+        if (stuck_at == 0 && contacts.size() == 4 && contacts[0].spring.slip == 0)
             stuck_at = now.speed;
         way = now.way;
     }

@@ -46,7 +46,7 @@ struct MovingPair {
             normal = contact.orientation * (x[0][1] - x[0][0]).cross(x[1][1] - x[1][0]).normalized();
         }
         contact.impulse = contact_geometry(world, contact, 1).normal;
-        contact.stretch = TangentPlane(normal).projected(0.01 * vector());
+        contact.spring.stretch = TangentPlane(normal).projected(0.01 * vector());
         contacts.push_back(contact);
     }
 
@@ -54,7 +54,7 @@ struct MovingPair {
     const Vec3& moved_stretch()
     {
         move_friction_anchors(world, contacts, MassSplitting{.spring = 100}, 1);
-        return contacts[0].stretch;
+        return contacts[0].spring.stretch;
     }
 
 private:
@@ -85,7 +85,7 @@ TEST_CASE("friction anchors: what turns and moves as one rigid whole takes its s
                     return Vec3(turn * x + Vec3(0.3, -0.2, 0.1));
                 });
                 it.contacts[0].hold(held);
-                const Vec3 before = it.contacts[0].stretch;
+                const Vec3 before = it.contacts[0].spring.stretch;
                 CHECK((it.moved_stretch() - turn * before).norm() < 1e-11);
             }
 }
@@ -102,7 +102,7 @@ TEST_CASE("friction anchors: what slides on a surface that turns is stretched by
         slide = TangentPlane(MovingPair(ContactKind::vertex_face, seed, motion).normal)
                     .projected({0.02, -0.01, 0.03});
         MovingPair it(ContactKind::vertex_face, seed, motion);
-        const Vec3 before = it.contacts[0].stretch;
+        const Vec3 before = it.contacts[0].spring.stretch;
         CHECK((it.moved_stretch() - turn * (before + slide)).norm() < 1e-11);
     }
 }
@@ -120,7 +120,7 @@ TEST_CASE("friction anchors: of two edges that turn against each other neither c
         c.vertices = {c.vertices[2], c.vertices[3], c.vertices[0], c.vertices[1]};
         c.weights = {-c.weights[2], -c.weights[3], -c.weights[0], -c.weights[1]};
         c.impulse = -c.impulse;
-        c.stretch = -c.stretch;
+        c.spring.stretch = -c.spring.stretch;
         CHECK((one.moved_stretch() + other.moved_stretch()).norm() < 1e-11);
     }
 }

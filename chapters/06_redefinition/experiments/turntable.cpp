@@ -15,11 +15,11 @@ constexpr double micrometres = 1e6;  // in a metre
 Solver solver_with_world_axes(const ContactParameters& parameters)
 {
     Solver solver = chapter06_solver(parameters);
-    solver.insert_before("move friction anchors", "turn anchors back",
-                         [](World& world, Contacts& contacts, double) {
-                             for (Contact& contact : contacts)
-                                 contact.stretch = surface_turn(world, contact).transpose() * contact.stretch;
-                         });
+    solver.insert_before(
+        "move friction anchors", "turn anchors back", [](World& world, Contacts& contacts, double) {
+            for (Contact& contact : contacts)
+                contact.spring.stretch = surface_turn(world, contact).transpose() * contact.spring.stretch;
+        });
     return solver;
 }
 

@@ -28,9 +28,9 @@ TEST_CASE(
     const SurfaceMesh roof{{{0, 0, -2}, {0, 0, 2}, {-2, -1, 0}, {2, -1, 0}}, {{0, 2, 1}, {0, 1, 3}}};
     World world = tip_and(roof, {0.1, -0.1, 0.05});
     Contacts contacts{on_face(world, 0)};
-    contacts[0].stretch = {0.004, 0.002, 0.003};  // along the left slope
+    contacts[0].spring.stretch = {0.004, 0.002, 0.003};  // along the left slope
     Redefinitions redefinitions;
     redefine_enduring_vertices(world, contacts, redefinitions);
     REQUIRE(contacts[0].feature_b == 1);
-    CHECK((contacts[0].stretch - Vec3(0.004, -0.002, 0.003)).norm() < 1e-15);
+    CHECK((contacts[0].spring.stretch - Vec3(0.004, -0.002, 0.003)).norm() < 1e-15);
 }

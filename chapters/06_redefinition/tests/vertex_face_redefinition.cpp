@@ -147,10 +147,10 @@ TEST_CASE("redefinition: the friction anchor comes along")
     World world = tip_and(plane_grid(2, 2, {3, 3}), {0.1, -0.01, 0.05});
     for (int face = 0; face < static_cast<int>(world.bodies[0]->surface().faces().size()); ++face) {
         Contacts contacts{on_face(world, face)};
-        contacts[0].stretch = {0.003, 0, -0.001};
+        contacts[0].spring.stretch = {0.003, 0, -0.001};
         Redefinitions redefinitions;
         redefine_enduring_vertices(world, contacts, redefinitions);
-        CHECK(contacts[0].stretch == Vec3(0.003, 0, -0.001));
+        CHECK(contacts[0].spring.stretch == Vec3(0.003, 0, -0.001));
     }
 }
 

@@ -42,7 +42,8 @@ struct Run {
             if (!contact.is_spring())
                 continue;
             const double depth = contact_geometry(scene.world, contact, 1).depth,
-                         spring = contact.stiffness * std::max(0.0, contact.rest_offset - depth),
+                         spring = contact.spring.stiffness *
+                                  std::max(0.0, contact.spring.rest_offset - depth),
                          force = pair_force(contact, part).normal.norm();
             off = std::max(off, std::abs(force - spring));
             largest = std::max({largest, force, spring});

@@ -23,11 +23,11 @@ TEST_CASE(
         world.attempt.springs = 5;
         const std::vector<int> lower = lower_corners(*world.bodies[0]);
         Contacts contacts{corner_on_plane(lower[0]), corner_on_plane(lower[1])};
-        contacts[0].stiffness = contacts[1].stiffness = 1e10;
-        contacts[0].load = contacts[1].load = 1e5;  // asks for as much
-        contacts[0].rest_offset = -4e-5;
-        contacts[1].rest_offset = -3e-4;  // not compressed
-        contacts[1].stretch = Vec3(2e-5, 0, 0);
+        contacts[0].spring.stiffness = contacts[1].spring.stiffness = 1e10;
+        contacts[0].spring.load = contacts[1].spring.load = 1e5;  // asks for as much
+        contacts[0].spring.rest_offset = -4e-5;
+        contacts[1].spring.rest_offset = -3e-4;  // not compressed
+        contacts[1].spring.stretch = Vec3(2e-5, 0, 0);
         ImplicitSettings settings;
         settings.stiffness.keep = 1;
         settings.stiffness.k_dt2_over_m = 1e-6;
@@ -35,7 +35,7 @@ TEST_CASE(
         settings.record = [](const SolveRecord&) {};
         IslandMatrices matrices;
         solve_contacts(world, contacts, settings, matrices, dt);
-        REQUIRE(contacts[0].rest_offset == doctest::Approx(-4e-5));
+        REQUIRE(contacts[0].spring.rest_offset == doctest::Approx(-4e-5));
         CHECK(world.attempt.added_energy == doctest::Approx(1e10 / 2 * (6e-5 * 6e-5 + 2e-5 * 2e-5) - 5));
     }
 }
@@ -47,7 +47,7 @@ TEST_CASE("implicit contact: a later response of the step books no spring again"
     world.attempt.springs = 5;
     const std::vector<int> lower = lower_corners(*world.bodies[0]);
     Contacts contacts{corner_on_plane(lower[0])};
-    contacts[0].stiffness = 1e6;
+    contacts[0].spring.stiffness = 1e6;
     ImplicitSettings settings;
     settings.record = [](const SolveRecord&) {};
     IslandMatrices matrices;
@@ -168,16 +168,16 @@ TEST_CASE(
                 ++face;
             const auto [f0, f1, f2] = world.bodies[1]->surface().faces()[face];
             Contact pair{ContactKind::vertex_face, 0, 1, 0, face, {0, f0, f1, f2}, {1, -0.5, -0.25, -0.25}};
-            pair.stiffness = 1e5;
+            pair.spring.stiffness = 1e5;
             pair.impulse = dt * Vec3(0, 30, 0);
             pair.friction = dt * Vec3(3, 0, -4);
             Contacts contacts{pair};
             remember_pairs(world, contacts, dt);
             CAPTURE(dt);
             CAPTURE(turn);
-            CHECK(contacts[0].load == doctest::Approx(30));
+            CHECK(contacts[0].spring.load == doctest::Approx(30));
             const Vec3 expected = Eigen::AngleAxisd(turn, Vec3::UnitY()) * Vec3(-3e-5, 0, 4e-5);
-            CHECK((contacts[0].stretch - expected).norm() < 0.02 * expected.norm());
+            CHECK((contacts[0].spring.stretch - expected).norm() < 0.02 * expected.norm());
         }
 }
 
@@ -193,7 +193,7 @@ TEST_CASE("solver of chapter 7: its pairs are as stiff as the depth that a scene
         advance(scene.world, contacts, solver, dt);
     REQUIRE(contacts.size() == 4);
     for (const Contact& contact : contacts)
-        CHECK(contact.stiffness == doctest::Approx(3 * of_mass).epsilon(0.02));
+        CHECK(contact.spring.stiffness == doctest::Approx(3 * of_mass).epsilon(0.02));
 }
 
 TEST_CASE(

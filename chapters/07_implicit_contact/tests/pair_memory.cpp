@@ -19,17 +19,17 @@ TEST_CASE("pair memory: a stiffness that changes changes no force, and its rest 
     const StiffnessChoice choice;
     Contact contact;
     adapt_stiffness(contact, 0.01, 2, choice, 0.01);
-    CHECK(contact.stiffness == doctest::Approx(100 * 2 / 1e-4));
-    CHECK(contact.rest_offset == 0);
-    const double before = contact.stiffness, depth = -1e-3, force = -before * depth;
-    contact.load = force;
+    CHECK(contact.spring.stiffness == doctest::Approx(100 * 2 / 1e-4));
+    CHECK(contact.spring.rest_offset == 0);
+    const double before = contact.spring.stiffness, depth = -1e-3, force = -before * depth;
+    contact.spring.load = force;
     adapt_stiffness(contact, depth, 2, StiffnessChoice{.wanted_depth = 1e-5, .keep = 1}, 0.01);
-    CHECK(contact.stiffness > before);
-    CHECK(-contact.stiffness * (depth - contact.rest_offset) == doctest::Approx(force));
-    const double rest_offset = contact.rest_offset;
+    CHECK(contact.spring.stiffness > before);
+    CHECK(-contact.spring.stiffness * (depth - contact.spring.rest_offset) == doctest::Approx(force));
+    const double rest_offset = contact.spring.rest_offset;
     for (int i = 0; i < 50; ++i)
         adapt_stiffness(contact, 1e-6, 2, choice, 0.01);
-    CHECK(std::abs(contact.rest_offset) < 0.01 * std::abs(rest_offset));
+    CHECK(std::abs(contact.spring.rest_offset) < 0.01 * std::abs(rest_offset));
 }
 
 TEST_CASE("pair memory: a mass and a load each ask for a stiffness, and the larger one counts")
@@ -49,16 +49,16 @@ TEST_CASE("pair memory: a rest offset fades no faster than at a part of the natu
 {
     Contact deep;
     adapt_stiffness(deep, -0.2, 1, {}, 0.01);
-    REQUIRE(deep.rest_offset == -0.2);
+    REQUIRE(deep.spring.rest_offset == -0.2);
     adapt_stiffness(deep, -0.2, 1, {}, 0.01);
-    CHECK(deep.rest_offset == doctest::Approx(-0.2 + 0.3443 * 0.01).epsilon(1e-4));
-    double before = deep.rest_offset;
+    CHECK(deep.spring.rest_offset == doctest::Approx(-0.2 + 0.3443 * 0.01).epsilon(1e-4));
+    double before = deep.spring.rest_offset;
     adapt_stiffness(deep, before, 1, {}, 0.002);  // at rest where its spring is slack
-    CHECK(deep.rest_offset == doctest::Approx(before + 0.3443 * 0.002).epsilon(1e-4));
-    before = deep.rest_offset;
+    CHECK(deep.spring.rest_offset == doctest::Approx(before + 0.3443 * 0.002).epsilon(1e-4));
+    before = deep.spring.rest_offset;
     const NaturalUnits of_a_hundredth{0.01, 0.313};
     adapt_stiffness(deep, before, 1, StiffnessChoice{}.of_pair(of_a_hundredth), 0.01);
-    CHECK(deep.rest_offset == doctest::Approx(before + 0.03443 * 0.01).epsilon(1e-4));
+    CHECK(deep.spring.rest_offset == doctest::Approx(before + 0.03443 * 0.01).epsilon(1e-4));
 }
 
 TEST_CASE(
@@ -71,10 +71,10 @@ TEST_CASE(
         adapt_stiffness(contact, 0, 2, choice, dt);
         for (const auto& [load, stiffness] :
              {std::pair(3.0, 3.0), {50.0, 50.0}, {26.0, 50.0}, {24.0, 24.0}, {0.2, 1.0}, {0.0, 1.0}}) {
-            contact.load = load * own * 1e-5;
-            const double depth = contact.rest_offset - contact.load / contact.stiffness;
+            contact.spring.load = load * own * 1e-5;
+            const double depth = contact.spring.rest_offset - contact.spring.load / contact.spring.stiffness;
             adapt_stiffness(contact, depth, 2, choice, dt);
-            CHECK(contact.stiffness == doctest::Approx(stiffness * own));
+            CHECK(contact.spring.stiffness == doctest::Approx(stiffness * own));
         }
     }
 }
@@ -85,11 +85,11 @@ TEST_CASE("pair memory: a spring that is wound up above its load stays as stiff 
         const StiffnessChoice choice{.wanted_depth = 1e-5};
         Contact contact;
         adapt_stiffness(contact, 0, 2, choice, 0.01);
-        contact.stiffness = 1e9;
-        contact.load = 20;
-        contact.rest_offset = -0.4 + wound_up;
+        contact.spring.stiffness = 1e9;
+        contact.spring.load = 20;
+        contact.spring.rest_offset = -0.4 + wound_up;
         adapt_stiffness(contact, -0.4, 2, choice, 0.01);
-        CHECK((contact.stiffness == 1e9) == (wound_up > 1e-3));
+        CHECK((contact.spring.stiffness == 1e9) == (wound_up > 1e-3));
     }
 }
 
@@ -101,17 +101,17 @@ TEST_CASE("pair memory: loads that come and go bring no energy to a spring whose
     const StiffnessChoice choice{.wanted_depth = wanted_depth, .keep = 1};  // no offset fades
     Contact contact;
     adapt_stiffness(contact, 0, 2, choice, dt);
-    const double first = contact.stiffness;
+    const double first = contact.spring.stiffness;
     double brought = 0;
     for (int i = 0; i < 100; ++i) {
-        contact.load = first * wanted_depth * std::pow(10, decades(random));
-        const double depth = contact.rest_offset - contact.load / contact.stiffness;
-        const double before = contact.load * contact.load / (2 * contact.stiffness);
+        contact.spring.load = first * wanted_depth * std::pow(10, decades(random));
+        const double depth = contact.spring.rest_offset - contact.spring.load / contact.spring.stiffness;
+        const double before = contact.spring.load * contact.spring.load / (2 * contact.spring.stiffness);
         adapt_stiffness(contact, depth, 2, choice, dt);
-        const double compressed = depth - contact.rest_offset;
-        brought += contact.stiffness / 2 * compressed * compressed - before;
+        const double compressed = depth - contact.spring.rest_offset;
+        brought += contact.spring.stiffness / 2 * compressed * compressed - before;
         CAPTURE(i);
-        CHECK(brought <= wanted_depth * wanted_depth / 2 * (first - contact.stiffness) * (1 - 1e-9));
+        CHECK(brought <= wanted_depth * wanted_depth / 2 * (first - contact.spring.stiffness) * (1 - 1e-9));
     }
     CHECK(brought < 0);
 }
@@ -121,24 +121,24 @@ TEST_CASE(
 {
     Contact contact;
     adapt_stiffness(contact, 1e-3, 2, {}, 0.01);
-    const double before = contact.stiffness;
-    contact.load = 1e9;
-    contact.stretch = Vec3(1e-5, 0, 0);
+    const double before = contact.spring.stiffness;
+    contact.spring.load = 1e9;
+    contact.spring.stretch = Vec3(1e-5, 0, 0);
     adapt_stiffness(contact, 1e-3, 2, {}, 0.01);
-    CHECK(contact.stiffness > 1.9 * before);
-    CHECK(contact.rest_offset == 0);
-    CHECK(contact.stretch == Vec3(1e-5, 0, 0));
+    CHECK(contact.spring.stiffness > 1.9 * before);
+    CHECK(contact.spring.rest_offset == 0);
+    CHECK(contact.spring.stretch == Vec3(1e-5, 0, 0));
 }
 
 TEST_CASE("pair memory: where the stiffness rises, friction holds what it held before")
 {
     Contact contact;
     adapt_stiffness(contact, 0, 2, {}, 0.01);
-    contact.load = 1e9;
-    contact.stretch = Vec3(1e-5, 0, -2e-5);
-    const Vec3 force = contact.stiffness * contact.stretch;
+    contact.spring.load = 1e9;
+    contact.spring.stretch = Vec3(1e-5, 0, -2e-5);
+    const Vec3 force = contact.spring.stiffness * contact.spring.stretch;
     adapt_stiffness(contact, -1e-4, 2, {}, 0.01);
-    CHECK((contact.stiffness * contact.stretch - force).norm() <= 1e-12 * force.norm());
+    CHECK((contact.spring.stiffness * contact.spring.stretch - force).norm() <= 1e-12 * force.norm());
 }
 
 TEST_CASE(
@@ -149,16 +149,16 @@ TEST_CASE(
             Contact contact;
             const double depth = -0.02, max_load = 5e3;
             adapt_stiffness(contact, 0, 1, {}, 0.01, max_load);
-            contact.rest_offset = depth + carried / contact.stiffness;
+            contact.spring.rest_offset = depth + carried / contact.spring.stiffness;
             double force = carried;
             for (int step = 0; step < 200; ++step) {
-                contact.load = seen ? force : 0;
+                contact.spring.load = seen ? force : 0;
                 adapt_stiffness(contact, depth, 1, {}, 0.01, max_load);
-                force = contact.stiffness * (contact.rest_offset - depth);
+                force = contact.spring.stiffness * (contact.spring.rest_offset - depth);
             }
-            const double once = contact.stiffness * StiffnessChoice{}.fading_speed() * 0.01;
+            const double once = contact.spring.stiffness * StiffnessChoice{}.fading_speed() * 0.01;
             CHECK(force >= doctest::Approx(std::max(carried, max_load)).epsilon(1e-9));
-            CHECK(force <= std::max(carried, max_load + once + contact.stiffness * 1e-5));
+            CHECK(force <= std::max(carried, max_load + once + contact.spring.stiffness * 1e-5));
         }
 }
 
@@ -166,12 +166,12 @@ TEST_CASE("pair memory: a rest offset fades under the most load, and not under m
 {
     for (const double part : {0.0, 0.5, 0.99, 1.01, 5.0}) {
         Contact pressed;
-        pressed.stiffness = 1e6;
-        pressed.rest_offset = -0.01;
-        pressed.load = part * 2e3;
+        pressed.spring.stiffness = 1e6;
+        pressed.spring.rest_offset = -0.01;
+        pressed.spring.load = part * 2e3;
         adapt_stiffness(pressed, -0.01, 1, {}, 0.01, 2e3);
         CAPTURE(part);
-        CHECK((pressed.rest_offset > -0.01) == (part < 1));
+        CHECK((pressed.spring.rest_offset > -0.01) == (part < 1));
     }
 }
 
@@ -179,23 +179,23 @@ TEST_CASE("pair memory: a pair that is held lets its spring go, and begins anew 
 {
     const Scene scene = scene_of(stack_of(1), 0.01);
     Contact pair{ContactKind::vertex_plane, 0, 0, 0, 0, {0}, {1}};
-    pair.stiffness = 1e5;
-    pair.load = 40;
-    pair.rest_offset = -1e-3;
+    pair.spring.stiffness = 1e5;
+    pair.spring.load = 40;
+    pair.spring.rest_offset = -1e-3;
     pair.impulse = Vec3(0, 0.2, 0);
     pair.friction = Vec3(0.1, 0, 0);
-    pair.stretch = Vec3(1e-4, 0, 0);
+    pair.spring.stretch = Vec3(1e-4, 0, 0);
     Contacts contacts{pair, pair};
     contacts[0].hold(true);
     remember_pairs(scene.world, contacts, 0.01);
-    CHECK(contacts[0].stiffness == 0);
-    CHECK(contacts[0].stretch.isZero(0));
-    CHECK(contacts[0].load == 40);
-    CHECK(contacts[1].stiffness == 1e5);
-    CHECK(contacts[1].stretch.isApprox(Vec3(-1e-4, 0, 0)));
-    CHECK(contacts[1].load == doctest::Approx(20));
+    CHECK(contacts[0].spring.stiffness == 0);
+    CHECK(contacts[0].spring.stretch.isZero(0));
+    CHECK(contacts[0].spring.load == 40);
+    CHECK(contacts[1].spring.stiffness == 1e5);
+    CHECK(contacts[1].spring.stretch.isApprox(Vec3(-1e-4, 0, 0)));
+    CHECK(contacts[1].spring.load == doctest::Approx(20));
     adapt_stiffness(contacts[0], -0.02, 1, {}, 0.01);
-    CHECK(contacts[0].rest_offset == -0.02);
+    CHECK(contacts[0].spring.rest_offset == -0.02);
 }
 
 TEST_CASE(
@@ -208,17 +208,17 @@ TEST_CASE(
                 scene.world.attempt.may_be_halved = may_be_halved;
                 scene.world.attempt.work.unsolved = unsolved;
                 Contact pair{ContactKind::vertex_plane, 0, 0, 0, 0, {0}, {1}};
-                pair.stiffness = 1e5;
+                pair.spring.stiffness = 1e5;
                 pair.impulse = Vec3(0, impulse, 0);
                 const double depth = contact_geometry(scene.world, pair, 1).depth,
-                             pressed = impulse / 0.01 / pair.stiffness;
-                pair.rest_offset = depth + 5e-3;  // of the law that was not solved: 500 N
+                             pressed = impulse / 0.01 / pair.spring.stiffness;
+                pair.spring.rest_offset = depth + 5e-3;  // of the law that was not solved: 500 N
                 Contacts contacts{pair, pair};
-                contacts[1].rest_offset = depth - 1e-3;  // slack, and stays so
+                contacts[1].spring.rest_offset = depth - 1e-3;  // slack, and stays so
                 remember_pairs(scene.world, contacts, 0.01);
-                CHECK(contacts[0].rest_offset ==
+                CHECK(contacts[0].spring.rest_offset ==
                       doctest::Approx(depth + (unsolved > 0 ? pressed : 5e-3)).epsilon(1e-12));
-                CHECK(contacts[1].rest_offset == depth - 1e-3);
+                CHECK(contacts[1].spring.rest_offset == depth - 1e-3);
             }
 }
 
@@ -238,9 +238,9 @@ TEST_CASE("pair memory: a rest offset deeper than the load has pressed does not 
                                  Spring{-0.02, 0.0201, true}, Spring{-0.99e-3, 0, true}}) {
         CAPTURE(spring.pressed);
         Contact pair{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}};
-        pair.stiffness = 1e8;
-        pair.rest_offset = spring.rest_offset;
-        pair.load = first * spring.pressed;
+        pair.spring.stiffness = 1e8;
+        pair.spring.rest_offset = spring.rest_offset;
+        pair.spring.load = first * spring.pressed;
         Contacts contacts{pair};
         const StepProblem step = set_up_only_island(scene.world, contacts, choice, {0.5, 0.4}, {1, scene.dt},
                                                     false);
@@ -254,8 +254,8 @@ TEST_CASE("pair memory: a pair that is born inside pushes nobody, one from outsi
     Contact inside, outside;
     adapt_stiffness(inside, -0.02, 1, {}, 0.01);
     adapt_stiffness(outside, 0.003, 1, {}, 0.01);
-    CHECK(inside.rest_offset == -0.02);
-    CHECK(outside.rest_offset == 0);
+    CHECK(inside.spring.rest_offset == -0.02);
+    CHECK(outside.spring.rest_offset == 0);
 }
 
 TEST_CASE(
@@ -278,7 +278,7 @@ TEST_CASE(
             for (const Contact& contact : contacts)
                 if (contact.kind == kind && contact.body_a == body) {
                     ++pairs;
-                    CHECK(contact.stiffness == doctest::Approx(100 / (response * 1e-4)).epsilon(1e-3));
+                    CHECK(contact.spring.stiffness == doctest::Approx(100 / (response * 1e-4)).epsilon(1e-3));
                 }
             return pairs;
         };

@@ -18,8 +18,8 @@ TEST_CASE(
             Contacts contacts;
             for (const int corner : lower) {
                 contacts.push_back(corner_on_plane(corner));
-                contacts.back().stiffness = k;
-                contacts.back().load = load;
+                contacts.back().spring.stiffness = k;
+                contacts.back().spring.load = load;
             }
             StepProblem step = set_up_only_island(world, contacts, {}, {}, {1, dt}, false);
             Eigen::VectorXd impulses(3 * lower.size());

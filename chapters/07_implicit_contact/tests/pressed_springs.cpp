@@ -35,12 +35,12 @@ struct HeavyOnLight {
             contact.kind = ContactKind::vertex_plane;
             contact.body_a = contact.body_b = 0;
             contact.vertices[0] = 0;
-            contact.rest_offset = -2e-3;
-            contact.stretch = Vec3(1e-5, 0, -3e-5);
+            contact.spring.rest_offset = -2e-3;
+            contact.spring.stretch = Vec3(1e-5, 0, -3e-5);
             PairRow row;
-            row.law.stiffness = contact.stiffness = 3;
+            row.law.stiffness = contact.spring.stiffness = 3;
             row.law.depth_t0 = -5e-4;  // from where the spring is slack
-            row.law.stretch = contact.stretch;
+            row.law.stretch = contact.spring.stretch;
             row.acting = (i == 0 ? light + heavy : heavy) * speed * Vec3::UnitY();
             row.parts[0] = {3 * i, Mat3::Identity()};
             row.parts[1] = {0, -Mat3::Identity()};
@@ -66,11 +66,11 @@ TEST_CASE("pressing mass: a pair that is made stiffer in its step pushes and hol
         const Contact& contact = points.contacts[0];
         const PairLaw& law = points.step.problem.rows[0].law;
         const double depth = -2e-3 - 5e-4;
-        CHECK(contact.stiffness == doctest::Approx(100 * 1001 / (dt * dt)));
-        CHECK(contact.stiffness * (contact.rest_offset - depth) == doctest::Approx(3 * 5e-4));
-        CHECK((contact.stiffness * contact.stretch - 3 * Vec3(1e-5, 0, -3e-5)).norm() < 1e-12);
-        CHECK(law.stiffness == contact.stiffness);
-        CHECK(law.stretch == contact.stretch);
+        CHECK(contact.spring.stiffness == doctest::Approx(100 * 1001 / (dt * dt)));
+        CHECK(contact.spring.stiffness * (contact.spring.rest_offset - depth) == doctest::Approx(3 * 5e-4));
+        CHECK((contact.spring.stiffness * contact.spring.stretch - 3 * Vec3(1e-5, 0, -3e-5)).norm() < 1e-12);
+        CHECK(law.stiffness == contact.spring.stiffness);
+        CHECK(law.stretch == contact.spring.stretch);
     }
 }
 
@@ -83,7 +83,7 @@ TEST_CASE(
         choice.max_k_dt2_over_m = 2000;
         CAPTURE(dt);
         CHECK(stiffen_where_pressed(points.world, points.step, choice));
-        CHECK(points.contacts[0].stiffness == doctest::Approx(2000 * points.light / (dt * dt)));
+        CHECK(points.contacts[0].spring.stiffness == doctest::Approx(2000 * points.light / (dt * dt)));
         CHECK_FALSE(stiffen_where_pressed(points.world, points.step, choice));
     }
 }
@@ -100,7 +100,7 @@ TEST_CASE(
             CAPTURE(size);
             CAPTURE(dt);
             CHECK(stiffen_where_pressed(points.world, points.step, choice));
-            CHECK(points.contacts[0].stiffness ==
+            CHECK(points.contacts[0].spring.stiffness ==
                   doctest::Approx(points.load() / choice.depth(points.world.bodies[0]->size())));
         }
 }

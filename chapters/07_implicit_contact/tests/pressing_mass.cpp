@@ -37,7 +37,7 @@ struct StoppedPoints {
         contacts[below].kind = ContactKind::vertex_plane;
         contacts[below].body_a = contacts[below].body_b = 0;
         contacts[below].vertices[0] = 0;
-        row.law.stiffness = contacts[below].stiffness = 1;
+        row.law.stiffness = contacts[below].spring.stiffness = 1;
         row.acting = mass * speed * Vec3::UnitY();
         row.parts[0] = {3 * static_cast<int>(below), Mat3::Identity()};
         row.part_count = 1;
@@ -84,9 +84,10 @@ TEST_CASE(
         StoppedPoints points({1, 1000}, world.gravity, 0);
         CHECK(stiffen_where_pressed(world, points.step, choice));
         const double of_mass = choice.k_dt2_over_m * 1001 / (dt * dt), of_load = 1001 * 9.81 / wanted_depth;
-        CHECK(points.contacts[0].stiffness == doctest::Approx(std::min(of_mass, of_load)).epsilon(1e-3));
-        CHECK(points.contacts[0].rest_offset == 0);
-        CHECK(points.step.problem.rows[1].law.stiffness == points.contacts[0].stiffness);
+        CHECK(points.contacts[0].spring.stiffness ==
+              doctest::Approx(std::min(of_mass, of_load)).epsilon(1e-3));
+        CHECK(points.contacts[0].spring.rest_offset == 0);
+        CHECK(points.step.problem.rows[1].law.stiffness == points.contacts[0].spring.stiffness);
         CHECK_FALSE(stiffen_where_pressed(world, points.step, choice));
     }
 }
@@ -96,7 +97,7 @@ TEST_CASE("pressing mass: a pair that is pressed by less than twice its own mass
     const World world = world_of_a_metre();
     StoppedPoints points({1, 0.9}, world.gravity, 2);
     for (Contact& contact : points.contacts)
-        contact.stiffness = 100 / (dt * dt);
+        contact.spring.stiffness = 100 / (dt * dt);
     CHECK_FALSE(stiffen_where_pressed(world, points.step, {}));
 }
 

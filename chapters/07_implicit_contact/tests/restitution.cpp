@@ -89,7 +89,7 @@ struct PushedCube {
             corner.state = ContactState::answered;
             corner.impulse = impulse * Vec3::UnitY();
             corner.friction = 0.2 * impulse * Vec3::UnitX();
-            corner.stiffness = impulse / (pressed * dt);
+            corner.spring.stiffness = impulse / (pressed * dt);
         }
     }
     Island pushed() { return pushed_part(world, find_islands(world, contacts).at(0), dt); }
@@ -313,7 +313,7 @@ TEST_CASE(
     "restitution: a pair that carried a load when the step began was not open, nor was one that was inside")
 {
     PushedCube cube(Vec3(0, -0.02, 0));
-    cube.contacts[1].load = 1;
+    cube.contacts[1].spring.load = 1;
     remember_pairs(cube.world, cube.contacts, PushedCube::dt);  // the cube is inside by what it is pressed
     for (const Contact& corner : cube.contacts)
         CHECK_FALSE(corner.began_open);
@@ -325,8 +325,8 @@ TEST_CASE(
         world.bodies[0] = std::make_unique<RigidBody>("cube", mesh,
                                                       with_mass(mass_properties(mesh, 1000), 10));
         for (Contact& corner : cube.contacts)
-            corner.load = 0;
-        cube.contacts[1].load = 1;
+            corner.spring.load = 0;
+        cube.contacts[1].spring.load = 1;
         remember_pairs(world, cube.contacts, PushedCube::dt);
         for (std::size_t corner = 0; corner < 4; ++corner)
             CHECK(cube.contacts[corner].began_open == (corner != 1));

@@ -40,9 +40,9 @@ struct Tower {
     {
         contact.state = ContactState::answered;
         contact.impulse = impulse * Vec3::UnitY();
-        contact.stiffness = impulse / (by * dt);
-        contact.load = 5;
-        contact.stretch = Vec3(1e-5, 0, 0);
+        contact.spring.stiffness = impulse / (by * dt);
+        contact.spring.load = 5;
+        contact.spring.stretch = Vec3(1e-5, 0, 0);
         contacts.push_back(contact);
     }
     /// @param velocity  that it would have without the impulses of pairs [m/s]
@@ -124,10 +124,10 @@ TEST_CASE("restitution: a pair that bounces holds nothing any more, and one that
 {
     Tower tower = struck_tower(0, 0.5);
     restitute(tower.world, tower.contacts, {}, dt);
-    CHECK(tower.contacts[0].load == 5);
-    CHECK(tower.contacts[0].stretch.x() == 1e-5);
-    CHECK(tower.contacts[1].load == 0);
-    CHECK(tower.contacts[1].stretch.isZero(0));
+    CHECK(tower.contacts[0].spring.load == 5);
+    CHECK(tower.contacts[0].spring.stretch.x() == 1e-5);
+    CHECK(tower.contacts[1].spring.load == 0);
+    CHECK(tower.contacts[1].spring.stretch.isZero(0));
 }
 
 TEST_CASE("restitution: the velocity with which a pair leaves carries it up from where its spring is pressed")
@@ -152,7 +152,7 @@ TEST_CASE("restitution: how little is pressed is a part of the body's size")
             pushed.world.restitution.between = {1};
             pushed.add(-1, 1 - pushed.pressed / dt, 0);
             CHECK(pushed.island().contacts.size() == 1);
-            pushed.contacts[0].stiffness = pushed.contacts[0].impulse.norm() / (least * dt);
+            pushed.contacts[0].spring.stiffness = pushed.contacts[0].impulse.norm() / (least * dt);
             CHECK(pushed_part(pushed.world, pushed.island(), dt).contacts.size() == (part > 1 ? 1 : 0));
         }
     }

@@ -22,9 +22,9 @@ TEST_CASE("step problem: a pair slides on where mu_s times its load cannot stop 
         for (const double part : {0.0, 0.9, 1.1}) {
             const World world = cube_above_plane(0, dt);
             Contacts contacts{corner_on_plane()};
-            contacts[0].stiffness = 1e6;
-            contacts[0].load = 80;
-            contacts[0].slip = part * 0.5 * 80 * dt / corner_mass;
+            contacts[0].spring.stiffness = 1e6;
+            contacts[0].spring.load = 80;
+            contacts[0].spring.slip = part * 0.5 * 80 * dt / corner_mass;
             const StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.1}, {1, dt}, true);
             REQUIRE(step.problem.rows.size() == 1);
             CAPTURE(dt);
@@ -41,8 +41,8 @@ TEST_CASE("step problem: a pair that began inside rubs when it is nearly out, by
         for (const double part : {0.9, 1.1}) {
             const World world = cube_above_plane(-size / 10, dt, size);
             Contacts contacts{corner_on_plane()};
-            contacts[0].stiffness = 1e6;
-            contacts[0].rest_offset = -part * 100 * scale_parts.wanted_depth * world.bodies[0]->size();
+            contacts[0].spring.stiffness = 1e6;
+            contacts[0].spring.rest_offset = -part * 100 * scale_parts.wanted_depth * world.bodies[0]->size();
             const StepProblem step = set_up_only_island(world, contacts, choice, {0.5, 0.4}, {1, dt}, false);
             CAPTURE(size);
             CHECK(step.problem.rows.at(0).law.mu == (part < 1 ? 0.5 : 0));
@@ -54,13 +54,13 @@ TEST_CASE("step problem: a pair that holds does not slip, however it moves")
     const double dt = 0.004;
     const World world = cube_above_plane(-1e-4, dt);
     Contacts contacts{corner_on_plane()};
-    contacts[0].stiffness = 1e3;
-    contacts[0].slip = 3;
+    contacts[0].spring.stiffness = 1e3;
+    contacts[0].spring.slip = 3;
     StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, false);
     step.problem.rows.at(0).law.lagged_normal_impulse = 1;
     step.problem.rows.at(0).velocity = Vec3(0.01, 0, 0);
     find_slip(step);
-    CHECK(contacts[0].slip == 0);
+    CHECK(contacts[0].spring.slip == 0);
 }
 
 TEST_CASE("step problem: the most load is ten times all weight and what stops all motion in the step")
@@ -123,16 +123,16 @@ TEST_CASE(
     for (const double load : {5.0, 1000.0})
         for (const double before : {1e6, 1e9}) {
             Contacts contacts{corner_on_plane()};
-            contacts[0].stiffness = before;
-            contacts[0].rest_offset = -1e-4 + load / before;
-            contacts[0].load = load;
+            contacts[0].spring.stiffness = before;
+            contacts[0].spring.rest_offset = -1e-4 + load / before;
+            contacts[0].spring.load = load;
             set_up_only_island(world, contacts, choice, {}, {1, dt}, true);
             CAPTURE(load);
             CAPTURE(before);
             const double of_mass = 100 * corner_mass / (dt * dt);  // 156 N for the wanted depth
             // what is pressed harder than others can press it is made no stiffer
             const double most = std::max(before, max_load(world, {{0}, {}}, dt) * before / load);
-            CHECK(contacts[0].stiffness ==
+            CHECK(contacts[0].spring.stiffness ==
                   doctest::Approx(std::min(std::max(of_mass, load / 1e-5), most)).epsilon(1e-3));
         }
 }
@@ -175,7 +175,7 @@ TEST_CASE("step problem: a limit of friction is taken from what acts along the n
     const World world = cube_above_plane(-1e-4, dt);
     for (const double along : {4.0, -4.0}) {
         Contacts contacts{corner_on_plane()};
-        contacts[0].stiffness = 1e6;
+        contacts[0].spring.stiffness = 1e6;
         StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, true);
         contacts[0].impulse = Vec3(3, along, 0);
         update_kinematics(world, step);
@@ -197,13 +197,14 @@ TEST_CASE(
         for (int face = 0; face < 12; ++face) {
             const auto [f0, f1, f2] = faces[face];
             Contact pair{ContactKind::vertex_face, 0, 1, 0, face, {0, f0, f1, f2}, {1, -0.5, -0.25, -0.25}};
-            pair.stiffness = 1e5;
-            pair.load = 30;
-            pair.stretch = Vec3(1e-5, 2e-5, -3e-5);
+            pair.spring.stiffness = 1e5;
+            pair.spring.load = 30;
+            pair.spring.stretch = Vec3(1e-5, 2e-5, -3e-5);
             Contacts contacts{pair};
             const StepProblem step = set_up_only_island(world, contacts, {}, {0.5, 0.4}, {1, dt}, false);
             const Vec3 normal = (at(f1) - at(f0)).cross(at(f2) - at(f0)).normalized();
-            CHECK((last_impulses(world, step) - dt * (30 * normal - 1e5 * pair.stretch)).norm() < 1e-12);
+            CHECK((last_impulses(world, step) - dt * (30 * normal - 1e5 * pair.spring.stretch)).norm() <
+                  1e-12);
         }
     }
 }

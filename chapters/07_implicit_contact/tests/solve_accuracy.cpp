@@ -39,13 +39,13 @@ TEST_CASE("solve accuracy: rounding leaves what a spring makes of the last digit
     for (const auto& body : world.bodies)
         body->predict(world.gravity, dt);
     Contacts contacts{{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}};
-    contacts[0].stiffness = 3e5;
+    contacts[0].spring.stiffness = 3e5;
     StepProblem step = set_up_only_island(world, contacts, {}, {}, {1, dt}, true);
     REQUIRE(step.problem.rows.size() == 1);
     CHECK(rounding_residual(world, step, least) == 0);  // nothing pushes
 
     const double mass = mass_along(step.problem.rows[0].law.normal, step.responses[0]),
-                 digit = contacts[0].stiffness * dt * std::numeric_limits<double>::epsilon();
+                 digit = contacts[0].spring.stiffness * dt * std::numeric_limits<double>::epsilon();
     for (const double acting : {1e-3, 20.0}) {
         contacts[0].impulse = acting * Vec3::UnitY();
         update_kinematics(world, step);

@@ -103,21 +103,21 @@ TEST_CASE(
     Scene scene = scene_of({{10, Vec3(0, 0.49, 0), 0}}, 0.01);
     scene.world.bodies[0]->predict(scene.world.gravity, scene.dt);
     Contacts contacts{{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}};
-    contacts[0].stiffness = 1e5;
-    contacts[0].rest_offset = -5e-3;
-    contacts[0].load = 1e9;
+    contacts[0].spring.stiffness = 1e5;
+    contacts[0].spring.rest_offset = -5e-3;
+    contacts[0].spring.load = 1e9;
     IslandMatrices matrices;
     ImplicitSettings settings;
     settings.record = [](const SolveRecord&) {};
     solve_contacts(scene.world, contacts, settings, matrices, scene.dt);
-    const double stiffness = contacts[0].stiffness, rest_offset = contacts[0].rest_offset;
+    const double stiffness = contacts[0].spring.stiffness, rest_offset = contacts[0].spring.rest_offset;
     CHECK(stiffness > 1e5);
     CHECK(rest_offset != -5e-3);
     contacts.push_back({ContactKind::vertex_plane, 0, 0, 1, -1, {1, -1, -1, -1}, {1, 0, 0, 0}});
     solve_contacts(scene.world, contacts, settings, matrices, scene.dt);
-    CHECK(contacts[0].stiffness == stiffness);
-    CHECK(contacts[0].rest_offset == rest_offset);
-    CHECK(contacts[1].stiffness > 0);
+    CHECK(contacts[0].spring.stiffness == stiffness);
+    CHECK(contacts[0].spring.rest_offset == rest_offset);
+    CHECK(contacts[1].spring.stiffness > 0);
 }
 
 TEST_CASE(

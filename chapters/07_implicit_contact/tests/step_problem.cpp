@@ -103,7 +103,7 @@ TEST_CASE("step problem: a pair that is held, or has been resolved, has no row")
 TEST_CASE("step problem: how fast a pair slips is its speed along the surface")
 {
     CrossingEdges edges(0.7);
-    edges.contacts[0].stiffness = 1000;
+    edges.contacts[0].spring.stiffness = 1000;
     StepProblem step = set_up_only_island(edges.world, edges.contacts, {}, {0.1, 0.1}, {1, dt}, true);
     REQUIRE(step.problem.rows.size() == 1);
     PairRow& row = step.problem.rows[0];
@@ -113,7 +113,7 @@ TEST_CASE("step problem: how fast a pair slips is its speed along the surface")
     row.law.depth_t0 = 0;
     row.velocity = Vec3(1, -5, 0);
     find_slip(step);
-    CHECK(edges.contacts[0].slip == doctest::Approx(1).epsilon(1e-12));
+    CHECK(edges.contacts[0].spring.slip == doctest::Approx(1).epsilon(1e-12));
 }
 
 TEST_CASE(
@@ -160,8 +160,8 @@ TEST_CASE(
         CAPTURE(slips);
         const auto mu_of = [&](int block, int cube) {
             CrossingEdges edges(1);
-            edges.contacts[0].slip = slips ? 1e6 : 0;
-            edges.contacts[0].load = 1;
+            edges.contacts[0].spring.slip = slips ? 1e6 : 0;
+            edges.contacts[0].spring.load = 1;
             edges.world.friction = {2, std::vector<FrictionCoefficients>(9)};
             for (std::size_t i = 0; i < 9; ++i)
                 edges.world.friction.between[i] = {static_cast<double>(i), 0.5 * static_cast<double>(i)};

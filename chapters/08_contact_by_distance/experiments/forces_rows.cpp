@@ -195,10 +195,10 @@ double Stepped::off_law() const
         if (!contact.is_spring())
             continue;
         const double depth = contact_geometry(world(), contact, 1).depth,
-                     spring = contact.stiffness * std::max(0.0, contact.rest_offset - depth),
+                     spring = contact.spring.stiffness * std::max(0.0, contact.spring.rest_offset - depth),
                      force = pair_force(contact, part).normal.norm();
-        largest = std::max(
-            {largest, spring, force, contact.stiffness * trembling * natural_length(world(), contact)});
+        largest = std::max({largest, spring, force,
+                            contact.spring.stiffness * trembling * natural_length(world(), contact)});
         off = std::max(off, std::abs(force - spring));
     }
     return largest > 0 ? off / largest : 0;

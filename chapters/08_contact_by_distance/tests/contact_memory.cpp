@@ -55,18 +55,18 @@ Contact edges_of(int body_a, int edge_a, int body_b, int edge_b)
 
 Contact with_memory(Contact contact)
 {
-    contact.stiffness = 5e4;
-    contact.load = 30;
-    contact.rest_offset = -2e-4;
-    contact.stretch = {1e-5, 2e-5, -3e-5};
-    contact.slip = 0.07;
+    contact.spring.stiffness = 5e4;
+    contact.spring.load = 30;
+    contact.spring.rest_offset = -2e-4;
+    contact.spring.stretch = {1e-5, 2e-5, -3e-5};
+    contact.spring.slip = 0.07;
     return contact;
 }
 
 bool begins_new(const Contact& contact)
 {
-    return contact.stiffness == 0 && contact.load == 0 && contact.rest_offset == 0 && contact.slip == 0 &&
-           contact.stretch.isZero(0);
+    return contact.spring.stiffness == 0 && contact.spring.load == 0 && contact.spring.rest_offset == 0 &&
+           contact.spring.slip == 0 && contact.spring.stretch.isZero(0);
 }
 
 /// Two faces that meet at an angle, and a cube whose vertex 0 is as deep below one plane as below the other.
@@ -91,19 +91,19 @@ TEST_CASE(
         last.impulse = {1, 2, 3};
         last.state = ContactState::answered;
         Contact again = last;
-        again.stiffness = again.load = again.rest_offset = again.slip = 0;
-        again.stretch.setZero();
+        again.spring.stiffness = again.spring.load = again.spring.rest_offset = again.spring.slip = 0;
+        again.spring.stretch.setZero();
         again.impulse.setZero();
         again.state = ContactState::waiting;
         again.weights[0] = 0.25;
         Contacts found{again};
         remember(world, {last}, found);
         REQUIRE(found.size() == 1);
-        CHECK(found[0].stiffness == last.stiffness);
-        CHECK(found[0].load == last.load);
-        CHECK(found[0].rest_offset == last.rest_offset);
-        CHECK(found[0].stretch == last.stretch);
-        CHECK(found[0].slip == last.slip);
+        CHECK(found[0].spring.stiffness == last.spring.stiffness);
+        CHECK(found[0].spring.load == last.spring.load);
+        CHECK(found[0].spring.rest_offset == last.spring.rest_offset);
+        CHECK(found[0].spring.stretch == last.spring.stretch);
+        CHECK(found[0].spring.slip == last.spring.slip);
         CHECK(found[0].weights[0] == 0.25);  // geometry is that of this step
         CHECK(found[0].impulse.isZero(0));
         CHECK(found[0].waiting());
@@ -143,14 +143,15 @@ TEST_CASE("contact memory: a vertex hands its spring on to the next face with it
                 World world = at_hinge(degrees * degree, depth, size);
                 Contact last = with_memory(pair_of(world, 1, 0, 0, 0));
                 REQUIRE(contact_geometry(world, last, 0).depth == doctest::Approx(-depth));
-                last.rest_offset = std::min(0.0, slack_part * depth);
+                last.spring.rest_offset = std::min(0.0, slack_part * depth);
                 Contacts found{pair_of(world, 1, 0, 0, 1)};
                 remember(world, {last}, found);
-                CHECK(found[0].stiffness == last.stiffness);
-                CHECK(found[0].load == last.load);
-                CHECK(found[0].slip == last.slip);
-                const double compression = contact_geometry(world, found[0], 0).depth - found[0].rest_offset;
-                CHECK(compression == doctest::Approx(-depth - last.rest_offset).epsilon(1e-9));
+                CHECK(found[0].spring.stiffness == last.spring.stiffness);
+                CHECK(found[0].spring.load == last.spring.load);
+                CHECK(found[0].spring.slip == last.spring.slip);
+                const double compression = contact_geometry(world, found[0], 0).depth -
+                                           found[0].spring.rest_offset;
+                CHECK(compression == doctest::Approx(-depth - last.spring.rest_offset).epsilon(1e-9));
             }
 }
 
@@ -165,11 +166,11 @@ TEST_CASE(
     add_cube(world, {-0.01, -0.001, 0.5});  // 1 mm below the faces 0 and 1, 3 mm below the face 2
     const auto handed = [&](int from, int to, double rest_offset) {
         Contact last = with_memory(pair_of(world, 1, 0, 0, from));
-        last.rest_offset = rest_offset;
+        last.spring.rest_offset = rest_offset;
         Contacts found{pair_of(world, 1, 0, 0, to)};
         remember(world, {last}, found);
-        CHECK(found[0].stiffness == last.stiffness);
-        return found[0].rest_offset;
+        CHECK(found[0].spring.stiffness == last.spring.stiffness);
+        return found[0].spring.rest_offset;
     };
     CHECK(handed(0, 2, 0) == doctest::Approx(-0.002));
     CHECK(handed(0, 2, -0.0004) == doctest::Approx(-0.0024));
@@ -184,16 +185,17 @@ TEST_CASE("contact memory: the stretch turns into the plane of the next face and
         for (const double size : {1e-3, 1.0, 100.0}) {
             World world = at_hinge(degrees * degree, 1e-3 * size, size);
             Contact last = with_memory(pair_of(world, 1, 0, 0, 0));
-            last.stretch = size * Vec3(3e-4, 0, 4e-4);
+            last.spring.stretch = size * Vec3(3e-4, 0, 4e-4);
             Contacts found{pair_of(world, 1, 0, 0, 1)};
             remember(world, {last}, found);
             CAPTURE(degrees);
             CAPTURE(size);
             // The surface turns about the edge, which is z: the normal by as much as the face.
-            const Vec3 expected = Eigen::AngleAxisd(-degrees * degree, Vec3::UnitZ()) * last.stretch;
-            CHECK((found[0].stretch - expected).norm() < 1e-9 * size);
-            CHECK(found[0].stretch.norm() == doctest::Approx(5e-4 * size));
-            CHECK(std::abs(found[0].stretch.dot(contact_geometry(world, found[0], 0).normal)) < 1e-12 * size);
+            const Vec3 expected = Eigen::AngleAxisd(-degrees * degree, Vec3::UnitZ()) * last.spring.stretch;
+            CHECK((found[0].spring.stretch - expected).norm() < 1e-9 * size);
+            CHECK(found[0].spring.stretch.norm() == doctest::Approx(5e-4 * size));
+            CHECK(std::abs(found[0].spring.stretch.dot(contact_geometry(world, found[0], 0).normal)) <
+                  1e-12 * size);
         }
 }
 
@@ -220,14 +222,14 @@ TEST_CASE("contact memory: no two pairs take over from the same one, and who has
     add_cube(world, {0.1, -1e-3, 0.1});
     const auto pair = [&](int face, double stiffness = 0) {
         Contact contact = pair_of(world, 1, 0, 0, face);
-        contact.stiffness = stiffness;
+        contact.spring.stiffness = stiffness;
         return contact;
     };
     const auto stiffnesses = [&](const Contacts& last, Contacts found) {
         remember(world, last, found);
         std::vector<double> all;
         for (const Contact& contact : found)
-            all.push_back(contact.stiffness);
+            all.push_back(contact.spring.stiffness);
         return all;
     };
     using Numbers = std::vector<double>;

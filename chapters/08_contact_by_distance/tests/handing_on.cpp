@@ -53,8 +53,8 @@ struct VertexInBlock {
 
 Contact with_memory(Contact contact, double stiffness)
 {
-    contact.stiffness = stiffness;
-    contact.load = 0.5 * stiffness;
+    contact.spring.stiffness = stiffness;
+    contact.spring.load = 0.5 * stiffness;
     return contact;
 }
 
@@ -69,11 +69,11 @@ TEST_CASE(
         REQUIRE(upper.size() == 2);
         for (const bool swapped : {false, true}) {
             at.last = {with_memory(at.pair(upper[swapped]), 5e4)};
-            at.last[0].rest_offset = -2e-4;
+            at.last[0].spring.rest_offset = -2e-4;
             at.found = {at.pair(upper[!swapped])};
             remember(at.world, at.last, at.found);
-            CHECK(at.found[0].stiffness == 5e4);
-            CHECK(at.found[0].rest_offset == doctest::Approx(-2e-4));
+            CHECK(at.found[0].spring.stiffness == 5e4);
+            CHECK(at.found[0].spring.rest_offset == doctest::Approx(-2e-4));
         }
     }
 }
@@ -89,7 +89,7 @@ TEST_CASE(
             at.last = {with_memory(at.pair(elsewhere), 7), with_memory(at.pair(upper[0]), 9)};
             at.found = {at.pair(upper[1])};
             remember(at.world, at.last, at.found);
-            CHECK(at.found[0].stiffness == 9);
+            CHECK(at.found[0].spring.stiffness == 9);
         }
 }
 
@@ -116,10 +116,10 @@ TEST_CASE(
         at.last = {with_memory(edges, 7)};
         at.found = {at.pair(upper)};
         remember(at.world, at.last, at.found);
-        CHECK(at.found[0].stiffness == 0);
+        CHECK(at.found[0].spring.stiffness == 0);
     }
     at.last = {with_memory(at.pair(upper), 7)};
     at.found = {{ContactKind::vertex_plane, 1, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}}};
     remember(at.world, at.last, at.found);
-    CHECK(at.found[0].stiffness == 0);
+    CHECK(at.found[0].spring.stiffness == 0);
 }

@@ -92,10 +92,10 @@ TEST_CASE("harsh: masses, speeds, steps and counts cover their ranges")
 TEST_CASE("harsh: a spring that is pressed on a plane holds half its load times its depth")
 {
     Contact pressed, given;
-    pressed.stiffness = 1000;
-    pressed.load = 20;
-    pressed.stretch = Vec3(0.003, 0, 0.004);
-    given.load = 20;  // no stiffness of its own
+    pressed.spring.stiffness = 1000;
+    pressed.spring.load = 20;
+    pressed.spring.stretch = Vec3(0.003, 0, 0.004);
+    given.spring.load = 20;  // no stiffness of its own
     CHECK(spring_energy({pressed, given}) ==
           doctest::Approx(0.5 * 20 * (20 / 1000.0) + 0.5 * 1000 * 0.005 * 0.005));
 }

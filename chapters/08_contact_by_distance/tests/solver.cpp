@@ -161,7 +161,7 @@ TEST_CASE("solver of chapter 8: a cube that rests has the same pairs in every st
                         REQUIRE(keys_of(contacts) == first);
                         load = 0;
                         for (const Contact& contact : contacts)
-                            load += contact.load;
+                            load += contact.spring.load;
                     }
                     CHECK(load == doctest::Approx(mass * 9.81 * size).epsilon(1e-2));
                 }

@@ -98,7 +98,7 @@ double fastest_without_offset()
     Solver solver = chapter09_solver(scene.contact, counting(solves));
     solver.append(StepStage::refresh, "no rest offset", [](World&, Contacts& contacts, double) {
         for (Contact& contact : contacts)
-            contact.rest_offset = 0;
+            contact.spring.rest_offset = 0;
     });
     return watch(scene, solver, 2).fastest;
 }

@@ -98,7 +98,7 @@ TEST_CASE(
     Solver throwing = chapter09_solver(scene.contact);
     throwing.append(StepStage::refresh, "no rest offset", [](World&, Contacts& contacts, double) {
         for (Contact& contact : contacts)
-            contact.rest_offset = 0;
+            contact.spring.rest_offset = 0;
     });
     CHECK_THROWS_AS(run(scene, throwing, {}, {.steps = 200}), std::runtime_error);
 }

@@ -41,7 +41,7 @@ double depth_at_end(const char* text)
         advance(scene.world, contacts, solver, scene.dt);
     double deepest = 0;
     for (const Contact& contact : contacts)
-        if (contact.load > 0)
+        if (contact.spring.load > 0)
             deepest = std::min(deepest, contact_geometry(scene.world, contact, 1).depth);
     return -deepest / 0.2;
 }

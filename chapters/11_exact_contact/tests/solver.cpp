@@ -111,8 +111,8 @@ TEST_CASE(
         advance(scene.world, contacts, solver, scene.dt);
     double load = 0;
     for (const Contact& contact : contacts) {
-        load += contact.load;
-        CHECK(std::abs(contact.rest_offset) <= 1e-9);
+        load += contact.spring.load;
+        CHECK(std::abs(contact.spring.rest_offset) <= 1e-9);
     }
     CHECK(load == doctest::Approx(10 * 9.81));
     // what such loads would be on springs, as it was at the start of the step

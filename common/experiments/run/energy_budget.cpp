@@ -84,7 +84,7 @@ std::optional<std::string> EnergyBudget::exceeded(const World& world, const Cont
 void EnergyBudget::watch_springs(const World& world, const Contacts& contacts)
 {
     finds_stiffness_ = std::any_of(contacts.begin(), contacts.end(),
-                                   [](const Contact& contact) { return contact.stiffness > 0; });
+                                   [](const Contact& contact) { return contact.spring.stiffness > 0; });
     for (const PressedBodies& bodies : pushed_bodies(world, contacts, parameters_.stiffness)) {
         const double step = stable_step(world, bodies, parameters_.method);
         if (!least_stable_ || step < least_stable_->stable_step)

@@ -45,14 +45,15 @@ SpringLedger::Booked SpringLedger::book(const World& world, const Contact& conta
         const std::size_t body = body_index(contact, i);
         way += contact.weights[n] * (world.bodies[body]->positions_t0()[vertex] - positions_[body][vertex]);
     }
-    const double k = contact.stiffness > 0 ? contact.stiffness : pair_stiffness(world, contact, stiffness_);
+    const double k = contact.spring.stiffness > 0 ? contact.spring.stiffness
+                                                  : pair_stiffness(world, contact, stiffness_);
     const auto spring_at = [&](double depth) {
-        const double compression = std::min(0.0, depth - contact.rest_offset);
+        const double compression = std::min(0.0, depth - contact.spring.rest_offset);
         return Spring{compression, k * compression * compression / 2, k};
     };
     Spring spring = spring_at(end.depth);
-    if (ended_badly && contact.stiffness > 0)
-        spring.energy = std::min(spring.energy, contact.load * contact.load / (2 * k));
+    if (ended_badly && contact.spring.stiffness > 0)
+        spring.energy = std::min(spring.energy, contact.spring.load * contact.spring.load / (2 * k));
     const double pushed = contact.impulse.dot(way) / dt;
     accounts_.pushed += pushed;
     accounts_.rubbed += contact.friction.dot(way) / dt;

@@ -114,8 +114,8 @@ TEST_CASE("energy watch: springs count among what moves")
 {
     const World world = two_boxes();
     Contact pair;
-    pair.stiffness = 1000;
-    pair.load = 20;
+    pair.spring.stiffness = 1000;
+    pair.spring.load = 20;
     const HeldEnergy none = held_energy(world, {}), held = held_energy(world, {pair});
     CHECK(held.springs == doctest::Approx(0.2));
     CHECK(held.moving == doctest::Approx(none.moving + 0.2));
@@ -153,7 +153,7 @@ TEST_CASE("energy watch: work is that of the step's own length, by pairs that we
         world.bodies[2]->set_surface_velocity(belt);
         CHECK(driven_work(world, {pair}, dt) ==
               doctest::Approx(by_table));  // no solver reads it without springs
-        pair.stiffness = 1;
+        pair.spring.stiffness = 1;
         CHECK(driven_work(world, {pair}, dt) == doctest::Approx(by_table + pair.friction.dot(belt)));
     }
 }

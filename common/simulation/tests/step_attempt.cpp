@@ -91,7 +91,7 @@ TEST_CASE("step attempt: what is brought back is the state of before, to the las
         advance(world, contacts, solver, 0.01);
 
     contacts.resize(3);
-    contacts[1].load = 7;
+    contacts[1].spring.load = 7;
     const SavedState saved(world, contacts);
     contacts.clear();
     const std::vector<double> before = numbers_of(world);
@@ -105,7 +105,7 @@ TEST_CASE("step attempt: what is brought back is the state of before, to the las
     CHECK(numbers_of(world) == before);
     CHECK(world.time == doctest::Approx(0.03));
     REQUIRE(contacts.size() == 3);
-    CHECK(contacts[1].load == 7);
+    CHECK(contacts[1].spring.load == 7);
     contacts.clear();
     const std::vector<double> again = go_on();
     REQUIRE(again.size() == first.size());

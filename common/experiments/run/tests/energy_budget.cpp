@@ -105,7 +105,7 @@ TEST_CASE("energy budget: where the solver finds the stiffness, the scene's is n
     EnergyBudget budget(scene);
     Contact pair{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}};
     pair.state = ContactState::answered;
-    pair.stiffness = 1e9;
+    pair.spring.stiffness = 1e9;
     std::optional<std::string> said;
     for (scene.world.step = 2; scene.world.step < 12; ++scene.world.step)
         said = budget.exceeded(scene.world, {pair});
@@ -192,7 +192,7 @@ TEST_CASE(
     Contact pressed{ContactKind::vertex_plane, 0, 0, 0, -1, {0, -1, -1, -1}, {1, 0, 0, 0}};
     pressed.state = ContactState::answered;
     Contact held = pressed, resolved = pressed;
-    pressed.stretch = {0.2, 0, 0};
+    pressed.spring.stretch = {0.2, 0, 0};
     held.hold(true);
     resolved.resolved = true;
     for (scene.world.step = 2; scene.world.step < 12; ++scene.world.step)
@@ -208,18 +208,18 @@ TEST_CASE(
     Solver solver = ground_solver(scene.contact);
     solver.append(StepStage::refresh, "fade rest offsets", [&](World&, Contacts& contacts, double dt) {
         for (Contact& pair : contacts)
-            pair.rest_offset = std::min(0.0,
-                                        pair.rest_offset + *scene.contact.max_depenetration_velocity * dt);
+            pair.spring.rest_offset = std::min(
+                0.0, pair.spring.rest_offset + *scene.contact.max_depenetration_velocity * dt);
     });
     solver.append(StepStage::detect, "begin uncompressed", [](World& world, Contacts& contacts, double) {
         for (Contact& pair : contacts)
             if (world.step == 0)
-                pair.rest_offset = -0.5;
+                pair.spring.rest_offset = -0.5;
     });
     solver.replace("springs", "springs", [](World& world, Contacts& contacts, double dt) {
         for (Contact& pair : contacts)
             pair.impulse = -3000 * dt *
-                           std::min(0.0, contact_geometry(world, pair, 1).depth - pair.rest_offset) *
+                           std::min(0.0, contact_geometry(world, pair, 1).depth - pair.spring.rest_offset) *
                            Vec3::UnitY();
     });
     EnergyBudget budget(scene);

@@ -34,11 +34,11 @@ Contact full_contact()
     contact.start = 0.7;
     contact.impulse = Vec3(1e-300, 0.1, 3);
     contact.friction = Vec3(0.2, -5, 1e17 / 3);
-    contact.stretch = Vec3(1, -1.1, 1.2);
-    contact.slip = 0.3;
-    contact.stiffness = 4e9 / 7;
-    contact.rest_offset = -0.011;
-    contact.load = 99.9;
+    contact.spring.stretch = Vec3(1, -1.1, 1.2);
+    contact.spring.slip = 0.3;
+    contact.spring.stiffness = 4e9 / 7;
+    contact.spring.rest_offset = -0.011;
+    contact.spring.load = 99.9;
     contact.sliding_normal = Vec3(0.6, 0.8, -0.0);
     contact.category = ContactCategory::hooked;
     contact.state = ContactState::held;

@@ -25,8 +25,8 @@ World points_in_ground(double depth, const Vec3& velocity = {0, 0, 0})
 Contact on_ground(int vertex, double rest_offset = 0)
 {
     Contact contact{ContactKind::vertex_plane, 0, 0, vertex, -1, {vertex, -1, -1, -1}, {1, 0, 0, 0}};
-    contact.rest_offset = rest_offset;
-    contact.stiffness = 2000;
+    contact.spring.rest_offset = rest_offset;
+    contact.spring.stiffness = 2000;
     contact.state = ContactState::answered;
     return contact;
 }
@@ -56,7 +56,7 @@ TEST_CASE("spring ledger: in a step that ended badly a spring holds no more than
 {
     World world = points_in_ground(0.1);
     Contact jammed = on_ground(0);
-    jammed.load = 20;  // a tenth of what its depth says
+    jammed.spring.load = 20;  // a tenth of what its depth says
     SpringLedger ledger(world, 1000, max_depenetration_velocity);
     ++world.ended_badly;
     ledger.add_step(world, {jammed}, dt);
@@ -94,7 +94,7 @@ TEST_CASE(
         ledger.add_step(world, {on_ground(0)}, dt);
         const double force = 2000 * 0.1, before = 0.5 * force * 0.1;
         Contact stiffer = on_ground(0, -0.1 + 0.1 / factor);
-        stiffer.stiffness *= factor;
+        stiffer.spring.stiffness *= factor;
         stiffer.impulse = {0, force * dt, 0};
         ledger.add_step(world, {stiffer}, dt);
         const SpringAccounts& sums = ledger.accounts();
@@ -111,7 +111,7 @@ TEST_CASE(
     const World world = points_in_ground(0.1);
     Contact waiting = on_ground(0), plain = on_ground(1);
     waiting.state = ContactState::waiting;
-    plain.stiffness = 0;
+    plain.spring.stiffness = 0;
     SpringLedger ledger(world, 1000, max_depenetration_velocity);
     ledger.add_step(world, {waiting, plain}, dt);
     CHECK(ledger.held() == doctest::Approx(0.5 * 1000 * 0.01));
@@ -129,14 +129,14 @@ TEST_CASE("spring ledger: another face of the same vertex is a jump, by the diff
     const double before = ledger.held();
     CHECK(before == doctest::Approx(0.5 * 1000 * 0.01));
     pair.feature_b = 1;
-    pair.rest_offset = -0.07;
+    pair.spring.rest_offset = -0.07;
     ledger.add_step(world, {pair}, dt);
     // less compressed, so no jump; as nothing pushes no work either
     CHECK(ledger.accounts().jumped == 0);
     CHECK(ledger.held() == doctest::Approx(0.5 * 1000 * 0.0009));
     CHECK(ledger.accounts().damped == doctest::Approx(before - ledger.held()));
     pair.feature_b = 2;
-    pair.rest_offset = 0;
+    pair.spring.rest_offset = 0;
     ledger.add_step(world, {pair}, dt);
     CHECK(ledger.accounts().jumped == doctest::Approx(before - 0.5 * 1000 * 0.0009));
     CHECK(ledger.accounts().died == 0);
@@ -156,9 +156,9 @@ TEST_CASE(
     });
     solver.append(StepStage::respond, "springs", [](World& bodies, Contacts& contacts, double step) {
         for (Contact& pair : contacts)
-            pair.impulse = -pair.stiffness * step / (1 + pair.stiffness * step * step) *  // points of 1 kg
-                           std::min(0.0, bodies.bodies[0]->positions_t1()[pair.feature_a].y()) *
-                           Vec3::UnitY();
+            pair.impulse =
+                -pair.spring.stiffness * step / (1 + pair.spring.stiffness * step * step) *  // points of 1 kg
+                std::min(0.0, bodies.bodies[0]->positions_t1()[pair.feature_a].y()) * Vec3::UnitY();
     });
     SpringLedger ledger(world, 1000, max_depenetration_velocity);
     Contacts contacts;
