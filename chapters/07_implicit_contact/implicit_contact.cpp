@@ -106,14 +106,14 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
 void find_elastic_ends(World& world, double dt)
 {
     for (const auto& body : world.bodies)
-        body->reach_end(dt);
+        body->inner_forces().reach_end(dt);
 }
 //! [elastic_ends]
 
 bool follows_end(const World& world, const Island& island)
 {
     return std::any_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
-        return world.bodies[static_cast<std::size_t>(body)]->approaches_end();
+        return world.bodies[static_cast<std::size_t>(body)]->inner_forces().approaches_end();
     });
 }
 
@@ -121,8 +121,9 @@ double approach_ends(World& world, const Island& island, double dt)
 {
     double most = 0;
     for (const int place : island.bodies)
-        if (Body& body = *world.bodies[static_cast<std::size_t>(place)]; body.approaches_end())
-            most = std::max(most, body.approach_end(dt));
+        if (InnerForces& forces = world.bodies[static_cast<std::size_t>(place)]->inner_forces();
+            forces.approaches_end())
+            most = std::max(most, forces.approach_end(dt));
     return most;
 }
 

@@ -114,7 +114,7 @@ void find_elastic_ends(World& world, double dt);
 bool follows_end(const World& world, const Island& island);
 
 /// Brings them nearer to where the step ends now.
-/// @return  what was missing, of the body that missed most (Body::approach_end())
+/// @return  what was missing, of the body that missed most (InnerForces::approach_end())
 double approach_ends(World& world, const Island& island, double dt);
 
 /// What counts as a momentum at all: what gravity gives to all bodies of an island in a step, or if that is

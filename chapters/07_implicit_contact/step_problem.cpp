@@ -49,14 +49,14 @@ Mat3 response_of(const World& world, const Contact& contact, const StepProblem& 
 void add_blocks(const World& world, StepProblem& step, double sparse_operation)
 {
     for (std::size_t place = 0; place < step.bodies.size(); ++place) {
-        const Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
+        Body& body = *world.bodies[static_cast<std::size_t>(step.bodies[place])];
         step.nodes.push_back(nodes_if_whole(body, step.vertices[place], sparse_operation));
         if (!step.nodes.back().empty()) {
             step.problem.blocks.push_back({step.problem.size, {}, {}, whole_of(world, step, place)});
             step.problem.size += step.problem.blocks.back().size();
             continue;
         }
-        ContactMass of = body.contact_mass(step.vertices[place]);
+        ContactMass of = body.contact_coordinates().contact_mass(step.vertices[place]);
         step.problem.blocks.push_back({step.problem.size, std::move(of.mass), std::move(of.response)});
         step.problem.size += step.problem.blocks.back().size();
     }
@@ -232,7 +232,8 @@ std::optional<VertexMotion> motion_of_vertex(const World& world, const StepProbl
     const BodyBlock& block = step.problem.blocks[*place];
     const std::vector<int>& vertices = step.vertices[*place];
     const std::size_t index = *place_among(vertices, vertex);
-    VertexMotion motion = world.bodies[static_cast<std::size_t>(body)]->contact_motion(vertices, index, tau);
+    VertexMotion motion = world.bodies[static_cast<std::size_t>(body)]->contact_coordinates().contact_motion(
+        vertices, index, tau);
     if (block.whole) {
         const int node = step.nodes[*place][index];
         if (node < 0)
@@ -274,7 +275,7 @@ void apply_momentum(World& world, const StepProblem& step, const Eigen::VectorXd
 {
     visit_bodies(world, step, momentum,
                  [&](Body& body, const std::vector<int>& vertices, const Eigen::VectorXd& own) {
-                     body.apply_contact_impulse(vertices, own);
+                     body.contact_coordinates().apply_contact_impulse(vertices, own);
                      body.update_prediction(step.problem.step.dt);
                  });
 }
@@ -287,7 +288,8 @@ bool follow_levers(World& world, StepProblem& step, double least_turn)
     const double dt = step.problem.step.dt;
     bool any = false;
     for (const int place : step.bodies)
-        any |= world.bodies[static_cast<std::size_t>(place)]->follow_levers(least_turn, dt);
+        any |= world.bodies[static_cast<std::size_t>(place)]->contact_coordinates().follow_levers(least_turn,
+                                                                                                  dt);
     if (!any)
         return false;
     Eigen::VectorXd missing = Eigen::VectorXd::Zero(step.problem.size);
@@ -338,8 +340,9 @@ Eigen::VectorXd velocities_of(const World& world, const StepProblem& step)
         if (const BodyBlock& block = step.problem.blocks[place]; block.size() > 0)
             velocities.segment(block.first, block.size()) =
                 block.whole ? velocities_at_nodes(world, step, place)
-                            : world.bodies[static_cast<std::size_t>(step.bodies[place])]->contact_velocity(
-                                  step.vertices[place]);
+                            : world.bodies[static_cast<std::size_t>(step.bodies[place])]
+                                  ->contact_coordinates()
+                                  .contact_velocity(step.vertices[place]);
     return velocities;
 }
 

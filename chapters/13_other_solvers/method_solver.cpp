@@ -78,13 +78,13 @@ private:
             const Vec3 turn =
                 rotation_vector(moving.pose.orientation * moving.start.orientation.conjugate()) / step_.dt;
             Body& body = *world.bodies[i];
-            const Eigen::VectorXd predicted = body.contact_velocity({});
+            const Eigen::VectorXd predicted = body.contact_coordinates().contact_velocity({});
             const Mat3 axes = moving.start.orientation.toRotationMatrix();
             const Mat3 inertia_t0 = axes * moving.inertia_in_body * axes.transpose();
             Eigen::VectorXd impulse(6);
             impulse << (way - predicted.head<3>()) / moving.inverse_mass,
                 inertia_t0 * (turn - predicted.tail<3>());
-            body.apply_contact_impulse({}, impulse);
+            body.contact_coordinates().apply_contact_impulse({}, impulse);
             body.update_prediction(step_.dt);
             kicks_[i] << (moving.velocity - way) / moving.inverse_mass,
                 moving.inertia() * (moving.angular_velocity - turn);

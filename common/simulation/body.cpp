@@ -45,4 +45,16 @@ const MassParts& Body::mass_parts() const
     return one_part;
 }
 
+ContactCoordinates& Body::contact_coordinates()
+{
+    static ContactCoordinates none;
+    return none;
+}
+
+InnerForces& Body::inner_forces()
+{
+    static InnerForces none;
+    return none;
+}
+
 }  // namespace enduring

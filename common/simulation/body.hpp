@@ -3,7 +3,8 @@
 #include "common/geometry/surface_size.hpp"
 #include "common/geometry/surface_topology.hpp"
 #include "common/geometry/vector.hpp"
-#include "common/simulation/contact_mass.hpp"
+#include "common/simulation/contact_coordinates.hpp"
+#include "common/simulation/inner_forces.hpp"
 #include "common/simulation/mass_parts.hpp"
 #include "common/simulation/material_friction.hpp"
 #include "common/simulation/state_archive.hpp"
@@ -25,13 +26,6 @@ struct Energy {
     /// [J]; the gravitational part is zero at the origin
     double kinetic = 0, gravitational = 0, elastic = 0;
     double total() const { return kinetic + gravitational + elastic; }
-};
-
-/// How a surface vertex moves with its body's coordinates in contact: its
-/// velocity is `rate` times those from `first` on.
-struct VertexMotion {
-    int first = 0;
-    Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 6> rate{3, 0};
 };
 
 /// The one face that static, rigid and deformable bodies show to the contact code: surface vertices that move
@@ -108,34 +102,14 @@ public:
     /// Which pairs share this body's mass.
     virtual const MassParts& mass_parts() const;
 
-    /// For a solver that treats all bodies as one: the velocities that contact can
-    /// change, as a few coordinates. A rigid body's are the velocity of its centre and
-    /// its angular velocity; what does not move has none.
-    ///
-    /// They belong to `touched`, the vertices in contact, each once.
-    virtual ContactMass contact_mass(std::span<const int> /*touched*/) const { return {}; }
-    /// How touched[index] moves with them. The last argument is the moment
-    /// of the step whose lever counts, in [0, 1].
-    virtual VertexMotion contact_motion(std::span<const int> /*touched*/, std::size_t /*index*/,
-                                        double /*tau*/) const
-    {
-        return {};
-    }
-    /// Where the predicted end of the step is turned by more than `least_turn` [rad] from the one whose
-    /// levers contact_motion() takes, it takes those of the predicted end from now on. Impulses that act keep
-    /// the levers with which they were applied.
-    /// @return  whether it did; never for a body whose vertices move for themselves
-    virtual bool follow_levers(double /*least_turn*/, double /*dt*/) { return false; }
-    /// Adds an impulse on the coordinates to the predicted velocities, as apply_impulse() does.
-    virtual void apply_contact_impulse(std::span<const int> /*touched*/, const Eigen::VectorXd& /*impulse*/)
-    {}
-    /// Their values in the state.
-    virtual Eigen::VectorXd contact_velocity(std::span<const int> /*touched*/) const { return {}; }
+    /// For a solver that treats all bodies as one: the velocities that contact can change. What does not move
+    /// has none.
+    virtual ContactCoordinates& contact_coordinates();
     /// After a step of dt [s] is committed, adds an impulse on the coordinates to the velocities; nothing
     /// moves.
     void kick(std::span<const int> touched, const Eigen::VectorXd& impulse, double dt)
     {
-        apply_contact_impulse(touched, impulse);
+        contact_coordinates().apply_contact_impulse(touched, impulse);
         update_prediction(dt);
         stand_still();
     }
@@ -150,15 +124,8 @@ public:
     /// elements go on.
     virtual void stop() {}
 
-    /// Brings inner forces to where the step ends as it is predicted: contact is answered there.
-    /// @return  the imbalance that is left [1]
-    virtual double reach_end(double /*dt*/) { return 0; }
-    /// Whether it has reached its end in this step (reach_end()), so that inner forces can follow what
-    /// contact changes.
-    virtual bool approaches_end() const { return false; }
-    /// Brings them nearer to where the step ends now.
-    /// @return  the imbalance that there was [1]
-    virtual double approach_end(double /*dt*/) { return 0; }
+    /// What its own elements do within the step; a rigid body has none.
+    virtual InnerForces& inner_forces();
     /// What presses it beside its weight: forces from outside, torques at the arm of its size, and its own
     /// elements [N].
     virtual double pressing_force(double /*dt*/) const { return 0; }

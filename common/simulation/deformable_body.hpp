@@ -55,7 +55,7 @@ Energy energy_of(const ElasticBody& elastic, const Vec3& gravity);
 /// An elastic body as the contact code sees it; it moves, and its energy and momenta are, by the consistent
 /// mass matrix. Each surface vertex is a fixed combination of nodes, x = sum_i w_i c_i; an impulse on it goes
 /// back through the transpose, w_i of it to node i.
-class DeformableBody final : public Body {
+class DeformableBody final : public Body, public ContactCoordinates, public InnerForces {
 public:
     /// @throws InputError  a mesh, material constant or fixed node that cannot be
     DeformableBody(std::string name, const TetrahedralMesh& mesh, const DeformableSettings& settings);
@@ -77,6 +77,7 @@ public:
     /// together; else of the vertex's nodes alone.
     Mat3 inverse_mass(int vertex) const override;
 
+    ContactCoordinates& contact_coordinates() override { return *this; }
     /// One coordinate for each component of the velocity of each touched vertex. The
     /// blocks are the learned ones, turned with their elements, so the mass is an approximation, made stiffer
     /// than it is nowhere: a solver has to look at what its impulses really did.
@@ -114,6 +115,7 @@ public:
     Vec3 angular_momentum(const Vec3& about) const override { return elastic_.angular_momentum(about); }
     int inverted_elements() const override { return elastic_.inverted_elements(); }
 
+    InnerForces& inner_forces() override { return *this; }
     /// See ElasticBody::approach_end().
     double approach_end(double dt) override;
     /// Approaches until the imbalance is small (ElasticBody::reach_end()). All impulses take the implicit

@@ -10,7 +10,7 @@ namespace enduring {
 
 /// A rigid body as the contact code sees it: surface points fixed in the body, so that an impulse at one of
 /// them moves them all, and the inverse mass at a point is a full 3x3 matrix.
-class RigidBody final : public Body {
+class RigidBody final : public Body, public ContactCoordinates {
 public:
     /// @param mesh              closed surface where it starts in the world [m], or points and edges alone
     /// @param properties        of that mesh, in the same coordinates
@@ -37,6 +37,7 @@ public:
     double turning_speed() const override { return motion_.angular_velocity().norm(); }
     Mat3 inverse_mass(int vertex) const override;
 
+    ContactCoordinates& contact_coordinates() override { return *this; }
     ContactMass contact_mass(std::span<const int> touched) const override;
     VertexMotion contact_motion(std::span<const int> touched, std::size_t index, double tau) const override;
     bool follow_levers(double least_turn, double dt) override;

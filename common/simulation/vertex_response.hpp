@@ -2,7 +2,7 @@
 
 #include "common/fem/elastic_body.hpp"
 #include "common/fem/surface_embedding.hpp"
-#include "common/simulation/contact_mass.hpp"
+#include "common/simulation/contact_coordinates.hpp"
 #include "common/simulation/mass_parts.hpp"
 
 #include <array>

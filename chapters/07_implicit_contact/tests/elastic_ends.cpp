@@ -42,7 +42,7 @@ World bars_of_which_one_is_pushed()
     find_elastic_ends(world, dt);
     Body& body = *world.bodies[1];
     const std::vector<int> end{0};
-    body.apply_contact_impulse(end, Vec3(0, 50, 0));
+    body.contact_coordinates().apply_contact_impulse(end, Vec3(0, 50, 0));
     body.update_prediction(dt);
     return world;
 }
@@ -78,8 +78,10 @@ TEST_CASE("elastic ends: bodies of an island that have not settled in this step 
 {
     World world = bars_of_which_one_is_pushed();
     world.bodies[0]->predict(Vec3::Zero(), dt);
-    const auto velocity = [&] { return world.bodies[0]->contact_velocity(std::vector{0, 1, 2, 3}); };
-    world.bodies[0]->apply_contact_impulse(std::vector{0}, Vec3(0, 50, 0));
+    const auto velocity = [&] {
+        return world.bodies[0]->contact_coordinates().contact_velocity(std::vector{0, 1, 2, 3});
+    };
+    world.bodies[0]->contact_coordinates().apply_contact_impulse(std::vector{0}, Vec3(0, 50, 0));
     world.bodies[0]->update_prediction(dt);
     const Eigen::VectorXd before = velocity();
     Island alone, island;

@@ -132,8 +132,9 @@ TEST_CASE(
             edges.contacts[0].sliding_normal = sliding_normal;
             StepProblem step = set_up_only_island(edges.world, edges.contacts, {}, {}, {1, dt}, true);
             update_kinematics(edges.world, step);
-            const Eigen::MatrixXd middle = 0.5 * (cube.contact_motion(step.vertices[0], 0, 0.5).rate +
-                                                  cube.contact_motion(step.vertices[0], 1, 0.5).rate);
+            const Eigen::MatrixXd middle =
+                0.5 * (cube.contact_coordinates().contact_motion(step.vertices[0], 0, 0.5).rate +
+                       cube.contact_coordinates().contact_motion(step.vertices[0], 1, 0.5).rate);
             return std::pair(step.problem.rows.at(0), middle);
         };
         const auto [plain, middle] = row_with(Vec3::Zero());
