@@ -27,28 +27,36 @@ JointRates gear_rates(const World& world, const Joint& joint, double dt)
     return rates;
 }
 
+/// The points of both bodies that a joint pushes [m].
+std::array<Vec3, 2> points_of(const World& world, const Joint& joint)
+{
+    const JointPose pose = committed_pose(world, joint);
+    return {pose.point_a, joint.kind == JointKind::distance ? pose.point_b : pose.point_a};
+}
+
 JointRates rates_of(const World& world, const Joint& joint, double dt)
 {
     if (joint.kind == JointKind::gear)
         return gear_rates(world, joint, dt);
-    const JointPose pose = committed_pose(world, joint);
-    const Vec3& other = joint.kind == JointKind::distance ? pose.point_b : pose.point_a;
-    return {end_rates(world, joint.a, pose.point_a, dt), end_rates(world, joint.b, other, dt)};
+    const auto [point_a, point_b] = points_of(world, joint);
+    return {end_rates(world, joint.a, point_a, dt), end_rates(world, joint.b, point_b, dt)};
 }
 
 /// The rates that tell the work of an impulse. Of a rigid body the mean of those at both ends of the step: a
 /// step of a fall keeps E + dt / 2 g . p, and the other half is its. A soft body's implicit step gains the
 /// impulse times the velocity behind it, at most.
 /// @param fall  part of what gravity does in the step that is taken off: 1 for the change of E, 1/2 for that
-///     of E + dt / 2 g . p
-EndRates working_rates(const World& world, const JointEnd& end, const EndRates& before, const EndRates& after,
-                       double fall, double dt)
+///     of E + dt / 2 g . p. Where a body is locked, gravity does less.
+EndRates working_rates(const World& world, const Joint& joint, std::size_t at, const EndRates& before,
+                       const EndRates& after, double fall, double dt)
 {
-    const RigidBody* const rigid = rigid_at(world, end);
+    const RigidBody* const rigid = rigid_at(world, at == 0 ? joint.a : joint.b);
     if (!rigid)
         return after;
-    return {(before.along + after.along) / 2 - fall * dt * rigid->gravity_on(world.gravity),
-            (before.about + after.about) / 2};
+    const Vec3 gravity = rigid->gravity_on(world.gravity);
+    const Vec3 point = points_of(world, joint)[at];
+    return {(before.along + after.along) / 2 - fall * dt * rigid->motion().acceleration_at(point, gravity),
+            (before.about + after.about) / 2 - fall * dt * rigid->motion().angular_acceleration(gravity)};
 }
 
 /// The work of springs and dampers of a joint, whose energy is held or lost, by the velocities of the step
@@ -101,13 +109,13 @@ DriveWork work_of_drives(const World& world, const Joint& joint, const EndRates&
 double weight_carried(const World& world, const Contacts& contacts, double dt)
 {
     double sum = 0;
-    for (const Contact& contact : contacts) {
-        const Vec3 impulse = contact.impulse + contact.friction;
-        for (int i = 0; contact.answered() && i < contact.vertex_count(); ++i)
-            if (const Body& body = body_of_vertex(world, contact, i); !body.is_static())
-                sum -= dt / 2 * contact.weights[static_cast<std::size_t>(i)] *
-                       body.gravity_on(world.gravity).dot(impulse);
-    }
+    for (const Contact& contact : contacts)
+        for (int i = 0; contact.answered() && i < contact.vertex_count(); ++i) {
+            const auto n = static_cast<std::size_t>(i);
+            const Vec3 fall =
+                dt * body_of_vertex(world, contact, i).acceleration(contact.vertices[n], world.gravity);
+            sum -= contact.weights[n] * (contact.impulse + contact.friction).dot(fall) / 2;
+        }
     return sum;
 }
 //! [weight_carried]
@@ -148,7 +156,7 @@ void book_joints(World& world, const Contacts& contacts, const std::vector<Joint
             continue;
         const JointRates after = rates_of(world, joint, dt);
         const auto working = [&](std::size_t end, double fall) {
-            return working_rates(world, end == 0 ? joint.a : joint.b, before[i][end], after[end], fall, dt);
+            return working_rates(world, joint, end, before[i][end], after[end], fall, dt);
         };
         const EndRates of_a = working(0, 1), of_b = working(1, 1);
         double given = 0;  // by what moves as given
