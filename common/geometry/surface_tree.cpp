@@ -102,11 +102,11 @@ SurfaceTree::Triangle SurfaceTree::triangle(int face) const
     return {at(a), at(b), at(c)};
 }
 
-bool SurfaceTree::contains(const Vec3& point) const
+int SurfaceTree::winding(const Vec3& point) const
 {
     Ray ray{*this, point};
     Eigen::BVIntersect(tree_, ray);
-    return ray.winding > 0;
+    return ray.winding;
 }
 
 double SurfaceTree::distance(const Vec3& point) const

@@ -19,7 +19,10 @@ public:
     /// Whether a closed surface that faces outwards has the point inside: a ray
     /// from there leaves it once more than it enters.
     /// @param point  on the surface it may be either
-    bool contains(const Vec3& point) const;
+    bool contains(const Vec3& point) const { return winding(point) > 0; }
+
+    /// How often a closed surface winds around the point: -1 in one that faces inwards.
+    int winding(const Vec3& point) const;
 
     /// Distance to the nearest face [m].
     double distance(const Vec3& point) const;

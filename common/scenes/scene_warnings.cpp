@@ -11,6 +11,15 @@
 namespace enduring {
 namespace {
 
+std::string sentence_on_room(const StartOverlap& overlap)
+{
+    return "'" + overlap.inner + "' begins " + (overlap.whole ? "" : "partly ") + "behind the walls of '" +
+           overlap.outer + "', " + readable(overlap.depth, 3) + " m deep: the faces of '" + overlap.outer +
+           "' look inwards, so it is a room, which holds only what begins in it; turn its faces around if "
+           "it is a solid, or move '" +
+           overlap.inner + "' into it";
+}
+
 /// Solvers differ in what becomes of such a body: the scene does not say which of them will run it.
 std::string sentence(const StartOverlap& overlap, double max_depenetration_velocity)
 {
@@ -136,7 +145,9 @@ std::vector<std::string> scene_warnings(const Scene& scene, const std::string& f
     std::vector<std::string> warnings;
     warn_of_size(scene, file, warnings);
     for (const StartOverlap& overlap : start_overlaps(scene.world, scene.contact))
-        warnings.push_back(file + ": " + sentence(overlap, speed_of(overlap, scene)));
+        warnings.push_back(
+            file + ": " +
+            (overlap.in_wall ? sentence_on_room(overlap) : sentence(overlap, speed_of(overlap, scene))));
     for (const StartSelfOverlap& overlap : start_self_overlaps(scene.world))
         warnings.push_back(file + ": " + sentence(overlap));
     for (const auto& body : scene.world.bodies)

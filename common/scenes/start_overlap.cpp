@@ -1,5 +1,6 @@
 #include "common/scenes/start_overlap.hpp"
 
+#include "common/geometry/surface_checks.hpp"
 #include "common/geometry/surface_tree.hpp"
 #include "common/simulation/rest_neighbours.hpp"
 
@@ -111,6 +112,7 @@ std::optional<StartOverlap> overlap_of(Placed& one, Placed& other)
                         std::max(of_one, of_other),
                         lies_wholly_in(inner, outer),
                         false,
+                        false,
                         one.body().surface().is_closed() && other.body().surface().is_closed()};
 }
 
@@ -134,6 +136,37 @@ std::optional<StartOverlap> overlap_of(const Placed& placed, const Plane& plane,
     return StartOverlap{placed.body().name(), plane.name, deepest, whole, true};
 }
 
+bool is_room(const Body& body)
+{
+    if (!body.is_static() || !body.surface().is_closed())
+        return false;
+    const std::span<const Vec3> vertices = body.positions_t0();
+    const std::span<const Face> faces = body.surface().faces();
+    return enclosed_volume({{vertices.begin(), vertices.end()}, {faces.begin(), faces.end()}}) < 0;
+}
+
+/// The room in whose walls a body begins least deep; none where one holds all of it, or where there is no
+/// room.
+std::optional<StartOverlap> overlap_with_rooms(const Placed& placed, const std::vector<Placed*>& rooms)
+{
+    std::optional<StartOverlap> least;
+    if (placed.body().is_static())
+        return least;
+    for (Placed* room : rooms) {
+        StartOverlap found{placed.body().name(), room->body().name(), 0, true, false, true};
+        for (const Vec3& point : points_of(placed))
+            if (room->tree().winding(point) < 0)
+                found.whole = false;
+            else
+                found.depth = std::max(found.depth, room->tree().distance(point));
+        if (found.depth <= rounding(placed.box(), room->box()))
+            return std::nullopt;
+        if (!least || found.depth < least->depth)
+            least = found;
+    }
+    return least;
+}
+
 }  // namespace
 
 std::vector<StartOverlap> start_overlaps(const World& world, const ContactParameters& contact)
@@ -144,6 +177,10 @@ std::vector<StartOverlap> start_overlaps(const World& world, const ContactParame
         bodies.emplace_back(*body);
         weight += body->mass() * world.gravity.norm();
     }
+    std::vector<Placed*> rooms;
+    for (Placed& placed : bodies)
+        if (is_room(placed.body()))
+            rooms.push_back(&placed);
     std::vector<StartOverlap> all;
     const auto keep = [&](const std::optional<StartOverlap>& overlap) {
         if (overlap)
@@ -157,6 +194,14 @@ std::vector<StartOverlap> start_overlaps(const World& world, const ContactParame
             for (const Plane& plane : world.planes)
                 keep(overlap_of(bodies[i], plane, contact.stiffness, weight));
     }
+    const auto is_told = [&](const StartOverlap& overlap) {
+        return std::any_of(all.begin(), all.end(), [&](const StartOverlap& told) {
+            return told.inner == overlap.inner && told.outer == overlap.outer;
+        });
+    };
+    for (const Placed& placed : bodies)
+        if (const auto overlap = overlap_with_rooms(placed, rooms); overlap && !is_told(*overlap))
+            all.push_back(*overlap);
     return all;
 }
 

@@ -15,6 +15,7 @@ struct StartOverlap {
     double depth;
     bool whole = false;     ///< no vertex of the inner one is outside
     bool in_plane = false;  ///< the outer one is a plane
+    bool in_wall = false;   ///< the outer one is a room, and the inner one begins behind its walls
     bool closed = true;     ///< both surfaces are, so that there is a volume to separate from
 };
 
@@ -25,6 +26,9 @@ struct StartOverlap {
 /// faces, as a box that stands in another of its size has all its corners on the surface of
 /// that. An open surface has no inside: there a body overlaps if an edge of it passes through a
 /// face, and the depth is that of the edge's end behind the face.
+///
+/// A static closed surface that faces inwards is a room. A body that moves overlaps with it as far as it is
+/// not in the air of this or another room.
 std::vector<StartOverlap> start_overlaps(const World& world, const ContactParameters& contact);
 
 /// A body that meets itself and begins crossed with itself.

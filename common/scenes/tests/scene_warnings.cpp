@@ -1,4 +1,5 @@
 #include "common/experiments/report/tests/temporary_folder.hpp"
+#include "common/geometry/box_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/scenes/scene_reader.hpp"
 #include "common/scenes/start_overlap.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 using namespace enduring;
 
@@ -239,6 +241,49 @@ TEST_CASE("scene: warnings name the file, the bodies and the numbers, and a scen
         std::vector<std::string>{
             "trial.json: 'cube' begins inside 'floor', 0.03 m deep: a surface with a border has no inside to separate "
             "from, nor have points and edges, so the body falls through; move one of them"});
+}
+
+TEST_CASE(
+    "scene: a body that begins behind the walls of a room is told, and one that begins in its air is not")
+{
+    const TemporaryFolder folder;
+    const SurfaceMesh cube_mesh = box({4, 4, 4});
+    const auto write = [&](const std::string& name, bool inwards) {
+        std::ofstream file(folder.path / name);
+        for (const Vec3& v : cube_mesh.vertices)
+            file << "v " << v.x() << ' ' << v.y() << ' ' << v.z() << '\n';
+        for (const auto& [a, b, c] : cube_mesh.faces)
+            file << "f " << a + 1 << ' ' << (inwards ? c : b) + 1 << ' ' << (inwards ? b : c) + 1 << '\n';
+    };
+    write("room.obj", true);
+    write("solid.obj", false);
+    const auto told = [&](const std::string& bodies) {
+        SceneSurroundings surroundings;
+        surroundings.mesh_folders.push_back(folder.path);
+        return read_scene(R"({"name": "trial", "dt": 0.01, "duration": 1, "bodies": [)" + bodies + "]}", "",
+                          "trial.json", surroundings)
+            .warnings;
+    };
+    const std::string room = body("room", "static", R"({"file": "room.obj"})", "[0, 0, 0]") + ", ",
+                      solid = body("solid", "static", R"({"file": "solid.obj"})", "[0, 0, 0]") + ", ";
+    CHECK(told(room + cube("cube", "[0, 0, 0]")).empty());
+    CHECK(told(room + cube("cube", "[1.5, -1.5, 0.3]")).empty());  // in touch with two walls
+    CHECK(told(solid + cube("cube", "[0, 3, 0]")).empty());
+    const auto beyond = told(room + cube("cube", "[0, 3, 0]"));
+    REQUIRE(beyond.size() == 1);
+    CHECK(
+        beyond[0] ==
+        "trial.json: 'cube' begins behind the walls of 'room', 1.5 m deep: the faces of 'room' look inwards, so "
+        "it is a room, which holds only what begins in it; turn its faces around if it is a solid, or move "
+        "'cube' into it");
+    const auto partly = told(room + cube("cube", "[1.6, 0.7, 0.3]"));
+    REQUIRE(partly.size() == 1);
+    CHECK(partly[0].find("'cube' begins partly behind the walls of 'room', 0.1 m deep: ") !=
+          std::string::npos);
+    CHECK(told(room + cube("cube", "[1.6, 0, 0]")).size() == 1);  // a middle of the wall's edges is in it
+    const std::string next_door = body("next", "static", R"({"file": "room.obj"})", "[5, 0, 0]") + ", ";
+    CHECK(told(room + next_door + cube("one", "[0, 0, 0]") + ", " + cube("two", "[5, 0, 0]")).empty());
+    CHECK(told(room + next_door + cube("one", "[2.5, 0, 0]")).size() == 1);
 }
 
 TEST_CASE("scene: a soft body that its own weight presses flat is told, and no other")
