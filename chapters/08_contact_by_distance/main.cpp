@@ -14,7 +14,7 @@ int main(int argc, char** argv)
                 {"crossings",
                  "short random scenes: does anything cross, judged by what shares nothing with the search?",
                  chapter08::crossings},
-                {"gaps", "combs and plates a hair apart: nothing touches, and nothing pushes",
+                {"gaps", "combs, cups, links, paper, gears and a bolt a hair apart: nothing touches, and nothing pushes",
                  chapter08::gaps},
                 {"heap", "cubes dropped on a heap", chapter08::heap},
                 {"families",

@@ -13,7 +13,7 @@
 namespace enduring::chapter08 {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi, duration = 0.5, bolt_gap = 5e-5, play = 5e-4;
+constexpr double full_turn = 2 * std::numbers::pi, duration = 0.5;
 
 /// The corners of a ridge's section, counter-clockwise: the distance from the axis, and the height in the
 /// first turn [m].
@@ -42,7 +42,7 @@ Section section_of_bolt(const Thread& thread)
 
 /// Between two turns of a groove that is the bolt's ridge, shifted outwards and higher by some play: the
 /// flanks of both stay parallel.
-Section section_of_nut(const Thread& thread)
+Section section_of_nut(const Thread& thread, double play)
 {
     const Flanks at(thread, play, 2 * play);
     const double inner = thread.inner_radius + play, outer = inner + thread.depth;
@@ -80,12 +80,15 @@ Scene scene_of(const BoltInNut& bolt)
     const Thread& thread = bolt.thread;
     Scene scene = chapter07::scene_of(std::vector<chapter07::Box>{}, bolt.dt, 0, 0, 0);
     scene.world.planes.clear();
-    const SurfaceMesh nut = swept(section_of_nut(thread), thread.lead, bolt.segments, -2, 3);
-    scene.world.bodies.push_back(std::make_unique<StaticBody>(
-        "nut", SurfaceTopology(static_cast<int>(nut.vertices.size()), nut.faces), nut.vertices));
+    const SurfaceMesh nut = swept(section_of_nut(thread, bolt.play), thread.lead, bolt.segments, -2, 3);
+    if (bolt.nut_held)
+        scene.world.bodies.push_back(std::make_unique<StaticBody>(
+            "nut", SurfaceTopology(static_cast<int>(nut.vertices.size()), nut.faces), nut.vertices));
+    else
+        scene.world.bodies.push_back(std::make_unique<RigidBody>("nut", nut, mass_properties(nut, 1000)));
     SurfaceMesh ridge = swept(section_of_bolt(thread), thread.lead, bolt.bolt_segments, 0, 2);
     for (Vec3& x : ridge.vertices)
-        x.y() += bolt_gap;
+        x.y() += bolt.above;
     MassProperties properties;  // of a slender shank that nothing touches
     properties.mass = BoltInNut::mass;
     properties.centre = Vec3(0, thread.lead, 0);
@@ -120,7 +123,7 @@ BoltFall drop_bolt(const BoltInNut& bolt, Probe* observer)
     const double rise = bolt.thread.lead / full_turn;  // a radian
     const double acceleration = world.gravity.norm() / (1 + BoltInNut::squared_gyration / (rise * rise));
     fall.fallen_mm = 1000 * (height - body.motion().centre().y());
-    fall.by_energy_mm = 1000 * (bolt_gap + 0.5 * acceleration * duration * duration);
+    fall.by_energy_mm = 1000 * (bolt.above + 0.5 * acceleration * duration * duration);
     return fall;
 }
 

@@ -13,11 +13,14 @@ struct Thread {
     double flank = 0.577;                        ///< height of a flank over its depth
 };
 
-/// A bolt of 0.5 kg that stands in a fixed nut on two turns of its thread, without friction.
+/// A bolt of 0.5 kg that stands in a nut on two turns of its thread, without friction.
 struct BoltInNut {
     Thread thread{};
     int segments = 96, bolt_segments = 84;  ///< in a turn, of the nut and of the bolt
     double dt = 0.01;
+    double play = 5e-4;    ///< of the ridge in its groove, away from the axis [m]
+    double above = 5e-5;   ///< of the ridge over the lower side of its groove [m]
+    bool nut_held = true;  ///< else it falls, too
     static constexpr double mass = 0.5, squared_gyration = 6.12e-4;  ///< [kg], [m^2]
 };
 

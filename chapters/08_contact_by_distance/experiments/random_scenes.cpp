@@ -104,24 +104,40 @@ Scene random_scene(unsigned seed)
 
 bool any_crossing(const World& world)
 {
-    const auto inside = [](const Body& a, const Body& b) {
+    using Box = Eigen::AlignedBox3d;
+    const auto box_of = [](const Body& body) {
+        Box box;
+        for (const Vec3& p : body.contact_t0())
+            box.extend(p);
+        return box;
+    };
+    std::vector<Box> boxes;  // what lies beside the other body's cannot cross it
+    for (const auto& body : world.bodies)
+        boxes.push_back(box_of(*body));
+    const auto inside = [](const Body& a, const Body& b, const Box& box) {
         return std::any_of(a.contact_t0().begin(), a.contact_t0().end(), [&](const Vec3& p) {
-            return winding_number(b.surface().faces(), b.contact_t0(), p) > 0.5;
+            return box.contains(p) && winding_number(b.surface().faces(), b.contact_t0(), p) > 0.5;
         });
     };
-    const auto pierced = [](const Body& a, const Body& b) {
+    const auto pierced = [](const Body& a, const Body& b, const Box& box) {
         return std::any_of(a.surface().edges().begin(), a.surface().edges().end(), [&](const Edge& edge) {
-            return std::any_of(b.surface().faces().begin(), b.surface().faces().end(), [&](const Face& f) {
-                return find_edge_triangle_hit(a.contact_point(edge[0], 0), a.contact_point(edge[1], 0),
-                                              b.contact_point(f[0], 0), b.contact_point(f[1], 0),
-                                              b.contact_point(f[2], 0))
-                    .has_value();
-            });
+            const Vec3 p = a.contact_point(edge[0], 0), q = a.contact_point(edge[1], 0);
+            return box.intersects(Box(p).extend(q)) &&
+                   std::any_of(b.surface().faces().begin(), b.surface().faces().end(), [&](const Face& f) {
+                       return find_edge_triangle_hit(p, q, b.contact_point(f[0], 0), b.contact_point(f[1], 0),
+                                                     b.contact_point(f[2], 0))
+                           .has_value();
+                   });
         });
     };
-    for (const auto& a : world.bodies)
-        for (const auto& b : world.bodies)
-            if (a != b && (inside(*a, *b) || pierced(*a, *b)))
+    const auto move = [&](std::size_t i, std::size_t j) {
+        return !world.bodies[i]->is_static() || !world.bodies[j]->is_static();
+    };
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (std::size_t j = 0; j < boxes.size(); ++j)
+            if (i != j && move(i, j) && boxes[i].intersects(boxes[j]) &&
+                (inside(*world.bodies[i], *world.bodies[j], boxes[j]) ||
+                 pierced(*world.bodies[i], *world.bodies[j], boxes[j])))
                 return true;
     return false;
 }

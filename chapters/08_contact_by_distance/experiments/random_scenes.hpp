@@ -14,8 +14,9 @@ Scene random_scene(unsigned seed);
 /// Steps that such a scene is run.
 constexpr int random_scene_steps = 15;
 
-/// Whether a vertex of one body is inside another one, or an edge of one goes through a face of another one;
-/// of their surfaces for contact. By the winding number and by edges in triangles, which no search knows.
+/// Whether a vertex of one body is inside another one, or an edge of one goes through a face of another one,
+/// where one of the two moves; of their surfaces for contact. By the winding number and by edges in
+/// triangles, which no search knows.
 bool any_crossing(const World& world);
 
 /// Runs a scene with the solver of this chapter, and tells nothing.
