@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace enduring {
 namespace {
@@ -30,11 +31,24 @@ bool is_folded(const SurfaceStep& surface, int one, int other)
     return normal_of_face(surface, one).cross(normal_of_face(surface, other)).norm() > least_fold;
 }
 
+/// Whether a direction leaves the body between faces that meet: at the bottom of a dent, what is furthest
+/// along one that leads into the body is outermost, too.
+bool leads_out(const SurfaceStep& surface, std::span<const int> faces, const Vec3& direction)
+{
+    double sum = 0;
+    for (const int face : faces)
+        if (face >= 0)
+            sum += direction.dot(normal_of_face(surface, face));
+    return sum > 0;
+}
+
 /// Whether nothing around a vertex is further out along a direction.
 bool is_outermost(const SurfaceStep& surface, int vertex, const Vec3& direction)
 {
     bool has_fold = false;
     const auto faces = surface.topology.faces_around_vertex(vertex);
+    if (!leads_out(surface, faces, direction))
+        return false;
     for (const int face : faces) {
         has_fold = has_fold || is_folded(surface, face, faces.front());
         for (const int other : surface.face(face)) {
@@ -50,6 +64,8 @@ bool is_outermost(const SurfaceStep& surface, int vertex, const Vec3& direction)
 bool is_outermost_edge(const SurfaceStep& surface, int edge, const Vec3& direction)
 {
     const Vec3& x = surface.start(surface.edge(edge)[0]);
+    if (!leads_out(surface, surface.topology.faces_at_edge(edge), direction))
+        return false;
     for (const int face : surface.topology.faces_at_edge(edge))
         for (int i = 0; face >= 0 && i < 3; ++i) {
             const Vec3 side = surface.start(surface.face(face)[static_cast<std::size_t>(i)]) - x;
@@ -77,6 +93,33 @@ std::vector<int> faces_around(const SurfaceStep& surface, int face, const std::a
     const auto [one, other] =
         topology.faces_at_edge(topology.edges_of_face(face)[static_cast<std::size_t>(opposite + 1) % 3]);
     return other < 0 ? std::vector{one} : std::vector{one, other};
+}
+
+/// Whether a face lies across a segment, beside those on which its ends lie. Within a wall none does.
+/// @param at_end  nearer than this to an end, a plane goes through it [m]
+bool is_crossed(const SurfaceStep& surface, const Vec3& from, const Vec3& to, double at_end)
+{
+    const auto lies_across = [&](const Face& face) {
+        const Vec3 &x = surface.start(face[0]), &y = surface.start(face[1]), &z = surface.start(face[2]);
+        const Vec3 normal = (y - x).cross(z - x).stableNormalized();
+        const double before = normal.dot(from - x), behind = normal.dot(to - x);
+        if ((before > 0) == (behind > 0) || std::min(std::abs(before), std::abs(behind)) <= at_end)
+            return false;
+        const Vec3 at = from + before / (before - behind) * (to - from);
+        return normal.dot((y - x).cross(at - x)) >= 0 && normal.dot((z - y).cross(at - y)) >= 0 &&
+               normal.dot((x - z).cross(at - z)) >= 0;
+    };
+    const auto faces = surface.topology.faces();
+    return std::any_of(faces.begin(), faces.end(), lies_across);
+}
+
+/// Whether the nearest points of two edges lie on two sides of a wall of either body: neither edge is inside.
+bool is_beyond_a_wall(const SurfaceStep& a, const SurfaceStep& b, int edge_b, const ClosestOnEdges& closest,
+                      double at_end)
+{
+    const auto [b0, b1] = b.edge(edge_b);
+    const Vec3 on_b = b.start(b0) + closest.t * (b.start(b1) - b.start(b0)), on_a = on_b + closest.difference;
+    return is_crossed(a, on_a, on_b, at_end) || is_crossed(b, on_a, on_b, at_end);
 }
 
 /// One vertex of A against the faces of B that come near.
@@ -246,6 +289,9 @@ void NearFeatures::append_edges(const World& world, Contacts& contacts) const
             if (distance > (normal == towards_a ? outside : inside) ||
                 !is_outermost_edge(b, edge_b, normal) || !is_outermost_edge(a, edge_a, -normal))
                 continue;
+            if (normal != towards_a &&
+                is_beyond_a_wall(a, b, edge_b, *closest, touching * smaller_size(world, body_a, body_b)))
+                return;
             contacts.push_back(
                 edge_pair(body_a, a, edge_a, body_b, b, edge_b, closest->s, closest->t, normal));
             return;

@@ -1,13 +1,19 @@
 #include "chapters/13_other_solvers/near_features.hpp"
 
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
+#include "chapters/07_implicit_contact/experiments/true_depth.hpp"
 #include "chapters/13_other_solvers/tests/small_scenes.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/round_shapes.hpp"
+#include "common/simulation/energy.hpp"
+#include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 using namespace enduring;
 
@@ -29,7 +35,55 @@ Scene two_cubes(double gap, double moved, double turn_deg)
     return scene;
 }
 
+void add_moved(Scene& scene, SurfaceMesh mesh, double flip, const Vec3& by)
+{
+    const Eigen::AngleAxisd turn(flip, Vec3::UnitX());
+    for (Vec3& x : mesh.vertices)
+        x = turn * x + by;
+    scene.world.bodies.push_back(std::make_unique<RigidBody>("part", mesh, mass_properties(mesh, 1000)));
+}
+
+/// The deepest separation of all pairs [m].
+double deepest(const Contacts& pairs, const Scene& scene)
+{
+    double deepest = 0;
+    for (const Contact& pair : pairs)
+        deepest = std::min(deepest, separation_t0(scene.world, pair));
+    return deepest;
+}
+
 }  // namespace
+
+TEST_CASE("near features: two dents that face each other are not inside each other")
+{
+    const SurfaceMesh hollow = bowl({1, 0.04, 0.5, 0, 20, 6, 2});
+    for (const double gap : {1e-3, 1e-2}) {
+        CAPTURE(gap);
+        Scene scene = chapter07::scene_of({}, 0.01);
+        scene.world.planes.clear();
+        const double rim = 1.02 * std::cos(0.5);  // below the centre, in the middle of the wall
+        add_moved(scene, hollow, 0, Vec3::Zero());
+        add_moved(scene, hollow, std::numbers::pi, Vec3(0, -2 * rim + 0.041 + gap, 0));
+        REQUIRE(chapter07::true_depth(scene.world) == 0);
+        CHECK(deepest(pairs_of(scene), scene) == 0);
+    }
+}
+
+TEST_CASE("near features: a soft bunny in its bowl meets no edge through a wall, so it gains no energy")
+{
+    Scene scene = load_scene(scene_file("bunny_bowl"),
+                             R"({"/bodies/bunny/rayleigh": {"mass": 0, "stiffness": 0}})");
+    const double first = total_energy(scene.world).total();
+    double highest = first;
+    const Solver solver = chapter13_solver("xpbd", scene.contact);
+    Contacts contacts;
+    for (int step = 0; step < 160; ++step) {
+        advance(scene.world, contacts, solver, scene.dt);
+        highest = std::max(highest, total_energy(scene.world).total());
+    }
+    CHECK(highest <= first + 1);
+    CHECK((scene.world.bodies[1]->centre() - Vec3(-0.28, 0.73, -0.08)).norm() <= 0.1);  // up at its wall
+}
 
 TEST_CASE("near features: a cube on a cube has normals up and the gap as its separation, outside and inside")
 {
