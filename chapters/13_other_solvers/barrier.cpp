@@ -120,7 +120,7 @@ namespace {
 //! [newton]
 /// Projected Newton's method from places that do not touch: every step ends at such places, with less energy.
 /// @param is_solved  whether the last direction was shorter than the tolerance
-Places minimum(const IncrementalPotential& potential, const Places& from, double reach, double least_step,
+Places minimum(const IncrementalPotential& potential, const Places& from, double least_step,
                const BarrierSettings& settings, bool& is_solved)
 {
     is_solved = false;
@@ -131,7 +131,7 @@ Places minimum(const IncrementalPotential& potential, const Places& from, double
         const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(slopes.hessian());
         const Eigen::VectorXd direction = -factor.solve(slopes.gradient());
         const double slope = slopes.gradient().dot(direction);
-        double part = potential.free_part(places, direction, reach);
+        double part = potential.free_part(places, direction);
         int halvings = 0;
         for (; part > 0 && halvings < settings.line_search_steps; ++halvings, part /= 2) {
             const Places to = potential.moved(places, part * direction);
@@ -157,7 +157,7 @@ void BarrierMethod::operator()(MethodStep& step) const
 {
     if (!std::isfinite(size_))
         return;
-    IncrementalPotential potential(step, settings_, settings_.distance * size_, whole_dt_);
+    IncrementalPotential potential(step, settings_, settings_.distance * size_, reach_, whole_dt_);
     Places places;
     for (const MovingBody& body : step.bodies)
         places.poses.push_back(body.start);
@@ -166,8 +166,7 @@ void BarrierMethod::operator()(MethodStep& step) const
     const double held = potential.held(places);
     for (int solve = 0; solve < settings_.lags; ++solve) {
         potential.lag(places);
-        places = minimum(potential, places, reach_, settings_.tolerance * size_ * step.dt, settings_,
-                         step.is_solved);
+        places = minimum(potential, places, settings_.tolerance * size_ * step.dt, settings_, step.is_solved);
     }
     step.given = held - potential.held(places);
     const std::vector<Vec3> impulses = potential.impulses(places);

@@ -50,6 +50,15 @@ FeatureKey key_of(const ContactPoint& pair, const NearestPoints& nearest, int ow
     return {std::min(sides[0], sides[1]), std::max(sides[0], sides[1]), own};
 }
 
+bool boxes_are_near(const FourPoints& x, int corners_of_a, double distance)
+{
+    std::array<Eigen::AlignedBox3d, 2> boxes;
+    for (int i = 0; i < 4; ++i)
+        boxes[i < corners_of_a ? 0 : 1].extend(x[static_cast<std::size_t>(i)]);
+    return ((boxes[0].min() - boxes[1].max()).array() < distance).all() &&
+           ((boxes[1].min() - boxes[0].max()).array() < distance).all();
+}
+
 bool boxes_overlap(const FourPoints& from, const FourPoints& to, int corners_of_a)
 {
     std::array<Eigen::AlignedBox3d, 2> boxes;
@@ -97,15 +106,29 @@ Derivatives BarrierTerm::potential(const ContactPoint& pair, double kappa, doubl
     return of;
 }
 
+PairPlaces near_pairs(const MethodStep& step, const Places& places, double distance)
+{
+    PairPlaces near;
+    for (std::size_t n = 0; n < step.points.size(); ++n)
+        if (const ContactPoint& pair = step.points[n];
+            pair.kind() == ContactKind::vertex_plane ||
+            boxes_are_near(corners_of(pair, places), pair.corners_of_a(), distance))
+            near.push_back(n);
+    return near;
+}
+
 //! [terms]
-std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const Places& places, double distance)
+std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const PairPlaces& among, const Places& places,
+                                       double distance)
 {
     std::vector<BarrierTerm> terms;
     std::map<FeatureKey, std::size_t> known;
-    for (std::size_t n = 0; n < step.points.size(); ++n) {
+    for (const std::size_t n : among) {
         const ContactPoint& pair = step.points[n];
         const ContactKind kind = pair.kind();
         BarrierTerm term{n, corners_of(pair, places), {}, {1, Vector12::Zero(), Matrix12::Zero()}, 1, {}};
+        if (kind != ContactKind::vertex_plane && !boxes_are_near(term.x, pair.corners_of_a(), distance))
+            continue;
         if (kind == ContactKind::vertex_plane)
             term.nearest = {{1, 0, 0, 0}, height(pair, term.x[0], distance) * pair.normal};
         else
@@ -131,11 +154,12 @@ std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const Places& pla
 //! [terms]
 
 //! [first_meeting]
-std::pair<double, bool> first_meeting(const MethodStep& step, const Places& from, const Places& to,
-                                      double distance)
+std::pair<double, bool> first_meeting(const MethodStep& step, const PairPlaces& among, const Places& from,
+                                      const Places& to, double distance)
 {
     std::pair<double, bool> first{1, false};
-    for (const ContactPoint& pair : step.points) {
+    for (const std::size_t n : among) {
+        const ContactPoint& pair = step.points[n];
         const FourPoints p = corners_of(pair, from), q = corners_of(pair, to);
         std::optional<double> time;
         if (pair.kind() == ContactKind::vertex_plane) {

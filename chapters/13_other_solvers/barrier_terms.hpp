@@ -38,15 +38,22 @@ struct BarrierTerm {
     Derivatives potential(const ContactPoint& pair, double kappa, double distance) const;
 };
 
-/// @param step      its points are the pairs that can meet
+/// Places of pairs in MethodStep::points, ascending.
+using PairPlaces = std::vector<std::size_t>;
+/// The pairs whose features have boxes that are nearer than this to each other along each axis [m], and all
+/// with planes. Most pairs of a step never come so near.
+PairPlaces near_pairs(const MethodStep& step, const Places& places, double distance);
+
+/// @param among     the pairs to look at
 /// @param distance  d^hat [m], positive
-std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const Places& places, double distance);
+std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const PairPlaces& among, const Places& places,
+                                       double distance);
 
 /// When the first pair meets, in (0, 1], if all vertices go straight from place to place; 1 too if none does.
 /// By chapter 2's certified query.
 /// @return  and whether one meets
-std::pair<double, bool> first_meeting(const MethodStep& step, const Places& from, const Places& to,
-                                      double distance);
+std::pair<double, bool> first_meeting(const MethodStep& step, const PairPlaces& among, const Places& from,
+                                      const Places& to, double distance);
 
 /// In the world [m]; of a pair with a plane the first alone.
 FourPoints corners_of(const ContactPoint& pair, const Places& places);

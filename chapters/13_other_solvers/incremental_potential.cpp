@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace enduring {
 
@@ -14,6 +15,10 @@ SmoothFriction smooth_friction(double slip, double full)
 }
 
 namespace {
+
+/// Of the reach of a step [1]: how far features beyond d^hat may be from each other and count as near. With
+/// all of it, each evaluation looks at all pairs; a hundredth finds the near ones anew in nearly each.
+constexpr double part_of_reach = 0.1;
 
 /// J of rigid-ipc: the mass' second moment in body axes, from the inertia [kg m^2].
 Mat3 second_moment(const MovingBody& body)
@@ -37,10 +42,10 @@ FourPoints corners_at(const std::array<std::size_t, 4>& nodes, const Places& pla
 }  // namespace
 
 IncrementalPotential::IncrementalPotential(const MethodStep& step, const BarrierSettings& settings,
-                                           double distance, double whole_dt)
-    : step_(step), settings_(settings), distance_(distance),
+                                           double distance, double reach, double whole_dt)
+    : step_(step), settings_(settings), distance_(distance), reach_(reach),
       full_slip_(settings.friction_speed * distance / settings.distance * step.dt), coordinates_(step),
-      soft_(step.soft.begin(), step.soft.end())
+      soft_(step.soft.begin(), step.soft.end()), slack_(part_of_reach * reach)
 {
     double mass = 0;
     int count = static_cast<int>(step.soft.size());
@@ -49,13 +54,17 @@ IncrementalPotential::IncrementalPotential(const MethodStep& step, const Barrier
         free.fall(step.dt);
         free.move(step.dt);
         inertial_.poses.push_back(body.moves ? free.pose : body.pose);
+        start_.poses.push_back(body.start);
         mass += body.moves ? 1 / body.inverse_mass : 0;
         count += body.moves;
     }
     for (const SoftNode& node : step.nodes) {
         inertial_.nodes.emplace_back(node.start + step.dt * (node.velocity + step.dt * node.gravity));
+        start_.nodes.push_back(node.start);
         mass += node.inverse_mass > 0 ? 1 / node.inverse_mass : 0;
     }
+    all_.resize(step.points.size());
+    std::iota(all_.begin(), all_.end(), std::size_t{0});
     kappa_ = settings.stiffness * mass / std::max(count, 1) * std::pow(distance / whole_dt, 2);
 }
 
@@ -107,7 +116,7 @@ double IncrementalPotential::inertia(const Places& places) const
 double IncrementalPotential::held(const Places& places) const
 {
     double energy = 0;
-    for (const BarrierTerm& term : barrier_terms(step_, places, distance_))
+    for (const BarrierTerm& term : barrier_terms(step_, near(places), places, distance_))
         energy += kappa_ * term.count * term.mollifier.value * term.barrier.value;
     return energy;
 }
@@ -134,7 +143,7 @@ PotentialSlopes IncrementalPotential::slopes(const Places& places) const
     for (const SoftElements& body : soft_)
         for (std::size_t e = 0; e < body.count(); ++e)
             slopes.add_nodes(body.nodes(e), body.derivatives(e, corners_at(body.nodes(e), places)));
-    for (const BarrierTerm& term : barrier_terms(step_, places, distance_)) {
+    for (const BarrierTerm& term : barrier_terms(step_, near(places), places, distance_)) {
         const ContactPoint& pair = step_.points[term.point];
         slopes.add_pair(pair, places, term.potential(pair, kappa_, distance_));
     }
@@ -174,19 +183,14 @@ Vec3 IncrementalPotential::slip(const Holding& holding, const Places& places) co
 
 void IncrementalPotential::lag(const Places& places)
 {
-    Places start;
-    for (const MovingBody& body : step_.bodies)
-        start.poses.push_back(body.start);
-    for (const SoftNode& node : step_.nodes)
-        start.nodes.push_back(node.start);
     holdings_.clear();
-    for (const BarrierTerm& term : barrier_terms(step_, places, distance_)) {
+    for (const BarrierTerm& term : barrier_terms(step_, near(places), places, distance_)) {
         const ContactPoint& pair = step_.points[term.point];
         const double length = term.nearest.difference.norm();
         const double force = -kappa_ * term.count * term.mollifier.value * term.barrier.slope * 2 * length /
                              (distance_ * distance_);
         holdings_.push_back({term.point, term.nearest.weights, term.nearest.difference / length,
-                             pair.mu_s * force, difference(pair, term.nearest.weights, start)});
+                             pair.mu_s * force, difference(pair, term.nearest.weights, start_)});
     }
 }
 //! [lag]
@@ -194,7 +198,7 @@ void IncrementalPotential::lag(const Places& places)
 std::vector<Vec3> IncrementalPotential::impulses(const Places& places) const
 {
     std::vector<Vec3> impulses(step_.points.size(), Vec3::Zero());
-    for (const BarrierTerm& term : barrier_terms(step_, places, distance_)) {
+    for (const BarrierTerm& term : barrier_terms(step_, near(places), places, distance_)) {
         const ContactPoint& pair = step_.points[term.point];
         const Vector12 slope = term.potential(pair, kappa_, distance_).gradient;
         for (int i = 0; i < pair.corners_of_a(); ++i)
@@ -209,16 +213,17 @@ std::vector<Vec3> IncrementalPotential::impulses(const Places& places) const
 }
 
 //! [free_part]
-double IncrementalPotential::free_part(const Places& from, const Eigen::VectorXd& by, double reach) const
+double IncrementalPotential::free_part(const Places& from, const Eigen::VectorXd& by) const
 {
     double part = 1;
     for (int i = 0; i < settings_.line_search_steps; ++i) {
         const Places to = moved(from, part * by);
-        if (is_beyond(to, reach)) {
+        if (is_beyond(to)) {
             part /= 2;
             continue;
         }
-        const auto [time, any] = first_meeting(step_, from, to, distance_);
+        const bool is_near = is_served(from) && is_served(to);
+        const auto [time, any] = first_meeting(step_, is_near ? near_ : all_, from, to, distance_);
         if (!any)
             return part;
         part *= settings_.part_of_impact * time;
@@ -227,20 +232,40 @@ double IncrementalPotential::free_part(const Places& from, const Eigen::VectorXd
 }
 //! [free_part]
 
-bool IncrementalPotential::is_beyond(const Places& places, double reach) const
+bool IncrementalPotential::is_beyond(const Places& places) const
 {
-    for (std::size_t i = 0; i < places.poses.size(); ++i) {
-        const MovingBody& body = step_.bodies[i];
-        if (coordinates_.of_body[i] >= 0 &&
-            (places.poses[i].position - body.start.position).norm() +
-                    body.size * places.poses[i].orientation.angularDistance(body.start.orientation) >
-                reach)
-            return true;
-    }
-    for (std::size_t n = 0; n < places.nodes.size(); ++n)
-        if ((places.nodes[n] - step_.nodes[n].start).norm() > reach)
-            return true;
-    return false;
+    return longest_way(start_, places) > reach_;
 }
+
+double IncrementalPotential::longest_way(const Places& from, const Places& to) const
+{
+    double longest = 0;
+    for (std::size_t i = 0; i < to.poses.size(); ++i)
+        if (coordinates_.of_body[i] >= 0)
+            longest = std::max(longest, (to.poses[i].position - from.poses[i].position).norm() +
+                                            step_.bodies[i].size * to.poses[i].orientation.angularDistance(
+                                                                       from.poses[i].orientation));
+    for (std::size_t n = 0; n < to.nodes.size(); ++n)
+        longest = std::max(longest, (to.nodes[n] - from.nodes[n]).norm());
+    return longest;
+}
+
+//! [near]
+/// What is farther apart than d^hat and a slack stays so until one of both has moved by half of the slack.
+/// Most places that Newton's method asks for lie nearer to each other than that.
+const PairPlaces& IncrementalPotential::near(const Places& places) const
+{
+    if (!is_served(places)) {
+        near_ = near_pairs(step_, places, distance_ + slack_);
+        near_places_ = places;
+    }
+    return near_;
+}
+
+bool IncrementalPotential::is_served(const Places& places) const
+{
+    return !near_places_.poses.empty() && 2 * longest_way(near_places_, places) <= slack_;
+}
+//! [near]
 
 }  // namespace enduring

@@ -26,10 +26,11 @@ class IncrementalPotential {
 public:
     /// @param step      its points are the pairs that can meet
     /// @param distance  d^hat [m], positive
+    /// @param reach     how far bodies may go in the step [m]
     /// @param whole_dt  of the step of which this one may be a part [s]: barriers do not stiffen where it is
     ///     halved
     IncrementalPotential(const MethodStep& step, const BarrierSettings& settings, double distance,
-                         double whole_dt);
+                         double reach, double whole_dt);
 
     Places moved(const Places& from, const Eigen::VectorXd& by) const { return coordinates_.moved(from, by); }
     double value(const Places& places) const;
@@ -43,8 +44,7 @@ public:
     /// The part of a displacement on which no pair meets and no body leaves the reach of the search: 1, or
     /// less; 0 if there is none. Paths of vertices are straight from pose to pose. So what is behind them can
     /// be reached without a crossing.
-    /// @param reach  from the start of the step [m]
-    double free_part(const Places& from, const Eigen::VectorXd& by, double reach) const;
+    double free_part(const Places& from, const Eigen::VectorXd& by) const;
 
 private:
     struct Holding {  ///< friction of a term, lagged
@@ -54,21 +54,33 @@ private:
         double most;  ///< mu times the normal force [N]
         Vec3 start;   ///< p - q when the step begins [m]
     };
+    /// The pairs that may come within d^hat at these places.
+    const PairPlaces& near(const Places& places) const;
+    /// Whether no pair comes within d^hat that near_ has not.
+    bool is_served(const Places& places) const;
+    /// A bound of how far a corner has moved from one to the other [m].
+    double longest_way(const Places& from, const Places& to) const;
     double inertia(const Places& places) const;
     void add_inertia(const Places& places, PotentialSlopes& slopes) const;
     Derivatives friction(const Holding& holding, const Places& places) const;
     Vec3 slip(const Holding& holding, const Places& places) const;
-    bool is_beyond(const Places& places, double reach) const;
+    bool is_beyond(const Places& places) const;
 
     const MethodStep& step_;
     const BarrierSettings& settings_;
     double distance_;   ///< d^hat [m]
+    double reach_;      ///< from the start of the step [m]
     double full_slip_;  ///< from which on friction is full [m]
     double kappa_ = 0;  ///< [J]
     StepCoordinates coordinates_;
     std::vector<SoftElements> soft_;
+    Places start_;     ///< of the step
     Places inertial_;  ///< where each comes without contact and elements
+    PairPlaces all_;   ///< pairs
     std::vector<Holding> holdings_;
+    double slack_;             ///< how much nearer than d^hat two features of near_ may be found apart [m]
+    mutable PairPlaces near_;  ///< of near_places_; found anew where corners have moved by half of slack_
+    mutable Places near_places_;
 };
 
 }  // namespace enduring

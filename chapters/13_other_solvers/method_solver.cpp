@@ -43,7 +43,8 @@ public:
             contacts[i].impulse = point.normal.dot(point.impulse) * point.normal;
             contacts[i].friction = point.impulse - contacts[i].impulse;
             contacts[i].state = ContactState::answered;
-            impulses_[point.key] = step_.a(point).pose.orientation.conjugate() * point.impulse;
+            if (!point.impulse.isZero(0))
+                impulses_[point.key] = step_.a(point).pose.orientation.conjugate() * point.impulse;
         }
         move_bodies(world);
         move_soft_bodies(world,
