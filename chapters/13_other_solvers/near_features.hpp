@@ -11,9 +11,9 @@ namespace enduring {
 ///
 /// A vertex outside has a pair with the nearest point of a surface around it, be it on a face, an edge or a
 /// vertex. A vertex inside has one with the face that it is least below. Two edges have one where their
-/// nearest points lie inside both, but not an inside one through a wall. The normal is Contact::normal_t0,
-/// out of B; it has to lie within the cones of both features, for what is further out is another pair. Planes
-/// have pairs with vertices.
+/// nearest points lie inside both; not below each other, where the bodies come apart sooner. The normal is
+/// Contact::normal_t0, out of B; it has to lie within the cones of both features, for what is further out is
+/// another pair. Planes have pairs with vertices.
 class NearFeatures {
 public:
     explicit NearFeatures(SearchSettings settings = {}) : settings_(settings) {}

@@ -69,20 +69,19 @@ TEST_CASE("near features: two dents that face each other are not inside each oth
     }
 }
 
-TEST_CASE("near features: a soft bunny in its bowl meets no edge through a wall, so it gains no energy")
+TEST_CASE("near features: in a heap no edge is pushed out sideways, so it gains no energy")
 {
-    Scene scene = load_scene(scene_file("bunny_bowl"),
-                             R"({"/bodies/bunny/rayleigh": {"mass": 0, "stiffness": 0}})");
-    const double first = total_energy(scene.world).total();
-    double highest = first;
-    const Solver solver = chapter13_solver("xpbd", scene.contact);
+    Scene scene = chapter07::scene_of(chapter07::loose_cubes(30, 3, 1), 0.01);
+    const Solver solver = chapter13_solver("relaxation", scene.contact);
     Contacts contacts;
-    for (int step = 0; step < 160; ++step) {
+    double lowest = total_energy(scene.world).total(), gained = 0;
+    for (int step = 0; step < 120; ++step) {
         advance(scene.world, contacts, solver, scene.dt);
-        highest = std::max(highest, total_energy(scene.world).total());
+        const double energy = total_energy(scene.world).total();
+        lowest = std::min(lowest, energy);
+        gained = std::max(gained, energy - lowest);
     }
-    CHECK(highest <= first + 1);
-    CHECK((scene.world.bodies[1]->centre() - Vec3(-0.28, 0.73, -0.08)).norm() <= 0.1);  // up at its wall
+    CHECK(gained <= 5);
 }
 
 TEST_CASE("near features: a cube on a cube has normals up and the gap as its separation, outside and inside")
