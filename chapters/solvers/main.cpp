@@ -22,7 +22,7 @@ int main(int argc, char** argv)
              solvers::speed},
             {"soft_speed", "what steps of soft mats cost, with a dense block and with all their nodes",
              solvers::soft_speed},
-            {"worst", "the slowest step of walls that are hit, spheres that are poured and a chain",
+            {"worst", "the slowest step of walls that are hit, spheres that are poured and two chains",
              solvers::worst},
             {"own_scene", "the example of a scene of your own; any other runs with --scene FILE",
              solvers::own_scene_example, takes_scene},

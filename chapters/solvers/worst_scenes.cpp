@@ -1,5 +1,6 @@
 #include "chapters/solvers/worst_scenes.hpp"
 
+#include "chapters/solvers/bicycle_chain.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
@@ -131,6 +132,24 @@ Scene hanging_chain(int links)
         for (Vec3& vertex : link.vertices)
             vertex += at;
         add_standing(scene, "link " + std::to_string(i + 1), link);
+    }
+    return scene;
+}
+
+Scene bicycle_chain(int links)
+{
+    Scene scene = empty_scene("bicycle chain of " + std::to_string(links) + " links");
+    constexpr double mass = 0.0025;
+    const double turn = 2 * std::numbers::pi / links,
+                 radius = 0.5 * ChainLink::pitch / std::tan(turn / 2);  // to the middles of links
+    for (int i = 0; i < links; ++i) {
+        const bool is_outer = i % 2 == 0;
+        SurfaceMesh link = is_outer ? ChainLink::outer() : ChainLink::inner();
+        const Eigen::AngleAxisd around(i * turn, Vec3::UnitY());
+        for (Vec3& vertex : link.vertices)
+            vertex = around * (vertex + Vec3(0, 0, radius));
+        const double height = ChainLink::outer_half_height - (is_outer ? 0 : ChainLink::play);
+        add_moving(scene, "link " + std::to_string(i + 1), link, mass, Vec3(0, height, 0));
     }
     return scene;
 }

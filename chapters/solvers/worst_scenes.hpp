@@ -23,4 +23,9 @@ Scene hopper(int count);
 /// @param links  at least 2
 Scene hanging_chain(int links);
 
+/// A closed bicycle chain that lies on its side, at rest: outer links on the ground, inner ones on their
+/// plates. All pins stand in the middle of their bores.
+/// @param links  even, at least 6
+Scene bicycle_chain(int links);
+
 }  // namespace enduring::solvers

@@ -1,5 +1,9 @@
 #include "chapters/solvers/worst_scenes.hpp"
+#include "chapters/08_contact_by_distance/experiments/random_scenes.hpp"
 #include "chapters/10_self_contact/solver.hpp"
+#include "chapters/solvers/bicycle_chain.hpp"
+#include "common/geometry/surface_checks.hpp"
+#include "common/simulation/static_body.hpp"
 
 #include <doctest/doctest.h>
 
@@ -16,6 +20,14 @@ void run(Scene& scene, int steps)
     Contacts contacts;
     for (int step = 0; step < steps; ++step)
         advance(scene.world, contacts, solver, scene.dt);
+}
+
+Vec3 middle_of(const Body& body)
+{
+    Eigen::AlignedBox3d box;
+    for (const Vec3& vertex : body.positions_t0())
+        box.extend(vertex);
+    return box.center();
 }
 
 }  // namespace
@@ -66,4 +78,30 @@ TEST_CASE("worst scenes: a chain sags by the play of its links, which stay in ea
     CHECK(bodies[3]->centre().y() < 2.995);
     for (std::size_t link = 1; link < bodies.size(); ++link)
         CHECK((bodies[link]->centre() - bodies[link - 1]->centre()).norm() < 0.0801);  // play taken up
+}
+
+TEST_CASE("worst scenes: a bicycle chain rests, and hung by one link it stays together")
+{
+    check_surface(solvers::ChainLink::outer(), "outer link");
+    check_surface(solvers::ChainLink::inner(), "inner link");
+    Scene resting = solvers::bicycle_chain(6);
+    run(resting, 10);
+    for (const auto& link : resting.world.bodies)
+        CHECK(link->mean_velocity().norm() < 1e-5);
+    CHECK_FALSE(chapter08::any_crossing(resting.world));
+
+    Scene hung = solvers::bicycle_chain(6);
+    auto& bodies = hung.world.bodies;
+    const Body& first = *bodies[0];
+    bodies[0] = std::make_unique<StaticBody>(
+        "held", first.surface(), std::vector<Vec3>(first.positions_t0().begin(), first.positions_t0().end()));
+    hung.world.planes.clear();
+    hung.world.gravity = Vec3(0, 0, 9.81);
+    const double height = bodies[3]->centre().z();
+    run(hung, 20);
+    CHECK_FALSE(chapter08::any_crossing(hung.world));
+    CHECK(bodies[3]->centre().z() > height + 0.005);
+    for (std::size_t link = 0; link < 6; ++link)
+        CHECK((middle_of(*bodies[(link + 1) % 6]) - middle_of(*bodies[link])).norm() <
+              solvers::ChainLink::pitch + 2e-4);
 }
