@@ -47,6 +47,19 @@ TetrahedralMesh spiral(double inner_radius, double pitch, double length, double 
     });
 }
 
+TetrahedralMesh hairpin(double gap, std::array<int, 3> cells)
+{
+    constexpr double bend = 0.02, thick = 0.01, leg = 0.2, inner = bend - 0.5 * thick;
+    // towards each other, until the inner corners of the ends have this gap
+    const double lean = std::atan(inner / leg) - std::asin(0.5 * gap / std::hypot(inner, leg)),
+                 half_arc = bend * (whole_turn / 4 + lean), half = half_arc + leg;
+    return bent_bar(2 * half, thick, 0.03, cells, [&](double along) {
+        const double s = along - half, on_arc = std::clamp(s, -half_arc, half_arc), angle = on_arc / bend;
+        const Vec3 direction(std::sin(angle), std::cos(angle), 0), left = left_of(direction);
+        return CurvePoint{bend * left + (s - on_arc) * direction, left};
+    });
+}
+
 TetrahedralMesh ring(double radius, double thickness, double width, std::array<int, 3> cells)
 {
     const TetrahedralMesh opened = bent_bar(whole_turn * radius, thickness, width, cells, [&](double s) {

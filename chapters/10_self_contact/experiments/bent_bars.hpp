@@ -29,6 +29,9 @@ TetrahedralMesh spiral(double inner_radius, double pitch, double length, double 
 /// Around the z axis; its ends are one.
 TetrahedralMesh ring(double radius, double thickness, double width, std::array<int, 3> cells);
 
+/// Two legs of 20 cm and a half circle of 2 cm. Their ends, 1 cm thick, are so far apart [m].
+TetrahedralMesh hairpin(double gap, std::array<int, 3> cells);
+
 /// A bar that leads through itself: two legs of 20 cm that cross at a right angle, joined by three quarters
 /// of a circle.
 TetrahedralMesh crossed_bar(double thickness, double width, std::array<int, 3> cells);

@@ -121,6 +121,25 @@ struct CollectedFolds {
     }
 };
 
+/// Hairpins whose ends nearly touch: nothing touches, so nothing may push.
+void falling_hairpins(bool quick, Report& report)
+{
+    Table table({"gap_mm", "dt_ms", "pushed", "off_free_fall"});
+    double pushed = 0, off = 0;
+    const std::vector<double> lengths = quick ? std::vector{0.01} : std::vector{0.001, 0.01, 0.04};
+    for (const double gap : {2e-3, 4e-4, 1e-4, 1e-5})
+        for (const double dt : lengths) {
+            const HairpinFall fall = run_hairpin(gap, dt, 20);
+            table.add({1e3 * gap, 1e3 * dt, fall.pushed, fall.off_fall});
+            pushed = std::max(pushed, fall.pushed);
+            off = std::max(off, fall.off_fall);
+        }
+    report.table("folding_gaps", table);
+    report.page_table("folding_gaps", table, 2);
+    report.fact("folding", "gap_pushed", pushed, 1);
+    report.fact("folding", "gap_off_fall", off, 1);
+}
+
 }  // namespace
 
 /// Soft bodies that fold onto themselves.
@@ -148,6 +167,7 @@ void folding(const RunOptions& options, Report& report)
     for (const Case& c : cases())
         if (!c.picture.empty())
             show_folds(c, report);
+    falling_hairpins(options.quick, report);
     report.table("folding", all.found);
     report.page_table("folding", all.found, 3);
     report.page_table("folding_cost", all.cost, 3);

@@ -1,10 +1,13 @@
 #include "chapters/10_self_contact/experiments/folding_scenes.hpp"
 
 #include "chapters/10_self_contact/experiments/bent_bars.hpp"
+#include "chapters/10_self_contact/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/read_gmsh.hpp"
 #include "common/input/source_directory.hpp"
 #include "common/simulation/rigid_body.hpp"
+
+#include <algorithm>
 
 namespace enduring::chapter10 {
 
@@ -61,6 +64,39 @@ SoftRun pressed_ears(const SoftVariant& variant)
             ears.vertices.push_back(vertex);
     run.pulls = {ears};
     return run;
+}
+
+SoftRun falling_hairpin(double gap, double dt)
+{
+    const SoftVariant variant{3e4, 2, dt, 0.3};
+    SoftRun run = soft_run(variant);
+    add_soft(run.scene, "hairpin", hairpin(gap, {20 * variant.cells, 1, 1}), variant);
+    return run;
+}
+
+HairpinFall run_hairpin(double gap, double dt, int steps)
+{
+    SoftRun run = falling_hairpin(gap, dt);
+    World& world = run.scene.world;
+    ImplicitSettings quiet;
+    quiet.record = [](const SolveRecord&) {};
+    const Solver solver = chapter10_solver(run.scene.contact, quiet);
+    const Body& body = *world.bodies[0];
+    const std::vector<Vec3> start(body.positions_t0().begin(), body.positions_t0().end());
+    HairpinFall fall;
+    Contacts contacts;
+    for (int step = 0; step < steps; ++step) {
+        advance(world, contacts, solver, dt);
+        for (const Contact& contact : contacts)
+            fall.pushed += contact.impulse.norm() + contact.friction.norm();
+    }
+    const double time = steps * dt;
+    fall.pushed /= body.mass() * world.gravity.norm() * time;
+    const Vec3 fallen = 0.5 * time * (time + dt) * world.gravity;
+    for (std::size_t v = 0; v < start.size(); ++v)
+        fall.off_fall = std::max(fall.off_fall,
+                                 (body.positions_t0()[v] - start[v] - fallen).norm() / body.size());
+    return fall;
 }
 
 }  // namespace enduring::chapter10

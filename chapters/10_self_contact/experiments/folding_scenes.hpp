@@ -16,4 +16,14 @@ SoftRun squashed_ring(const SoftVariant& variant);
 /// A bunny's ears are pulled down to its back and let go. It is weightless, and its feet are held.
 SoftRun pressed_ears(const SoftVariant& variant);
 
+/// A hairpin whose ends nearly touch falls freely.
+SoftRun falling_hairpin(double gap, double dt);
+
+/// What its pairs with itself have done after some steps.
+struct HairpinFall {
+    double pushed = 0;    ///< sum of all impulses, over its weight for the time of the run [1]
+    double off_fall = 0;  ///< of a vertex from what a free body does, over the body's size, the most [1]
+};
+HairpinFall run_hairpin(double gap, double dt, int steps);
+
 }  // namespace enduring::chapter10

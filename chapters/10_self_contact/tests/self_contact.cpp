@@ -1,5 +1,6 @@
 #include "chapters/09_deep_contacts/solver.hpp"
 #include "chapters/10_self_contact/experiments/bent_bars.hpp"
+#include "chapters/10_self_contact/experiments/folding_scenes.hpp"
 #include "chapters/10_self_contact/experiments/pulled_knot.hpp"
 #include "chapters/10_self_contact/experiments/self_crossings.hpp"
 #include "chapters/10_self_contact/self_search.hpp"
@@ -173,6 +174,18 @@ TEST_CASE(
             CHECK(with.momentum < 1e-13);
             CHECK(with.gain < 1e-3);
             CHECK(without.deep_crossings > 0);
+        }
+}
+
+TEST_CASE("self-contact: a hairpin whose ends nearly touch falls freely, and nothing pushes")
+{
+    for (const double gap : {2e-3, 1e-4, 1e-5})
+        for (const double dt : {0.001, 0.01, 0.04}) {
+            CAPTURE(gap);
+            CAPTURE(dt);
+            const chapter10::HairpinFall fall = chapter10::run_hairpin(gap, dt, 10);
+            CHECK(fall.pushed < 1e-10);
+            CHECK(fall.off_fall < 1e-10);
         }
 }
 
