@@ -95,16 +95,45 @@ std::vector<int> faces_around(const SurfaceStep& surface, int face, const std::a
     return other < 0 ? std::vector{one} : std::vector{one, other};
 }
 
-/// Whether two bodies come apart along the normal of a face of the first one by less than this [m]: so far
-/// behind it is no vertex of the other one.
-bool comes_apart_within(const SurfaceStep& surface, const SurfaceStep& other, double way)
+/// Whether a face lies across a segment, beside those on which its ends lie. Within a wall none does.
+/// @param at_end  nearer than this to an end, a plane goes through it [m]
+bool is_crossed(const SurfaceStep& surface, const Vec3& from, const Vec3& to, double at_end)
+{
+    const auto lies_across = [&](const Face& face) {
+        const Vec3 &x = surface.start(face[0]), &y = surface.start(face[1]), &z = surface.start(face[2]);
+        const Vec3 normal = (y - x).cross(z - x).stableNormalized();
+        const double before = normal.dot(from - x), behind = normal.dot(to - x);
+        if ((before > 0) == (behind > 0) || std::min(std::abs(before), std::abs(behind)) <= at_end)
+            return false;
+        const Vec3 at = from + before / (before - behind) * (to - from);
+        return normal.dot((y - x).cross(at - x)) >= 0 && normal.dot((z - y).cross(at - y)) >= 0 &&
+               normal.dot((x - z).cross(at - z)) >= 0;
+    };
+    const auto faces = surface.topology.faces();
+    return std::any_of(faces.begin(), faces.end(), lies_across);
+}
+
+/// Whether the nearest points of two edges lie on two sides of a wall of either body: neither edge is inside.
+bool is_beyond_a_wall(const SurfaceStep& a, const SurfaceStep& b, int edge_b, const ClosestOnEdges& closest,
+                      double at_end)
+{
+    const auto [b0, b1] = b.edge(edge_b);
+    const Vec3 on_b = b.start(b0) + closest.t * (b.start(b1) - b.start(b0)), on_a = on_b + closest.difference;
+    return is_crossed(a, on_a, on_b, at_end) || is_crossed(b, on_a, on_b, at_end);
+}
+
+/// Whether two bodies come apart along the normal of a face by less than this [m]: the first one, whose face
+/// it is, lies behind it, and of the other one no vertex is farther behind.
+bool comes_apart_within(const SurfaceStep& surface, const SurfaceStep& other, double way, double at_face)
 {
     const auto faces = surface.topology.faces();
     return std::any_of(faces.begin(), faces.end(), [&](const Face& face) {
         const Vec3& x = surface.start(face[0]);
         const Vec3 normal = (surface.start(face[1]) - x).cross(surface.start(face[2]) - x).stableNormalized();
         return std::all_of(other.t0.begin(), other.t0.end(),
-                           [&](const Vec3& vertex) { return normal.dot(vertex - x) > -way; });
+                           [&](const Vec3& vertex) { return normal.dot(vertex - x) > -way; }) &&
+               std::all_of(surface.t0.begin(), surface.t0.end(),
+                           [&](const Vec3& vertex) { return normal.dot(vertex - x) <= at_face; });
     });
 }
 
@@ -269,16 +298,18 @@ void NearFeatures::append_edges(const World& world, Contacts& contacts) const
                      inside = settings_.depth * smaller_size(world, body_a, body_b);
         if (distance > std::max(outside, inside))
             return;
-        // rounding frees nothing
-        const double way = 0.5 * distance - touching * smaller_size(world, body_a, body_b);
+        const double at_end = touching * smaller_size(world, body_a, body_b),
+                     way = 0.5 * distance - at_end;  // rounding frees nothing
         const Vec3 across = across_edges(a, edge_a, b, edge_b).normalized();
         const Vec3 towards_a = across.dot(closest->difference) < 0 ? Vec3(-across) : across;
         for (const Vec3& normal : {towards_a, Vec3(-towards_a)}) {  // outside first, then inside
             if (distance > (normal == towards_a ? outside : inside) ||
                 !is_outermost_edge(b, edge_b, normal) || !is_outermost_edge(a, edge_a, -normal))
                 continue;
-            if (normal != towards_a && (comes_apart_within(a, b, way) || comes_apart_within(b, a, way)))
-                return;  // they lie sideways of each other, below a face that is hardly entered
+            if (normal != towards_a &&
+                (comes_apart_within(a, b, way, at_end) || comes_apart_within(b, a, way, at_end) ||
+                 is_beyond_a_wall(a, b, edge_b, *closest, at_end)))
+                return;  // they lie beside each other, below a face that is hardly entered, or apart
             contacts.push_back(
                 edge_pair(body_a, a, edge_a, body_b, b, edge_b, closest->s, closest->t, normal));
             return;
