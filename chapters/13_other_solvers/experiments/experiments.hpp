@@ -9,6 +9,9 @@ void over_iterations(const RunOptions& options, Report& report);
 void soft_bodies(const RunOptions& options, Report& report);
 void pair_forces(const RunOptions& options, Report& report);
 void ledger_scenes(const RunOptions& options, Report& report);
+void heap(const RunOptions& options, Report& report);
+void bunny_bowl(const RunOptions& options, Report& report);
+void growth(const RunOptions& options, Report& report);
 void beside_engines(const RunOptions& options, Report& report);
 
 }  // namespace enduring::chapter13
