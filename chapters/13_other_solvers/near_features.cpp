@@ -15,6 +15,9 @@ namespace {
 /// together and tilt by a thousandth lose the pairs of one side, and an arch falls. Five times: every feature
 /// has a pair.
 constexpr double cone_sine = 0.2;
+constexpr double beside_a_wall =
+    0.1;  ///< of a segment [1]: a plane nearer to an end than this is that of a side it runs along. Without
+          ///< it, stones of an arch that tilt lose the pairs of one side.
 constexpr double least_fold = 1e-4;  ///< sine between two faces, below which they are one
 constexpr double touching =
     1e-9;  ///< of the size of a body: nearer, the difference of two points has no direction
@@ -308,7 +311,7 @@ void NearFeatures::append_edges(const World& world, Contacts& contacts) const
                 continue;
             if (normal != towards_a &&
                 (comes_apart_within(a, b, way, at_end) || comes_apart_within(b, a, way, at_end) ||
-                 is_beyond_a_wall(a, b, edge_b, *closest, at_end)))
+                 is_beyond_a_wall(a, b, edge_b, *closest, std::max(at_end, beside_a_wall * distance))))
                 return;  // they lie beside each other, below a face that is hardly entered, or apart
             contacts.push_back(
                 edge_pair(body_a, a, edge_a, body_b, b, edge_b, closest->s, closest->t, normal));
