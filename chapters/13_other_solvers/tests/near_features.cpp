@@ -169,5 +169,5 @@ TEST_CASE("near features: stones of an arch that tilt against each other keep th
     Scene scene = chapter07::arch(20, 5, 0.01);
     const std::vector<Vec3> from = chapter07::centres_of(scene.world);
     run(scene, chapter13_solver("relaxation", scene.contact), 1);
-    CHECK(chapter07::longest_displacement(scene.world, from) <= 0.015);
+    CHECK(chapter07::longest_displacement(scene.world, from) <= 0.02);
 }
