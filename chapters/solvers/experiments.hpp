@@ -12,7 +12,8 @@ void speed(const RunOptions& options, Report& report);
 void speed_of_matrices(bool quick, Report& report);
 /// Mats of soft elements lying flat, with a dense block each and with all their nodes.
 void soft_speed(const RunOptions& options, Report& report);
-/// Walls that are hit, spheres that are poured, a chain that sags and one at rest: the mean and the worst step.
+/// Walls that are hit, spheres that are poured, a chain that sags and one at rest: the mean and the worst
+/// step.
 void worst(const RunOptions& options, Report& report);
 /// The example of the page on scenes, run as a scene of the reader's own: its results go to the folder
 /// tumble, and the picture to the program's as well.
