@@ -48,7 +48,8 @@ void add_spheres(Scene& scene, int count, double height)
     constexpr double apart = 0.24;
     for (int i = 0; i < count; ++i) {
         const double x = 0.02 * number(), z = 0.02 * number();
-        const Vec3 at(apart * (i % 4 - 1.5) + x, height + apart * (i / 16), apart * (i / 4 % 4 - 1.5) + z);
+        const int column = i % 4, row = i / 4 % 4, layer = i / 16;
+        const Vec3 at(apart * (column - 1.5) + x, height + apart * layer, apart * (row - 1.5) + z);
         add_moving(scene, "sphere " + std::to_string(i + 1), sphere(0.1), 1, at);
     }
 }
