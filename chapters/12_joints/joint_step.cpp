@@ -47,14 +47,14 @@ JointRates rates_of(const World& world, const Joint& joint, double dt)
 /// impulse times the velocity behind it, at most.
 /// @param fall  part of what gravity does in the step that is taken off: 1 for the change of E, 1/2 for that
 ///     of E + dt / 2 g . p. Where a body is locked, gravity does less.
-EndRates working_rates(const World& world, const Joint& joint, std::size_t at, const EndRates& before,
+/// @param point  that the joint pushes, at the start of the step [m]
+EndRates working_rates(const World& world, const JointEnd& end, const Vec3& point, const EndRates& before,
                        const EndRates& after, double fall, double dt)
 {
-    const RigidBody* const rigid = rigid_at(world, at == 0 ? joint.a : joint.b);
+    const RigidBody* const rigid = rigid_at(world, end);
     if (!rigid)
         return after;
     const Vec3 gravity = rigid->gravity_on(world.gravity);
-    const Vec3 point = points_of(world, joint)[at];
     return {(before.along + after.along) / 2 - fall * dt * rigid->motion().acceleration_at(point, gravity),
             (before.about + after.about) / 2 - fall * dt * rigid->motion().angular_acceleration(gravity)};
 }
@@ -155,8 +155,10 @@ void book_joints(World& world, const Contacts& contacts, const std::vector<Joint
         if (!joint.acts)
             continue;
         const JointRates after = rates_of(world, joint, dt);
+        const std::array<Vec3, 2> points = points_of(world, joint);
         const auto working = [&](std::size_t end, double fall) {
-            return working_rates(world, joint, end, before[i][end], after[end], fall, dt);
+            return working_rates(world, end == 0 ? joint.a : joint.b, points[end], before[i][end], after[end],
+                                 fall, dt);
         };
         const EndRates of_a = working(0, 1), of_b = working(1, 1);
         double given = 0;  // by what moves as given

@@ -12,7 +12,7 @@ struct WatchedRun {
     double deepest_mm = 0;           ///< of all bodies in each other, in any step
     double deepest_end_mm = 0;       ///< the same behind the last step
     double drift_mm_per_s = 0;       ///< of the fastest centre over the last tenth of the run
-    double gained_j = 0;             ///< most that the energy rose above the first
+    double gained_j = 0;             ///< most that the energy rose above its lowest so far
     double lost_j = 0;               ///< from the first energy to the lowest
     double step_ms = 0;              ///< processor time of a step
     double reached_s = 0;            ///< simulated: less than asked if the budget was used up
