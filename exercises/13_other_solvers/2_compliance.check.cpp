@@ -60,6 +60,19 @@ TEST_CASE("substep: one with compliance is the implicit step of a spring, howeve
         }
 }
 
+TEST_CASE("spring: its step meets its own equation, and is the substep of XPBD")
+{
+    for (const double compliance : {1e-6, 1e-4, 1e-2}) {
+        const double m = 4, dt = 0.005;
+        const BlockOnFloor block{m, -0.01, 0.3};
+        given("4 kg, 1 cm deep, 0.3 m/s upwards, compliance ", compliance, " m/N");
+        const double after = implicit_velocity(block, compliance, dt);
+        const double force = -(block.height + dt * after) / compliance - 9.81 * m;
+        expect("velocity", after, block.velocity + dt * force / m, 1e-9, "m/s");
+        expect("velocity of the substep", substep(block, compliance, dt, 1).velocity, after, 1e-9, "m/s");
+    }
+}
+
 TEST_CASE("rest: a block that starts at the depth of rest stays, for every substep")
 {
     for (const double dt : {1e-4, 1e-3, 1e-2}) {

@@ -13,6 +13,11 @@ BlockOnFloor substep(const BlockOnFloor& block, double compliance, double dt, in
     not_implemented_yet("13.2");
 }
 
+double implicit_velocity(const BlockOnFloor& block, double compliance, double dt)
+{
+    not_implemented_yet("13.2");
+}
+
 double rest_depth(double mass, double compliance)
 {
     not_implemented_yet("13.2");

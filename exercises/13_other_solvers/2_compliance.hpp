@@ -21,6 +21,11 @@ double multiplier_change(double error, double multiplier, double response, doubl
 /// corrected `iterations` times; then its velocity is its displacement over dt. The multiplier begins at 0.
 BlockOnFloor substep(const BlockOnFloor& block, double compliance, double dt, int iterations);
 
+/// The velocity after an implicit step of length dt of a block on a spring of stiffness 1 / compliance: the
+/// spring acts at the height where the step ends, and gravity of 9.81 m/s^2 throughout [m/s].
+/// @param compliance  above 0 [m/N]
+double implicit_velocity(const BlockOnFloor& block, double compliance, double dt);
+
 /// The depth at which a block rests under these substeps [m].
 double rest_depth(double mass, double compliance);
 

@@ -62,6 +62,36 @@ TEST_CASE("change: the sum never pulls")
     expect("change", change_of_impulse(soft, 2, 0, 5, 0), 0, 1e-12, "N s");
 }
 
+TEST_CASE("substeps: above the floor a mass falls, and none ends below it")
+{
+    given("2 kg, 1 m above the floor, 3 m/s upwards, dt 0.01 s in 4 substeps");
+    const FallingMass free = soft_step({2, 1, 3}, 30, 10, 0.01, 4);
+    expect("velocity", free.velocity, 3 - 0.0981, 1e-12, "m/s");
+    expect("height", free.height, 1 + 0.03 - 9.81 * 0.0025 * 0.0025 * 10, 1e-12, "m");
+    for (const double height : {1e-4, 3e-3, 8e-3}) {
+        given("5 kg, ", 1e3 * height, " mm above the floor, 1 m/s downwards, dt 0.01 s in 1 substep");
+        const FallingMass landed = soft_step({5, height, -1}, 30, 10, 0.01, 1);
+        expect("height", landed.height, 0, 1e-12, "m");
+        expect("velocity", landed.velocity, 0, 1e-12, "m/s");
+    }
+}
+
+TEST_CASE("substeps: a mass that starts inside rises by the bias, and relax leaves it no speed")
+{
+    for (const double mass : {0.1, 50.0})
+        for (const int substeps : {1, 4}) {
+            const double dt = 0.01, depth = 0.01, h = dt / substeps;
+            const SoftNumbers soft = soft_numbers(60, 10, h);
+            given("mass ", mass, " kg, 1 cm deep, 60 hertz, ", substeps, " substeps in 0.01 s");
+            double inside = depth;
+            for (int i = 0; i < substeps; ++i)  // of the gravity of a substep, the row leaves a part
+                inside -= h * (soft.mass_scale * soft.bias_rate * inside - (1 - soft.mass_scale) * 9.81 * h);
+            const FallingMass after = soft_step({mass, -depth, 0}, 60, 10, dt, substeps);
+            expect("height", after.height, -inside, 1e-12, "m");
+            expect("velocity", after.velocity, 0, 1e-12, "m/s");
+        }
+}
+
 TEST_CASE("time: an eighth takes three times as long as a half")
 {
     const SoftNumbers soft{4, 0.9, 0.1};

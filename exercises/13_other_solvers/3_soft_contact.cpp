@@ -22,6 +22,11 @@ double change_of_impulse(const SoftNumbers& soft, double mass, double separation
     not_implemented_yet("13.3");
 }
 
+FallingMass soft_step(FallingMass body, double hertz, double damping_ratio, double dt, int substeps)
+{
+    not_implemented_yet("13.3");
+}
+
 double time_to_part(const SoftNumbers& soft, double part)
 {
     not_implemented_yet("13.3");

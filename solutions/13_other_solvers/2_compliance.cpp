@@ -22,6 +22,13 @@ BlockOnFloor substep(const BlockOnFloor& block, double compliance, double dt, in
     return {block.mass, height, (height - block.height) / dt};
 }
 
+double implicit_velocity(const BlockOnFloor& block, double compliance, double dt)
+{
+    const double falling = block.velocity - 9.81 * dt;
+    const double per_metre = dt / (compliance * block.mass);  // change of velocity by the spring [1/s]
+    return (falling - per_metre * block.height) / (1 + per_metre * dt);
+}
+
 double rest_depth(double mass, double compliance) { return mass * 9.81 * compliance; }
 
 double compliance_for(double mass, int contacts, double depth) { return depth * contacts / (mass * 9.81); }

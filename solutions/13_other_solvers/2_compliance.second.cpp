@@ -20,6 +20,14 @@ BlockOnFloor substep(const BlockOnFloor& block, double compliance, double dt, in
     return {block.mass, height, (height - block.height) / dt};
 }
 
+/// All forces, over the mass and what the spring adds to it.
+double implicit_velocity(const BlockOnFloor& block, double compliance, double dt)
+{
+    const double momentum = block.mass * block.velocity -
+                            dt * (block.mass * 9.81 + block.height / compliance);
+    return momentum / (block.mass + dt * dt / compliance);
+}
+
 double rest_depth(double mass, double compliance) { return compliance * (mass * 9.81); }
 
 /// Each contact carries its part of the load.

@@ -28,6 +28,25 @@ double change_of_impulse(const SoftNumbers& soft, double mass, double separation
     return std::max(change, -sum);
 }
 
+FallingMass soft_step(FallingMass body, double hertz, double damping_ratio, double dt, int substeps)
+{
+    const double h = dt / substeps;
+    const SoftNumbers soft = soft_numbers(hertz, damping_ratio, h), rigid{1 / h, 1, 0}, relax{0, 1, 0};
+    for (int i = 0; i < substeps; ++i) {
+        double sum = 0;
+        const auto solve = [&](const SoftNumbers& row) {
+            const double change = change_of_impulse(row, body.mass, body.height, body.velocity, sum);
+            sum += change;
+            body.velocity += change / body.mass;
+        };
+        body.velocity -= 9.81 * h;
+        solve(body.height > 0 ? rigid : soft);
+        body.height += h * body.velocity;
+        solve(body.height > 0 ? rigid : relax);
+    }
+    return body;
+}
+
 double time_to_part(const SoftNumbers& soft, double part) { return -std::log(part) / soft.bias_rate; }
 
 }  // namespace enduring
