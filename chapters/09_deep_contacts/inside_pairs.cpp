@@ -1,5 +1,6 @@
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
 
+#include "chapters/02_collision_detection/body_broad_phase.hpp"
 #include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
@@ -97,9 +98,11 @@ void InsidePairs::fit_trees(const World& world)
     if (!same) {
         bodies_.clear();
         trees_.clear();
+        closed_.clear();
         for (const auto& body : world.bodies) {
             bodies_.push_back(body.get());
             trees_.emplace_back(body->surface(), body->contact_t0());
+            closed_.push_back(body->surface().is_closed());
         }
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i)
@@ -115,16 +118,14 @@ void InsidePairs::trace(const World& world)
 {
     fit_trees(world);
     overlaps_.clear();
-    const int count = static_cast<int>(bodies_.size());
-    for (int i = 0; i < count; ++i)
-        for (int j = i + 1; j < count; ++j) {
-            const Body &a = *bodies_[i], &b = *bodies_[j];
-            if (!a.surface().is_closed() || !b.surface().is_closed() ||
-                !trees_[i].box().overlaps(trees_[j].box()) || !bodies_may_meet(world, i, j))
-                continue;
-            if (auto found = find_overlaps(still(i), still(j)); !found.empty())
-                overlaps_.push_back({i, j, std::move(found)});
-        }
+    std::vector<SweptBox> boxes;
+    boxes.reserve(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        boxes.push_back(closed_[i] ? trees_[i].box() : SweptBox::empty());
+    for (const auto& [a, b] : overlapping_bodies(boxes))
+        if (bodies_may_meet(world, a, b))
+            if (auto found = find_overlaps(still(a), still(b)); !found.empty())
+                overlaps_.push_back({a, b, std::move(found)});
 }
 
 //! [left_out]

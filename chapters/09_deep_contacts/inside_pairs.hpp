@@ -57,6 +57,7 @@ private:
     std::vector<BodyOverlaps> overlaps_;       ///< of this step
     std::vector<const Body*> bodies_;          ///< whose trees these are
     std::vector<FaceTree> trees_;
+    std::vector<char> closed_;  ///< whose surface is
 };
 
 }  // namespace enduring
