@@ -13,5 +13,7 @@ int main(int argc, char** argv)
              {"rows", "every scene under every engine that is installed, at its default and at its best",
               engines::rows},
              {"curves", "error over processor time, as steps and iterations are varied", engines::curves},
+             {"growth", "a pyramid of more and more cubes: how far it moves, and the time of a frame",
+              engines::growth},
          }});
 }

@@ -24,6 +24,8 @@ int main(int argc, char** argv)
              solvers::soft_speed},
             {"worst", "the slowest step of walls that are hit, spheres that are poured and two chains",
              solvers::worst},
+            {"growth", "steps of more and more cubes, spheres and elements, with one thread and with two",
+             solvers::growth},
             {"own_scene", "the example of a scene of your own; any other runs with --scene FILE",
              solvers::own_scene_example, takes_scene},
         },

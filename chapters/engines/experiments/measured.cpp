@@ -1,4 +1,5 @@
 #include "chapters/engines/experiments/experiments.hpp"
+#include "chapters/engines/experiments/measured_growth.hpp"
 #include "chapters/engines/experiments/measured_rows.hpp"
 #include "common/input/source_directory.hpp"
 
@@ -160,6 +161,7 @@ void measured(const RunOptions&, Report& report)
     }
     report.table("error_over_time", table);
     report.plot("chapters/engines/plots/error_over_time.gp");
+    measured_growth(report);
 }
 
 }  // namespace enduring::engines

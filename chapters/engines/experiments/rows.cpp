@@ -1,22 +1,10 @@
 #include "chapters/engines/cases.hpp"
+#include "chapters/engines/experiments/engines_here.hpp"
 #include "chapters/engines/experiments/experiments.hpp"
 #include "common/experiments/report/growing_table.hpp"
 
-#include <cstdio>
-
 namespace enduring::engines {
 namespace {
-
-std::vector<Engine> engines_here()
-{
-    std::vector<Engine> here;
-    for (Engine& engine : all_engines())
-        if (engine.is_here())
-            here.push_back(std::move(engine));
-        else
-            std::printf("   without %s: %s\n", engine.name.c_str(), engine.missing.c_str());
-    return here;
-}
 
 /// What is varied for the curves.
 std::vector<Way> curve_ways(const Engine& engine, bool quick)
