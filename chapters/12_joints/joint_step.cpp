@@ -103,12 +103,17 @@ DriveWork work_of_drives(const World& world, const Joint& joint, const EndRates&
 }
 
 //! [weight_carried]
-/// What the energy of a step seems to gain by the pairs that carry a weight [J]. Velocities are half a step
-/// behind positions: a step keeps E + dt / 2 g . p, and E alone rises where a machine lifts itself. Joints
-/// get the same by working_rates().
+/// What a step adds to the energy by gravity alone [J]. Velocities are half a step behind positions: a step
+/// keeps E + dt / 2 g . p, so E falls by m (g dt)^2 / 2 where a body falls, and rises by half of what carries
+/// it times g dt, as where a machine lifts itself. Joints get the same by working_rates(). What is held or
+/// soft falls with less than this, and only what carries it counts.
 double weight_carried(const World& world, const Contacts& contacts, double dt)
 {
     double sum = 0;
+    for (const auto& body : world.bodies)
+        if (const auto* const rigid = dynamic_cast<const RigidBody*>(body.get());
+            rigid && rigid->motion().free_directions().hold_none())
+            sum -= rigid->mass() * (dt * world.gravity).squaredNorm() / 2;
     for (const Contact& contact : contacts)
         for (int i = 0; contact.answered() && i < contact.vertex_count(); ++i) {
             const auto n = static_cast<std::size_t>(i);
