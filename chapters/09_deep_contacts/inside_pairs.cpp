@@ -1,5 +1,6 @@
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
 
+#include "chapters/02_collision_detection/body_broad_phase.hpp"
 #include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -90,20 +93,37 @@ std::vector<int> vertices_at(const Curve& curve, std::span<const Vec3> positions
 
 }  // namespace
 
-void InsidePairs::fit_trees(const World& world)
+void InsidePairs::build(const World& world)
+{
+    bodies_.clear();
+    trees_.clear();
+    is_closed_.clear();
+    fitted_.assign(world.bodies.size(), {});
+    traced_.clear();
+    for (const auto& body : world.bodies) {
+        bodies_.push_back(body.get());
+        trees_.emplace_back(body->surface(), body->contact_t0());
+        is_closed_.push_back(body->surface().is_closed());
+    }
+}
+
+/// @return  for each body, whether it lies elsewhere than at the last trace
+std::vector<bool> InsidePairs::fit_trees(const World& world)
 {
     const bool same = std::equal(bodies_.begin(), bodies_.end(), world.bodies.begin(), world.bodies.end(),
                                  [](const Body* one, const auto& other) { return one == other.get(); });
-    if (!same) {
-        bodies_.clear();
-        trees_.clear();
-        for (const auto& body : world.bodies) {
-            bodies_.push_back(body.get());
-            trees_.emplace_back(body->surface(), body->contact_t0());
-        }
+    if (!same)
+        build(world);
+    std::vector<bool> moved(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const std::span<const Vec3> positions = bodies_[i]->contact_t0();
+        moved[i] = !std::equal(positions.begin(), positions.end(), fitted_[i].begin(), fitted_[i].end());
+        if (!moved[i])
+            continue;
+        trees_[i].refit({bodies_[i]->surface(), positions, positions});
+        fitted_[i].assign(positions.begin(), positions.end());
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        trees_[i].refit({bodies_[i]->surface(), bodies_[i]->contact_t0(), bodies_[i]->contact_t0()});
+    return moved;
 }
 
 StillSurface InsidePairs::still(int body) const
@@ -111,21 +131,27 @@ StillSurface InsidePairs::still(int body) const
     return {bodies_[body]->surface(), bodies_[body]->contact_t0(), trees_[body]};
 }
 
+//! [trace]
 void InsidePairs::trace(const World& world)
 {
-    fit_trees(world);
-    overlaps_.clear();
-    const int count = static_cast<int>(bodies_.size());
-    for (int i = 0; i < count; ++i)
-        for (int j = i + 1; j < count; ++j) {
-            const Body &a = *bodies_[i], &b = *bodies_[j];
-            if (!a.surface().is_closed() || !b.surface().is_closed() ||
-                !trees_[i].box().overlaps(trees_[j].box()) || !bodies_may_meet(world, i, j))
-                continue;
-            if (auto found = find_overlaps(still(i), still(j)); !found.empty())
-                overlaps_.push_back({i, j, std::move(found)});
-        }
+    const std::vector<bool> moved = fit_trees(world);
+    std::vector<SweptBox> boxes;
+    for (std::size_t i = 0; i < trees_.size(); ++i)
+        boxes.push_back(is_closed_[i] ? trees_[i].box() : SweptBox::empty());
+    std::vector<BodyOverlaps> before;
+    before.swap(traced_);
+    auto last = before.begin();
+    for (const auto& [a, b] : overlapping_bodies(boxes)) {
+        if (!bodies_may_meet(world, a, b))
+            continue;
+        while (last != before.end() && std::tie(last->a, last->b) < std::tie(a, b))
+            ++last;
+        // a step that is taken in halves begins where the whole one did
+        const bool is_known = !moved[a] && !moved[b] && last != before.end() && last->a == a && last->b == b;
+        traced_.push_back({a, b, is_known ? std::move(last->overlaps) : find_overlaps(still(a), still(b))});
+    }
 }
+//! [trace]
 
 //! [left_out]
 LeftOut InsidePairs::left_out(const std::function<double(int, int)>& touching) const
@@ -138,7 +164,7 @@ LeftOut InsidePairs::left_out(const std::function<double(int, int)>& touching) c
                 left_out.edges.insert({body, edge, other});
         }
     };
-    for (const auto& [a, b, overlaps] : overlaps_)
+    for (const auto& [a, b, overlaps] : traced_)
         for (const Overlap& overlap : overlaps) {
             add_vertices(a, overlap.vertices_of_a, b);
             add_vertices(b, overlap.vertices_of_b, a);
@@ -167,7 +193,7 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
         for (const int vertex : vertices)
             direction_of_vertex_[{body_a, vertex, body_b}] = direction;
     };
-    for (const auto& [i, j, overlaps] : overlaps_)
+    for (const auto& [i, j, overlaps] : traced_)
         for (const Overlap& overlap : overlaps) {
             append_of(i, overlap.vertices_of_a, j, overlap.separation_direction);
             append_of(j, overlap.vertices_of_b, i, -overlap.separation_direction);
