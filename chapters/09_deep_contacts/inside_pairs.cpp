@@ -2,6 +2,7 @@
 
 #include "chapters/02_collision_detection/body_broad_phase.hpp"
 #include "chapters/02_collision_detection/candidate_search.hpp"
+#include "chapters/02_collision_detection/slabs.hpp"
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
 #include "common/geometry/closest_points.hpp"
@@ -138,11 +139,16 @@ void InsidePairs::trace(const World& world)
     std::vector<SweptBox> boxes;
     for (std::size_t i = 0; i < trees_.size(); ++i)
         boxes.push_back(is_closed_[i] ? trees_[i].box() : SweptBox::empty());
+    BodySlabs slabs(boxes, [&](std::size_t i) {
+        const std::span<const Vec3> positions = bodies_[i]->contact_t0();
+        return slabs_along_faces({bodies_[i]->surface(), positions, positions}, 0);
+    });
     std::vector<BodyOverlaps> before;
     before.swap(traced_);
     auto last = before.begin();
     for (const auto& [a, b] : overlapping_bodies(boxes)) {
-        if (!bodies_may_meet(world, a, b))
+        if (!bodies_may_meet(world, a, b) ||
+            slabs.keep_apart(static_cast<std::size_t>(a), static_cast<std::size_t>(b)))
             continue;
         while (last != before.end() && std::tie(last->a, last->b) < std::tie(a, b))
             ++last;
