@@ -1,6 +1,7 @@
 #include "chapters/02_collision_detection/candidate_search.hpp"
 
 #include "chapters/02_collision_detection/body_broad_phase.hpp"
+#include "chapters/02_collision_detection/slabs.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -52,16 +53,19 @@ void CandidateSearch::refit_candidates(const World& world, std::span<const doubl
                                        const std::vector<bool>& moved)
 {
     std::vector<SweptBox> boxes;
+    const auto margin = [&](std::size_t i) { return margins.empty() ? 0 : margins[i]; };
     for (std::size_t i = 0; i < trees_.size(); ++i) {
         if (moved[i])
-            trees_[i].refit(surface_step(*world.bodies[i]), margins.empty() ? 0 : margins[i]);
+            trees_[i].refit(surface_step(*world.bodies[i]), margin(i));
         boxes.push_back(trees_[i].box());
     }
+    BodySlabs slabs(
+        boxes, [&](std::size_t i) { return slabs_along_faces(surface_step(*world.bodies[i]), margin(i)); });
     last_pairs_.swap(body_pairs_);
     auto last = last_pairs_.begin();
     std::size_t count = 0;
     for (const auto& [a, b] : overlapping_bodies(boxes)) {
-        if (!bodies_may_meet(world, a, b))
+        if (!bodies_may_meet(world, a, b) || slabs.keep_apart(at(a), at(b)))
             continue;
         if (count == body_pairs_.size())
             body_pairs_.emplace_back();

@@ -29,6 +29,7 @@ void add(const IslandOutcome& outcome, SolveRecord& all, World& world)
     all.residual = std::max(all.residual, outcome.record.residual);
     all.converged = all.unsolved_islands == 0;
     world.attempt.added_energy += outcome.springs;
+    world.attempt.is_kept_unsolved = world.attempt.is_kept_unsolved || outcome.is_lagged;
     // an island that is not solved says more than one that is solved too deep
     if (outcome.trouble == StepTrouble::unsolved || world.attempt.trouble == StepTrouble::none)
         world.attempt.trouble = outcome.trouble;

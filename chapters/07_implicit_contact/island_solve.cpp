@@ -202,6 +202,7 @@ IslandOutcome IslandSolve::solve()
     if ((is_lagged || !world_.attempt.may_be_halved) && !has_elements_)  // a part of a joint's holds nothing
         if (const double part = part_without_gain(world_, step_); part < 1)
             apply_impulses(world_, step_, part * impulses_acting(step_.problem));
+    outcome.is_lagged = is_lagged;
     if (!is_near && !is_lagged)
         outcome.trouble = StepTrouble::unsolved;
     else if (largest_compression(world_, step_) > settings_.kept_depth)

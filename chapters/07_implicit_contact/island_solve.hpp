@@ -8,6 +8,7 @@ namespace enduring {
 struct IslandOutcome {
     SolveRecord record{};
     StepTrouble trouble = StepTrouble::none;
+    bool is_lagged = false;  ///< its friction has the limits of the last round, which were not its own
     double springs = 0;  ///< what they hold at the start of the step, where this is its first response [J]
     int solves = 0;      ///< of Newton's matrix in this response
 };

@@ -2,6 +2,7 @@
 
 #include "chapters/02_collision_detection/body_broad_phase.hpp"
 #include "chapters/02_collision_detection/candidate_search.hpp"
+#include "chapters/02_collision_detection/slabs.hpp"
 #include "chapters/06_redefinition/contact_index.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
 #include "common/geometry/closest_points.hpp"
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace enduring {
 namespace {
@@ -91,22 +94,37 @@ std::vector<int> vertices_at(const Curve& curve, std::span<const Vec3> positions
 
 }  // namespace
 
-void InsidePairs::fit_trees(const World& world)
+void InsidePairs::build(const World& world)
+{
+    bodies_.clear();
+    trees_.clear();
+    is_closed_.clear();
+    fitted_.assign(world.bodies.size(), {});
+    traced_.clear();
+    for (const auto& body : world.bodies) {
+        bodies_.push_back(body.get());
+        trees_.emplace_back(body->surface(), body->contact_t0());
+        is_closed_.push_back(body->surface().is_closed());
+    }
+}
+
+/// @return  for each body, whether it lies elsewhere than at the last trace
+std::vector<bool> InsidePairs::fit_trees(const World& world)
 {
     const bool same = std::equal(bodies_.begin(), bodies_.end(), world.bodies.begin(), world.bodies.end(),
                                  [](const Body* one, const auto& other) { return one == other.get(); });
-    if (!same) {
-        bodies_.clear();
-        trees_.clear();
-        closed_.clear();
-        for (const auto& body : world.bodies) {
-            bodies_.push_back(body.get());
-            trees_.emplace_back(body->surface(), body->contact_t0());
-            closed_.push_back(body->surface().is_closed());
-        }
+    if (!same)
+        build(world);
+    std::vector<bool> moved(bodies_.size());
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const std::span<const Vec3> positions = bodies_[i]->contact_t0();
+        moved[i] = !std::equal(positions.begin(), positions.end(), fitted_[i].begin(), fitted_[i].end());
+        if (!moved[i])
+            continue;
+        trees_[i].refit({bodies_[i]->surface(), positions, positions});
+        fitted_[i].assign(positions.begin(), positions.end());
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        trees_[i].refit({bodies_[i]->surface(), bodies_[i]->contact_t0(), bodies_[i]->contact_t0()});
+    return moved;
 }
 
 StillSurface InsidePairs::still(int body) const
@@ -114,19 +132,32 @@ StillSurface InsidePairs::still(int body) const
     return {bodies_[body]->surface(), bodies_[body]->contact_t0(), trees_[body]};
 }
 
+//! [trace]
 void InsidePairs::trace(const World& world)
 {
-    fit_trees(world);
-    overlaps_.clear();
+    const std::vector<bool> moved = fit_trees(world);
     std::vector<SweptBox> boxes;
-    boxes.reserve(bodies_.size());
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        boxes.push_back(closed_[i] ? trees_[i].box() : SweptBox::empty());
-    for (const auto& [a, b] : overlapping_bodies(boxes))
-        if (bodies_may_meet(world, a, b))
-            if (auto found = find_overlaps(still(a), still(b)); !found.empty())
-                overlaps_.push_back({a, b, std::move(found)});
+    for (std::size_t i = 0; i < trees_.size(); ++i)
+        boxes.push_back(is_closed_[i] ? trees_[i].box() : SweptBox::empty());
+    BodySlabs slabs(boxes, [&](std::size_t i) {
+        const std::span<const Vec3> positions = bodies_[i]->contact_t0();
+        return slabs_along_faces({bodies_[i]->surface(), positions, positions}, 0);
+    });
+    std::vector<BodyOverlaps> before;
+    before.swap(traced_);
+    auto last = before.begin();
+    for (const auto& [a, b] : overlapping_bodies(boxes)) {
+        if (!bodies_may_meet(world, a, b) ||
+            slabs.keep_apart(static_cast<std::size_t>(a), static_cast<std::size_t>(b)))
+            continue;
+        while (last != before.end() && std::tie(last->a, last->b) < std::tie(a, b))
+            ++last;
+        // a step that is taken in halves begins where the whole one did
+        const bool is_known = !moved[a] && !moved[b] && last != before.end() && last->a == a && last->b == b;
+        traced_.push_back({a, b, is_known ? std::move(last->overlaps) : find_overlaps(still(a), still(b))});
+    }
 }
+//! [trace]
 
 //! [left_out]
 LeftOut InsidePairs::left_out(const std::function<double(int, int)>& touching) const
@@ -139,7 +170,7 @@ LeftOut InsidePairs::left_out(const std::function<double(int, int)>& touching) c
                 left_out.edges.insert({body, edge, other});
         }
     };
-    for (const auto& [a, b, overlaps] : overlaps_)
+    for (const auto& [a, b, overlaps] : traced_)
         for (const Overlap& overlap : overlaps) {
             add_vertices(a, overlap.vertices_of_a, b);
             add_vertices(b, overlap.vertices_of_b, a);
@@ -168,7 +199,7 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
         for (const int vertex : vertices)
             direction_of_vertex_[{body_a, vertex, body_b}] = direction;
     };
-    for (const auto& [i, j, overlaps] : overlaps_)
+    for (const auto& [i, j, overlaps] : traced_)
         for (const Overlap& overlap : overlaps) {
             append_of(i, overlap.vertices_of_a, j, overlap.separation_direction);
             append_of(j, overlap.vertices_of_b, i, -overlap.separation_direction);

@@ -49,15 +49,17 @@ private:
         std::vector<Overlap> overlaps;
     };
 
-    void fit_trees(const World& world);
+    void build(const World& world);
+    std::vector<bool> fit_trees(const World& world);
     StillSurface still(int body) const;
 
     using Key = std::tuple<int, int, int>;     ///< body_a, vertex, body_b
     std::map<Key, Vec3> direction_of_vertex_;  ///< of this step
-    std::vector<BodyOverlaps> overlaps_;       ///< of this step
+    std::vector<BodyOverlaps> traced_;         ///< those whose boxes overlap, ascending
     std::vector<const Body*> bodies_;          ///< whose trees these are
     std::vector<FaceTree> trees_;
-    std::vector<char> closed_;  ///< whose surface is
+    std::vector<bool> is_closed_;            ///< of each body's surface
+    std::vector<std::vector<Vec3>> fitted_;  ///< where the vertices lay to which its tree is fitted
 };
 
 }  // namespace enduring

@@ -262,7 +262,7 @@ void try_step(World& world, Contacts& contacts, const Solver& solver, double dt,
               bool may_be_halved, const PassObserver& done)
 {
     const HeldEnergy before = held_energy(world, contacts);
-    world.attempt = {may_be_halved, StepTrouble::none, before.springs, 0, behind};
+    world.attempt = {may_be_halved, StepTrouble::none, false, before.springs, 0, behind};
     try {
         take_step(world, contacts, solver, dt, done);
     } catch (const std::runtime_error&) {  // a number is not finite
@@ -312,6 +312,19 @@ void advance_both_halves(World& world, Contacts& contacts, const Solver& solver,
     advance_in_halves(world, contacts, solver, dt / 2, behind, halvings, done);
 }
 
+//! [learn]
+/// Parts learn from parts: what is not solved in a longer part will not be solved in one in the next moment,
+/// and the attempt would be lost. After a part that is solved, longer ones are tried again.
+void learn(World& world, int halvings)
+{
+    const StepAttempt& attempt = world.attempt;
+    if (attempt.trouble == StepTrouble::unsolved && attempt.may_be_halved)
+        world.learned_halvings = halvings + 1;
+    else if (attempt.trouble == StepTrouble::none && !attempt.is_kept_unsolved)
+        world.learned_halvings = std::max(0, world.learned_halvings - 1);
+}
+//! [learn]
+
 /// A step that does not end well is thrown away, and its halves are tried in its place.
 /// @param behind    what of the whole step comes behind [s]
 /// @param halvings  how often what is left of the step was halved because it had not ended well
@@ -322,8 +335,13 @@ void advance_in_halves(World& world, Contacts& contacts, const Solver& solver, d
         advance_both_halves(world, contacts, solver, dt, behind, halvings, done);
         return;
     }
+    if (halvings < world.learned_halvings) {
+        advance_both_halves(world, contacts, solver, dt, behind, halvings + 1, done);
+        return;
+    }
     const SavedState before(world, contacts);
     try_step(world, contacts, solver, dt, behind, halvings < solver.max_halvings, done);
+    learn(world, halvings);
     world.work.add(world.attempt.work,
                    world.attempt.trouble == StepTrouble::none || !world.attempt.may_be_halved);
     if (world.attempt.trouble == StepTrouble::none)

@@ -50,7 +50,8 @@ struct OutsideImpulse {
 struct StepAttempt {
     bool may_be_halved = false;  ///< trouble throws it away; else its end is taken as it is
     StepTrouble trouble = StepTrouble::none;
-    double springs = 0;  ///< energy that springs held when it began [J]
+    bool is_kept_unsolved = false;  ///< a shorter one would not be solved either
+    double springs = 0;             ///< energy that springs held when it began [J]
     /// energy that came in on purpose: by a rule that winds springs up, by bodies that move as given [J]
     double added_energy = 0;
     double behind = 0;                           ///< what of the whole step comes behind this part [s]
@@ -73,6 +74,7 @@ struct World {
     long thrown_away = 0;       ///< attempts that were taken again in halves
     long ended_badly = 0;       ///< steps, or parts of steps, that could not be halved any more
     double whole_dt = 0;        ///< of the step that is taken, of which an attempt may be a part [s]
+    int learned_halvings = 0;   ///< with which a step begins: longer parts were not solved before
     double driven = 0;          ///< work of all that drives bodies from outside but gravity, so far [J]
     MaterialFriction friction;  ///< between the materials of bodies and planes, if they have any
     MaterialRestitution restitution;

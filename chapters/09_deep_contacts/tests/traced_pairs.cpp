@@ -1,3 +1,4 @@
+#include "chapters/02_collision_detection/candidate_search.hpp"
 #include "chapters/05_categorisation/normal_span.hpp"
 #include "chapters/06_redefinition/edge_pairs.hpp"
 #include "chapters/09_deep_contacts/experiments/inside_scenes.hpp"
@@ -149,6 +150,31 @@ TEST_CASE("inside pairs: bodies that moved since the last trace are traced where
     inside.append_pairs(world, second);
     CHECK(first.size() > 0);
     CHECK(second.empty());
+}
+
+TEST_CASE(
+    "inside pairs: a trace behind others finds what a first one finds, whether bodies have moved or not")
+{
+    World world = block_in_floor(0.13);
+    InsidePairs inside;
+    for (const double rise : {0.0, 0.0, -0.1, 0.0, 0.5}) {
+        world.bodies[1]->predict(Vec3(0, rise, 0), 1);
+        world.bodies[1]->commit(1);
+        world.bodies[1]->stop();
+        InsidePairs fresh;
+        Contacts behind_others, first;
+        inside.trace(world);
+        inside.append_pairs(world, behind_others);
+        fresh.trace(world);
+        fresh.append_pairs(world, first);
+        CAPTURE(rise);
+        CHECK((first.size() > 0) == (rise < 0.3));  // then it is out
+        REQUIRE(behind_others.size() == first.size());
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            CHECK(key_of(behind_others[i]) == key_of(first[i]));
+            CHECK(behind_others[i].weights == first[i].weights);
+        }
+    }
 }
 
 TEST_CASE(

@@ -183,6 +183,7 @@ void save_run(const std::filesystem::path& file, World& world, const Contacts& c
     if (!world.skins.empty())
         document["skins"] = world.skins;
     write_file(file, document.dump() + "\n");
+    world.learned_halvings = 0;
     for (const auto& body : world.bodies)
         if (auto* soft = dynamic_cast<DeformableBody*>(body.get()))
             soft->forget_learned();

@@ -7,9 +7,9 @@
 namespace enduring {
 
 /// Writes where a run stands between two steps: the state of each body and each pair, time and step, as JSON
-/// with all digits. A file that is there already is replaced when the new one is complete. Soft bodies forget
-/// what their solves have learned, so the run goes on with the same bytes as one that is resumed from the
-/// file.
+/// with all digits. A file that is there already is replaced when the new one is complete. The world and its
+/// soft bodies forget what solves have learned, so the run goes on with the same bytes as one that is resumed
+/// from the file.
 /// @throws InputError  it cannot be written
 void save_run(const std::filesystem::path& file, World& world, const Contacts& contacts);
 

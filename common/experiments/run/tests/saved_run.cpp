@@ -160,6 +160,17 @@ TEST_CASE("saved run: a pair of bodies, features or vertices that the scene does
     CHECK(refused([](Contact&) {}, face_contact()).empty());
 }
 
+TEST_CASE(
+    "saved run: the world forgets into how many parts its last steps were taken, as one that is resumed")
+{
+    const TemporaryFolder folder;
+    World world = boxes({"one"}), resumed = boxes({"one"});
+    world.learned_halvings = 2;
+    save_run(folder.path / "state.json", world, {});
+    resume_run(folder.path / "state.json", resumed);
+    CHECK(world.learned_halvings == resumed.learned_halvings);
+}
+
 TEST_CASE("saved run: skins are kept, and skins that do not fit the bodies are refused")
 {
     const TemporaryFolder folder;

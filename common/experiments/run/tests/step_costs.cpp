@@ -84,7 +84,7 @@ TEST_CASE("step costs: a part that cannot be halved any more ended badly, and is
                   [](World& world, Contacts&, double) { world.attempt.trouble = StepTrouble::unsolved; });
     StepCosts costs;
     run(scene, solver, {&costs});
-    CHECK(costs.column("attempts") == std::vector<double>{3, 3, 3});
+    CHECK(costs.column("attempts") == std::vector<double>{3, 2, 2});
     CHECK(costs.column("parts") == std::vector<double>{2, 2, 2});
     CHECK(costs.column("ended_badly") == std::vector<double>{2, 2, 2});
 }
