@@ -13,7 +13,7 @@ namespace enduring::engines {
 namespace {
 
 constexpr int frames = 40;        ///< of 1/60 s
-constexpr double patience = 400;  ///< a run that would take longer by its engine's last two is left out [s]
+constexpr double patience = 250;  ///< a run that would take longer by its engine's last two is left out [s]
 
 /// A wall of cubes of 1 m that stands in touch: in each row one cube less than in the row below, 10 cm apart.
 /// It should stay as it is.
