@@ -163,3 +163,13 @@ TEST_CASE("gears: a pair keeps its ratio, and gains speed by its torques and mom
     CHECK(run.apart_um < 100);
     CHECK(run.lost > -1e-6);
 }
+
+TEST_CASE("gears: teeth that pass facets of each other in one step stop no gear")
+{
+    for (const int facets : {6, 8}) {
+        CAPTURE(facets);
+        const GearRun run = turn_gears({.flank_points = facets, .dt = 0.002}, 4);
+        CHECK(run.turns >= 4);
+        CHECK(run.acceleration == doctest::Approx(run.by_formula).epsilon(0.03));
+    }
+}
