@@ -144,13 +144,30 @@ bool crosses_at_the_end(const World& world, const Contact& pair)
            any_passes_through(b, b.topology.edges_of_face(pair.feature_b), a);
 }
 
-/// Of two bodies whose points all follow one answer.
+/// Whether two crossings of the same two bodies push these the same way.
+bool push_alike(const Contact& one, const Contact& other)
+{
+    const double order = one.body_a == other.body_a ? 1 : -1;
+    return one.kind == ContactKind::vertex_plane ||
+           order * one.normal_t0.dot(other.normal_t0) >= distance_parts.hand_on;
+}
+
+/// Of two bodies whose points all follow one answer: the first impact.
 void take_first(const std::vector<TimedPair>& ascending, Crossings& crossings)
 {
+    const double first = ascending.front().time;
+    std::vector<const TimedPair*> impact;
+    for (const TimedPair& crossing : ascending) {
+        const auto is_alike = [&](const TimedPair* one) { return push_alike(one->pair, crossing.pair); };
+        if (crossing.time <= first + distance_parts.touching ||
+            (crossing.time <= first + distance_parts.together &&
+             std::any_of(impact.begin(), impact.end(), is_alike)))
+            impact.push_back(&crossing);
+    }
     bool any = false;
-    for (const TimedPair& crossing : ascending)
-        if (crossing.time <= ascending.front().time + distance_parts.together && crossing.known == nullptr) {
-            crossings.brought.push_back(crossing.pair);
+    for (const TimedPair* crossing : impact)
+        if (crossing->known == nullptr) {
+            crossings.brought.push_back(crossing->pair);
             any = true;
         }
     if (!any)

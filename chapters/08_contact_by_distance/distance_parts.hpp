@@ -23,7 +23,7 @@ struct DistanceParts {
     /// of its own: what is flat is flat. Ten times: round bodies with fine meshes lose their edges.
     double least_fold = 1e-4;
     /// of the size of the smaller body [1]: nearer, rounding has left no direction in the difference of two
-    /// points.
+    /// points. Of the step [1]: crossings no farther apart are at the same moment.
     double touching = 1e-9;
     /// of the size of the smaller body [1]: pairs that push along one line no farther apart are one. A tenth:
     /// corners that lie exactly on each other have pairs that come and go; ten times: small features lose
@@ -35,11 +35,11 @@ struct DistanceParts {
     /// times as stiff as chapter 7's pairs, so that an impact is held within the skins. A tenth: twice as
     /// many halvings.
     double stiffer = 10;
-    /// of the step [1]: crossings of two rigid bodies that are one impact. A tenth: facets get their pairs
-    /// one by one; ten times: planes ahead brake what slides along facets.
+    /// of the step [1]: crossings of two rigid bodies that push the same way and are one impact. A tenth:
+    /// facets get their pairs one by one; ten times: planes ahead brake what slides along facets.
     double together = 0.02;
     /// cosine of the angle up to which a vertex hands what it remembers on to another face, and slides from
-    /// one face to another.
+    /// one face to another, and up to which two crossings push the same way.
     double hand_on = 0.7;
     /// of a skin [1]: what is left of it, at least, where soft bodies or sheets begin nearer to each other. A
     /// tenth: what begins in touch is halved until it stands still; ten times: it is pushed apart.

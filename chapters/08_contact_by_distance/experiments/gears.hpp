@@ -33,8 +33,9 @@ struct GearRun {
     double ratio = 0, exact = 0;  ///< of the angles
     double apart_um = 0;  ///< largest departure from the ratio after the first touch, along the pitch circle
     double acceleration = 0,
-           by_formula = 0;  ///< of the gear with the torque: (T - T' z/z') / (I + I' (z/z')^2) [rad/s^2]
-    double lost = 0;        ///< part of the torques' work that is not in the motion at the end
+           by_formula = 0;   ///< of the gear with the torque: (T - T' z/z') / (I + I' (z/z')^2) [rad/s^2]
+    double by_polygons = 0;  ///< of rigid polygons without a bounce, see acceleration_of_polygons()
+    double lost = 0;         ///< part of the torques' work that is not in the motion at the end
     long unconverged = 0;
 };
 

@@ -110,3 +110,22 @@ TEST_CASE("contact by distance: a ball that lands over a vertex of a floor's mes
         for (const int cells : {1, 4})
             CHECK(speed_after(cells, steps) == doctest::Approx(speed_after(0, steps)).epsilon(0.01));
 }
+
+TEST_CASE(
+    "contact by distance: a box that comes down beside the rim of a table lands as anywhere, in one whole step")
+{
+    // at 47 mm it passes the rim within a fiftieth of the step behind its landing
+    for (const double to_rim : {0.03, 0.045, 0.0468, 0.0472, 0.0476, 0.048, 0.0484, 0.05, 0.06}) {
+        CAPTURE(to_rim);
+        World world;
+        add_static(world, moved(box({0.3, 0.3, 0.3}), {-0.15, -0.15, 0}));  // its rim at x = 0
+        const double dt = 0.01, height = 0.005;
+        const RigidBody& glider = add_rigid(
+            world, moved(box({0.1, 0.1, 0.1}), {-0.05 - to_rim, 0.05 + height, 0}), {10, -1, 0});
+        const Run run(world, 1, dt, 0);
+        const Vec3 velocity = glider.motion().velocity_at(glider.centre());
+        CHECK(velocity.x() == doctest::Approx(10).epsilon(1e-4));
+        CHECK(velocity.y() == doctest::Approx(-height / dt).epsilon(0.01));  // it ends in touch
+        CHECK(world.work.parts == 1);
+    }
+}

@@ -163,3 +163,20 @@ TEST_CASE("gears: a pair keeps its ratio, and gains speed by its torques and mom
     CHECK(run.apart_um < 100);
     CHECK(run.lost > -1e-6);
 }
+
+TEST_CASE("gears: in short steps facets cost what they cost two rigid polygons without a bounce")
+{
+    const GearRun run = turn_gears({.dt = 0.0002}, 4);
+    CHECK(run.by_polygons < 0.98 * run.by_formula);
+    CHECK(run.acceleration == doctest::Approx(run.by_polygons).epsilon(0.02));
+}
+
+TEST_CASE("gears: teeth that pass facets of each other in one step stop no gear")
+{
+    for (const int facets : {6, 8}) {
+        CAPTURE(facets);
+        const GearRun run = turn_gears({.flank_points = facets, .dt = 0.002}, 4);
+        CHECK(run.turns >= 4);
+        CHECK(run.acceleration == doctest::Approx(run.by_formula).epsilon(0.03));
+    }
+}

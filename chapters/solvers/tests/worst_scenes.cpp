@@ -34,7 +34,7 @@ Vec3 middle_of(const Body& body)
 
 TEST_CASE("worst scenes: a ball hits a wall, and gives it what momentum it loses")
 {
-    Scene scene = solvers::hit_wall(3, 4);
+    Scene scene = solvers::hit_wall(4, 3);
     const auto& bodies = scene.world.bodies;
     REQUIRE(bodies.size() == 13);
     scene.world.gravity = Vec3::Zero();
