@@ -75,11 +75,15 @@ std::vector<Island> find_islands(const World& world, Contacts& contacts,
 void IslandMatrices::begin_response(const std::vector<Island>& islands, std::size_t bodies, bool new_step)
 {
     of_body_.resize(bodies);
+    if (new_step)  // also for bodies that nothing touches yet: they may join an island in this step
+        for (const std::unique_ptr<NewtonMatrix>& matrix : of_body_)
+            if (matrix)
+                matrix->begin_response(0);
     for (const Island& island : islands) {
         int solves = 0;
         for (const int body : island.bodies) {
             std::unique_ptr<NewtonMatrix>& matrix = of_body_[static_cast<std::size_t>(body)];
-            if (matrix && !new_step)
+            if (matrix)
                 solves = std::max(solves, matrix->solves());
             if (body != island.bodies.front())
                 matrix.reset();

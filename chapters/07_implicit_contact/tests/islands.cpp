@@ -273,4 +273,10 @@ TEST_CASE("islands: where two become one in a step, it goes on with the larger c
     matrices.begin_response(one, 4, true);
     matrices.begin_response(one, 4, false);
     CHECK(matrices.of(one[0]).solves() == 0);
+    // nor in a step in which it is touched by nothing at first
+    matrices.begin_response(two, 4, true);
+    matrices.of(two[1]).solve(problem, {}, Eigen::Vector3d::Ones());
+    matrices.begin_response({two[0]}, 4, true);
+    matrices.begin_response(one, 4, false);
+    CHECK(matrices.of(one[0]).solves() == 0);
 }

@@ -34,20 +34,26 @@ Vec3 middle_of(const Body& body)
 
 TEST_CASE("worst scenes: a ball hits a wall, and gives it what momentum it loses")
 {
-    Scene scene = solvers::hit_wall(4, 3);
-    const auto& bodies = scene.world.bodies;
-    REQUIRE(bodies.size() == 13);
-    scene.world.gravity = Vec3::Zero();
-    scene.world.planes.clear();  // the ground would take momentum
-    run(scene, 4);
-    const auto momentum_of = [&](std::size_t body) {
-        return bodies[body]->mass() * bodies[body]->mean_velocity().z();
-    };
-    double wall = 0;
-    for (std::size_t brick = 0; brick < 12; ++brick)
-        wall += momentum_of(brick);
-    CHECK(wall > 100);
-    CHECK(wall + momentum_of(12) == doctest::Approx(200 * 15).epsilon(1e-6));
+    for (const int columns : {2, 3, 4})
+        for (const int rows : {3, 4, 5}) {
+            CAPTURE(columns);
+            CAPTURE(rows);
+            Scene scene = solvers::hit_wall(columns, rows);
+            const auto& bodies = scene.world.bodies;
+            const auto bricks = static_cast<std::size_t>(columns * rows);
+            REQUIRE(bodies.size() == bricks + 1);
+            scene.world.gravity = Vec3::Zero();
+            scene.world.planes.clear();  // the ground would take momentum
+            run(scene, 4);
+            const auto momentum_of = [&](std::size_t body) {
+                return bodies[body]->mass() * bodies[body]->mean_velocity().z();
+            };
+            double wall = 0;
+            for (std::size_t brick = 0; brick < bricks; ++brick)
+                wall += momentum_of(brick);
+            CHECK(wall > 100);
+            CHECK(wall + momentum_of(bricks) == doctest::Approx(200 * 15).epsilon(1e-6));
+        }
 }
 
 TEST_CASE("worst scenes: poured spheres stay in their box, and run out of the hopper's hole")
