@@ -118,11 +118,13 @@ Scene stacks(int cubes)
 {
     std::vector<chapter07::Box> boxes;
     const int side = static_cast<int>(std::ceil(std::sqrt(cubes / 5.0)));
-    for (int stack = 0; stack < cubes / 5; ++stack)
+    for (int stack = 0; stack < cubes / 5; ++stack) {
+        const int row = stack / side, column = stack % side;
         for (chapter07::Box cube : chapter07::stack_of(5)) {
-            cube.centre += 3 * Vec3(stack % side, 0, stack / side);
+            cube.centre += 3 * Vec3(column, 0, row);
             boxes.push_back(cube);
         }
+    }
     return chapter07::scene_of(boxes, frame / steps_a_frame);
 }
 
