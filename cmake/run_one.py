@@ -152,12 +152,13 @@ def the_rest(plan):
 
 def holds(plan, name):
     """Whether what a run leaves is there, and was made by what is there now."""
-    edge, stamp = plan["edges"][name], Path(plan["runs"], name)
-    cause_file = Path(plan["runs"], edge["cause"])
-    if not stamp.is_file() or not cause_file.is_file():
+    edge = plan["edges"][name]
+    try:
+        written, *files = Path(plan["runs"], name).read_text(encoding="utf-8").splitlines()
+        cause = Path(plan["runs"], edge["cause"]).read_text(encoding="utf-8").strip()
+    except FileNotFoundError:  # or a run that begins at this moment has taken it away
         return False
-    written, *files = stamp.read_text(encoding="utf-8").splitlines()
-    return written == cause_file.read_text(encoding="utf-8").strip() and all(Path(edge["out"], file).is_file() for file in files)
+    return written == cause and all(Path(edge["out"], file).is_file() for file in files)
 
 
 def estimate(plan):

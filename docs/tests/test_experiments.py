@@ -145,6 +145,11 @@ class Parts(unittest.TestCase):
                     found = {path.name for path in Path(folder, "parts", str(number)).iterdir()}
                     self.assertEqual(found, {"cause"} | {Path(name).name for name in plan["edges"]})
 
+    def test_what_another_run_takes_away_at_this_moment_does_not_hold(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(Path, "is_file", return_value=True):
+            plan = self.plan(folder, 0)
+            self.assertFalse(run_one.holds(plan, next(iter(plan["edges"]))))
+
 
 if __name__ == "__main__":
     unittest.main()
