@@ -16,7 +16,7 @@ void soft_speed(const RunOptions& options, Report& report);
 /// step.
 void worst(const RunOptions& options, Report& report);
 /// More and more bodies or elements: the time of a step with one thread and with two.
-void growth(const RunOptions& options, Report& report);
+void sizes(const RunOptions& options, Report& report);
 /// The example of the page on scenes, run as a scene of the reader's own: its results go to the folder
 /// tumble, and the picture to the program's as well.
 void own_scene_example(const RunOptions& options, Report& report);

@@ -70,7 +70,7 @@ class Graph(unittest.TestCase):
     def test_what_measures_time_runs_alone_and_the_longest_of_the_others_begins_first(self):
         plan = self.plan(True)
         beside, alone = run_beside.edges_in_order(plan, True)
-        self.assertEqual(alone, ["done/solvers/growth", "done/solvers/worst", "done/solvers/soft_speed", "done/solvers/speed"])
+        self.assertEqual(alone, ["done/solvers/sizes", "done/solvers/worst", "done/solvers/soft_speed", "done/solvers/speed"])
         runs = [plan["edges"][name]["seconds"] for name in beside if plan["edges"][name]["kind"] == "run"]
         self.assertEqual(runs, sorted(runs, reverse=True))
 

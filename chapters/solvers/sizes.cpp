@@ -25,7 +25,7 @@ constexpr double patience = 120;  ///< processor time after which a run is left 
 /// A kind of scene with more and more of the same.
 struct Series {
     std::string name, word, counted;
-    std::vector<int> sizes;
+    std::vector<int> counts;
     std::function<Scene(int size)> make;
     double seconds;  ///< [s]
 };
@@ -179,7 +179,7 @@ std::vector<Series> all_series(bool quick)
 
 }  // namespace
 
-void growth(const RunOptions& options, Report& report)
+void sizes(const RunOptions& options, Report& report)
 {
     Table steps({"scene", "count", "pairs", "mean_ms", "worst_ms", "steps_by_clock"});
     Table page({"scene", "count", "pairs", "mean [ms]", "worst [ms]"});
@@ -188,7 +188,7 @@ void growth(const RunOptions& options, Report& report)
     for (const Series& series : all_series(options.quick)) {
         std::vector<GrowthRun> runs;
         double faster = 0;
-        for (const int size : series.sizes) {
+        for (const int size : series.counts) {
             const auto asked = static_cast<int>(std::lround(series.seconds * steps_a_frame / frame));
             runs.push_back(run_steps(series.make(size), 1, asked));
             const GrowthRun& one = runs.back();
@@ -202,15 +202,15 @@ void growth(const RunOptions& options, Report& report)
                 {series.name, std::to_string(one.counted) + " " + series.counted, one.pairs, mean, worst});
         }
         carried_page.add({series.name, carried(runs) + " " + series.counted, exponent(runs), faster});
-        report.fact("growth", series.word + "_exponent_by_clock", exponent(runs), 2);
-        report.fact("growth", series.word + "_carried_by_clock", carried(runs));
-        report.fact("growth", series.word + "_two_threads_by_clock", faster, 2);
+        report.fact("sizes", series.word + "_exponent_by_clock", exponent(runs), 2);
+        report.fact("sizes", series.word + "_carried_by_clock", carried(runs));
+        report.fact("sizes", series.word + "_two_threads_by_clock", faster, 2);
     }
-    report.table("growth", steps);
-    report.page_table("growth", page, 3);
+    report.table("sizes", steps);
+    report.page_table("sizes", page, 3);
     report.page_table("carried", carried_page, 2);
-    report.fact("growth", "differ", static_cast<double>(differ));
-    report.fact("growth", "patience_s", patience);
+    report.fact("sizes", "differ", static_cast<double>(differ));
+    report.fact("sizes", "patience_s", patience);
 }
 
 }  // namespace enduring::solvers
