@@ -113,7 +113,7 @@ double weight_carried(const World& world, const Contacts& contacts, double dt)
     for (const auto& body : world.bodies)
         if (const auto* const rigid = dynamic_cast<const RigidBody*>(body.get());
             rigid && rigid->motion().free_directions().hold_none())
-            sum -= rigid->mass() * (dt * world.gravity).squaredNorm() / 2;
+            sum -= rigid->mass() * (dt * rigid->gravity_on(world.gravity)).squaredNorm() / 2;
     for (const Contact& contact : contacts)
         for (int i = 0; contact.answered() && i < contact.vertex_count(); ++i) {
             const auto n = static_cast<std::size_t>(i);

@@ -72,3 +72,17 @@ TEST_CASE("energy: prisms that roll, with half a facet to two in a step, gain no
             CHECK(most_kinetic(rolling_prism(sides, facets), 2) <= 1 + fall / moving + 0.01);
         }
 }
+
+TEST_CASE("energy: a body without gravity that drifts takes whole steps")
+{
+    Scene scene = rolling_prism(12, 0);
+    scene.world.planes.clear();
+    scene.world.bodies[0]->switch_gravity_off();
+    dynamic_cast<RigidBody&>(*scene.world.bodies[0]).apply_impulse(0, Vec3(0.1, 0, 0));
+    const Solver solver = chapter12_solver(scene.contact);
+    Contacts contacts;
+    for (int step = 0; step < 10; ++step) {
+        advance(scene.world, contacts, solver, dt);
+        CHECK(scene.world.work.attempts == 1);
+    }
+}
