@@ -79,9 +79,6 @@ SurfaceMesh gear(const GearShape& shape)
 
 namespace {
 
-constexpr double drive_torque = 4,
-                 brake_torque = 4.8;  // torques [N m]: the gears' ratio leaves a fifth of the first
-
 void add_gear(Scene& scene, const std::string& name, const GearShape& shape, const Vec3& centre, double angle,
               double torque)
 {
@@ -146,7 +143,6 @@ GearRun turn_gears(const GearPair& pair, double turns)
     run.exact = static_cast<double>(pair.teeth) / pair.other_teeth;
     const double inertia = first.inertia() + second.inertia() * run.exact * run.exact;
     run.by_formula = (drive_torque - brake_torque * run.exact) / inertia;
-    run.by_polygons = acceleration_of_polygons(pair, drive_torque, brake_torque, turns);
     const double pitch = GearShape{.teeth = pair.teeth}.pitch_radius();
 
     Contacts contacts;
@@ -206,7 +202,7 @@ void gears(const RunOptions& options, Report& report)
     for (const GearPair& pair : pairs) {
         const GearRun run = turn_gears(pair, turns);
         const double error = 100 * (run.acceleration / run.by_formula - 1),
-                     of_polygons = 100 * (run.by_polygons / run.by_formula - 1);
+                     of_polygons = 100 * (acceleration_of_polygons(pair, turns) / run.by_formula - 1);
         table.add({static_cast<long>(pair.flank_points), pair.dt, run.turns, run.ratio / run.exact - 1,
                    run.apart_um, run.acceleration, run.by_formula, error, of_polygons, 100 * run.lost,
                    run.unconverged});

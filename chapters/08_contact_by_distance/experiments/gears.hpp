@@ -21,6 +21,9 @@ struct GearShape {
 /// @throws InputError  teeth outside 17 to 41, or no facets
 SurfaceMesh gear(const GearShape& shape);
 
+/// Torques [N m]: the gears' ratio leaves a fifth of the first.
+inline constexpr double drive_torque = 4, brake_torque = 4.8;
+
 /// Two gears without friction: a torque drives the one, a smaller one resists at the other.
 struct GearPair {
     int teeth = 18, other_teeth = 27;
@@ -33,9 +36,8 @@ struct GearRun {
     double ratio = 0, exact = 0;  ///< of the angles
     double apart_um = 0;  ///< largest departure from the ratio after the first touch, along the pitch circle
     double acceleration = 0,
-           by_formula = 0;   ///< of the gear with the torque: (T - T' z/z') / (I + I' (z/z')^2) [rad/s^2]
-    double by_polygons = 0;  ///< of rigid polygons without a bounce, see acceleration_of_polygons()
-    double lost = 0;         ///< part of the torques' work that is not in the motion at the end
+           by_formula = 0;  ///< of the gear with the torque: (T - T' z/z') / (I + I' (z/z')^2) [rad/s^2]
+    double lost = 0;        ///< part of the torques' work that is not in the motion at the end
     long unconverged = 0;
 };
 

@@ -132,7 +132,7 @@ double inertia_of(int teeth, int flank_points)
 
 }  // namespace
 
-double acceleration_of_polygons(const GearPair& pair, double torque, double brake, double turns)
+double acceleration_of_polygons(const GearPair& pair, double turns)
 {
     const Mesh mesh(pair);
     const double first = inertia_of(pair.teeth, pair.flank_points),
@@ -140,8 +140,8 @@ double acceleration_of_polygons(const GearPair& pair, double torque, double brak
     double angle = 0, other = 0, speed = 0, other_speed = 0;  // the second gear's count backwards
     double time = 0, start_time = -1, start_speed = 0;
     while (angle < 2 * std::numbers::pi * turns && time < 60) {
-        speed += torque / first * dt;
-        other_speed -= brake / second * dt;
+        speed += drive_torque / first * dt;
+        other_speed -= brake_torque / second * dt;
         const auto stop_at = [&](const Mesh::Bound& bound) {
             const double impulse = (bound.angle - other - other_speed * dt) / dt /
                                    (1 / second + bound.slope * bound.slope / first);

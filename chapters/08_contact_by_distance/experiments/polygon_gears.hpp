@@ -10,8 +10,7 @@ namespace enduring::chapter08 {
 /// For each angle of the first gear, teeth bound the angle of the second one on both sides. Between the
 /// bounds both turn freely; a bound stops them against each other without a bounce. Steps are a hundredth of
 /// the pair's, so facets land one by one.
-/// @param torque  on the first gear [N m]; the brake holds against it at the second
-/// @return        angular acceleration of the first gear from 0.2 rad on, up to so many turns [rad/s^2]
-double acceleration_of_polygons(const GearPair& pair, double torque, double brake, double turns);
+/// @return  angular acceleration of the first gear from 0.2 rad on, up to so many turns [rad/s^2]
+double acceleration_of_polygons(const GearPair& pair, double turns);
 
 }  // namespace enduring::chapter08
