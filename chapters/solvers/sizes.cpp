@@ -2,6 +2,7 @@
 #include "chapters/10_self_contact/solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "chapters/solvers/worst_scenes.hpp"
+#include "common/experiments/report/statistics.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/scenes/scene_reader.hpp"
@@ -79,12 +80,10 @@ GrowthRun run_steps(Scene scene, int threads, int steps)
     return run;
 }
 
-double mean_of(const std::vector<double>& numbers)
+double power_between(const GrowthRun& few, const GrowthRun& many)
 {
-    double sum = 0;
-    for (const double number : numbers)
-        sum += number;
-    return sum / static_cast<double>(numbers.size());
+    return growth_power(static_cast<double>(few.counted), mean(few.cpu_ms), static_cast<double>(many.counted),
+                        mean(many.cpu_ms));
 }
 
 /// How many take a frame's time: between two that were measured, by the power of the time between them.
@@ -92,41 +91,19 @@ double mean_of(const std::vector<double>& numbers)
 std::string carried(const std::vector<GrowthRun>& runs)
 {
     const double asked = 1000 * frame / steps_a_frame;
-    if (mean_of(runs.front().cpu_ms) > asked)
+    if (mean(runs.front().cpu_ms) > asked)
         return "below " + std::to_string(runs.front().counted);
     for (std::size_t i = 1; i < runs.size(); ++i) {
         const GrowthRun &few = runs[i - 1], &many = runs[i];
-        if (mean_of(many.cpu_ms) <= asked)
+        if (mean(many.cpu_ms) <= asked)
             continue;
-        const double part = std::log(asked / mean_of(few.cpu_ms)) /
-                            std::log(mean_of(many.cpu_ms) / mean_of(few.cpu_ms)),
-                     more = static_cast<double>(many.counted) / static_cast<double>(few.counted);
-        return std::to_string(std::lround(static_cast<double>(few.counted) * std::pow(more, part)));
+        const double power = power_between(few, many), more = std::pow(asked / mean(few.cpu_ms), 1 / power);
+        return std::to_string(std::lround(static_cast<double>(few.counted) * more));
     }
     return "over " + std::to_string(runs.back().counted);
 }
 
-double exponent(const std::vector<GrowthRun>& runs)
-{
-    const GrowthRun &first = runs.front(), &last = runs.back();
-    return std::log(mean_of(last.cpu_ms) / mean_of(first.cpu_ms)) /
-           std::log(static_cast<double>(last.counted) / static_cast<double>(first.counted));
-}
-
-/// Stacks of five, side by side without touching.
-Scene stacks(int cubes)
-{
-    std::vector<chapter07::Box> boxes;
-    const int side = static_cast<int>(std::ceil(std::sqrt(cubes / 5.0)));
-    for (int stack = 0; stack < cubes / 5; ++stack) {
-        const int row = stack / side, column = stack % side;
-        for (chapter07::Box cube : chapter07::stack_of(5)) {
-            cube.centre += 3 * Vec3(column, 0, row);
-            boxes.push_back(cube);
-        }
-    }
-    return chapter07::scene_of(boxes, frame / steps_a_frame);
-}
+Scene stacks(int cubes) { return chapter07::scene_of(chapter07::many_stacks(cubes), frame / steps_a_frame); }
 
 /// Cubes that fall on a heap, in layers of a square whose side grows with their number.
 Scene heap(int cubes)
@@ -195,14 +172,15 @@ void sizes(const RunOptions& options, Report& report)
             const GrowthRun two = run_steps(series.make(size), 2, one.steps);
             faster = one.wall_s / two.wall_s;
             differ += one.steps == two.steps && one.end != two.end;
-            const double mean = mean_of(one.cpu_ms),
+            const double mean_ms = mean(one.cpu_ms),
                          worst = *std::max_element(one.cpu_ms.begin(), one.cpu_ms.end());
-            steps.add({series.name, one.counted, one.pairs, mean, worst, static_cast<long>(one.steps)});
+            steps.add({series.name, one.counted, one.pairs, mean_ms, worst, static_cast<long>(one.steps)});
             page.add(
-                {series.name, std::to_string(one.counted) + " " + series.counted, one.pairs, mean, worst});
+                {series.name, std::to_string(one.counted) + " " + series.counted, one.pairs, mean_ms, worst});
         }
-        carried_page.add({series.name, carried(runs) + " " + series.counted, exponent(runs), faster});
-        report.fact("sizes", series.word + "_exponent_by_clock", exponent(runs), 2);
+        const double power = power_between(runs.front(), runs.back());
+        carried_page.add({series.name, carried(runs) + " " + series.counted, power, faster});
+        report.fact("sizes", series.word + "_exponent_by_clock", power, 2);
         report.fact("sizes", series.word + "_carried_by_clock", carried(runs));
         report.fact("sizes", series.word + "_two_threads_by_clock", faster, 2);
     }

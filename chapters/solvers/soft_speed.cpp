@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/soft_scenes.hpp"
 #include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/solvers/experiments.hpp"
+#include "common/experiments/report/statistics.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/simulation/energy.hpp"
 
@@ -56,8 +57,8 @@ MatRun run_mat(int cells, double sparse_operation)
 /// The exponent of the time over the pairs.
 double exponent(const MatRun& first, const MatRun& last)
 {
-    return std::log(last.flat_ms / first.flat_ms) /
-           std::log(static_cast<double>(last.pairs) / static_cast<double>(first.pairs));
+    return growth_power(static_cast<double>(first.pairs), first.flat_ms, static_cast<double>(last.pairs),
+                        last.flat_ms);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/engines/bullet/bullet_solver.hpp"
 #include "chapters/solvers/experiments.hpp"
+#include "common/experiments/report/statistics.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/experiments/run/run.hpp"
 #include "common/simulation/deformable_body.hpp"
@@ -16,7 +17,7 @@ namespace enduring::solvers {
 namespace {
 
 using chapter07::Box, chapter07::loose_cubes, chapter07::scene_of, chapter07::stack_of,
-    chapter07::SolveStatistics;
+    chapter07::many_stacks, chapter07::SolveStatistics;
 
 /// What is measured is processor time, and Bullet has one thread, too.
 constexpr int threads = 1;
@@ -97,21 +98,6 @@ void against_bullet(bool quick, Report& report)
     report.fact("speed", "worst_ratio_by_clock", worst, 2);
 }
 
-/// Stacks of five, side by side without touching: ten times the cubes should be ten times the work.
-std::vector<Box> many_stacks(int cubes)
-{
-    std::vector<Box> boxes;
-    const int side = static_cast<int>(std::ceil(std::sqrt(cubes / 5.0)));
-    for (int stack = 0; stack < cubes / 5; ++stack) {
-        const int row = stack / side, column = stack % side;
-        for (Box box : stack_of(5)) {
-            box.centre += 3 * Vec3(column, 0, row);
-            boxes.push_back(box);
-        }
-    }
-    return boxes;
-}
-
 void growth(bool quick, Report& report)
 {
     Table table({"cubes", "chapter 7 [ms]", "Bullet [ms]", "ratio"});
@@ -126,8 +112,7 @@ void growth(bool quick, Report& report)
     report.table("speed_growth", table);
     report.page_table("speed_growth", table, 2);
     const auto exponent = [&](const std::vector<double>& times) {
-        return std::log(times.back() / times.front()) /
-               std::log(static_cast<double>(counts.back()) / counts.front());
+        return growth_power(counts.front(), times.front(), counts.back(), times.back());
     };
     report.fact("speed", "exponent_by_clock", exponent(ours), 2);
     report.fact("speed", "bullet_exponent_by_clock", exponent(bullet), 2);

@@ -2,6 +2,7 @@
 #include "chapters/10_self_contact/solver.hpp"
 #include "chapters/solvers/experiments.hpp"
 #include "chapters/solvers/worst_scenes.hpp"
+#include "common/experiments/report/statistics.hpp"
 #include "common/experiments/run/processor_clock.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace enduring::solvers {
@@ -60,11 +60,6 @@ WorstRun run_of(Scene& scene, double seconds)
     for (const auto& body : scene.world.bodies)
         run.fastest = std::max(run.fastest, body->mean_velocity().norm());
     return run;
-}
-
-double mean(const std::vector<double>& numbers)
-{
-    return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
 }
 
 double most(const std::vector<double>& numbers) { return *std::max_element(numbers.begin(), numbers.end()); }

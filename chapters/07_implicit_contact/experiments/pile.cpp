@@ -74,6 +74,20 @@ std::vector<Box> stack_of(int n, double first_mass, double last_mass, double tur
     return boxes;
 }
 
+std::vector<Box> many_stacks(int n)
+{
+    std::vector<Box> boxes;
+    const int side = static_cast<int>(std::ceil(std::sqrt(n / 5.0)));
+    for (int stack = 0; stack < n / 5; ++stack) {
+        const int row = stack / side, column = stack % side;
+        for (Box box : stack_of(5)) {
+            box.centre += 3 * Vec3(column, 0, row);
+            boxes.push_back(box);
+        }
+    }
+    return boxes;
+}
+
 std::vector<Box> loose_cubes(int n, int side, unsigned seed)
 {
     std::mt19937 random(seed);

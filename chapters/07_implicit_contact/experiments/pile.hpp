@@ -30,6 +30,10 @@ Scene scene_of(const std::vector<Box>& boxes, double dt, double slope_deg = 0, d
 /// the first and the last of other masses if asked.
 std::vector<Box> stack_of(int n, double first_mass = 10, double last_mass = 10, double turn_deg = 7);
 
+/// Stacks of five cubes, side by side without touching: ten times the cubes should be ten times the work.
+/// @param n  of all cubes, a multiple of five
+std::vector<Box> many_stacks(int n);
+
 /// n cubes of 10 kg in square layers above the ground, each turned at random, far enough from one another
 /// not to touch.
 /// @param side  cubes along each side of a layer

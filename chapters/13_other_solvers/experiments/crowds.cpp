@@ -3,6 +3,7 @@
 #include "chapters/13_other_solvers/experiments/watched_run.hpp"
 #include "chapters/13_other_solvers/solver.hpp"
 #include "chapters/engines/experiments/measured_rows.hpp"
+#include "common/experiments/report/statistics.hpp"
 #include "common/experiments/report/sweep.hpp"
 #include "common/input/number_text.hpp"
 
@@ -113,7 +114,7 @@ double exponent_of(const std::vector<std::pair<int, double>>& curve)
 {
     const auto& [n_0, ms_0] = curve.front();
     const auto& [n_1, ms_1] = curve.back();
-    return std::log(ms_1 / ms_0) / std::log(static_cast<double>(n_1) / n_0);
+    return growth_power(n_0, ms_0, n_1, ms_1);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "chapters/engines/experiments/experiments.hpp"
 #include "chapters/engines/judge.hpp"
 #include "common/experiments/report/growing_table.hpp"
+#include "common/experiments/report/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,7 @@ double expected_seconds(const std::vector<int>& bodies, const std::vector<double
         return 0;
     double power = 3;
     if (ms.size() > 1)
-        power = std::log(ms.back() / ms[ms.size() - 2]) /
-                std::log(static_cast<double>(bodies[ms.size() - 1]) / bodies[ms.size() - 2]);
+        power = growth_power(bodies[ms.size() - 2], ms[ms.size() - 2], bodies[ms.size() - 1], ms.back());
     return 1e-3 * frames * ms.back() * std::pow(static_cast<double>(next) / bodies[ms.size() - 1], power);
 }
 
