@@ -129,7 +129,8 @@ constexpr double farthest_from_surface = 0.05;
 /// A soft body is held at the point of its surface that is nearest to the one of the file.
 Vec3 read_held_point(const JsonValue& value, const World& world, int body)
 {
-    const Vec3 point = value.vector(joint_point_range), held = held_point(world, body, point);
+    const Vec3 point = value.vector(joint_point_range);
+    Vec3 held = held_point(world, body, point);
     if (const double away = (held - point).norm();
         away > 0 && away > farthest_from_surface * world.bodies[static_cast<std::size_t>(body)]->size())
         value.complain("is " + shortest(away) + " m from the surface of \"" +
@@ -140,7 +141,8 @@ Vec3 read_held_point(const JsonValue& value, const World& world, int body)
 /// The point at which a joint holds both bodies.
 Vec3 read_common_point(const JsonValue& value, const World& world, int a, int b)
 {
-    const Vec3 point = read_held_point(value, world, a), of_b = held_point(world, b, point);
+    Vec3 point = read_held_point(value, world, a);
+    const Vec3 of_b = held_point(world, b, point);
     if (!is_soft(world, a) && is_soft(world, b))
         return read_held_point(value, world, b);
     if (const double apart = (of_b - point).norm();
