@@ -39,7 +39,7 @@ std::vector<PlanePair> pairs_in_contact(const Contacts& contacts)
 {
     std::vector<PlanePair> pairs;
     for (const Contact& contact : contacts)
-        if (contact.kind == ContactKind::vertex_plane)
+        if (contact.on_plane())
             pairs.push_back({contact.body_a, contact.body_b, contact.feature_a});
     std::sort(pairs.begin(), pairs.end());
     return pairs;
@@ -86,7 +86,7 @@ void detect_plane_contacts(World& world, Contacts& contacts)
 void resolve_plane_contacts(World& world, Contacts& contacts)
 {
     const auto left_the_ground = [&](const Contact& contact) {
-        return contact.kind == ContactKind::vertex_plane && plane_step(world, contact).depth_t0 > 0;
+        return contact.on_plane() && plane_step(world, contact).depth_t0 > 0;
     };
     contacts.erase(std::remove_if(contacts.begin(), contacts.end(), left_the_ground), contacts.end());
 }

@@ -49,7 +49,7 @@ double depth_at_start(const World& world, const Contact& contact)
 void resolve_separated_pairs(const World& world, Contacts& contacts)
 {
     const auto separated = [&](const Contact& contact) {
-        return contact.kind != ContactKind::vertex_plane && depth_at_start(world, contact) > 0;
+        return !contact.on_plane() && depth_at_start(world, contact) > 0;
     };
     contacts.erase(std::remove_if(contacts.begin(), contacts.end(), separated), contacts.end());
 }

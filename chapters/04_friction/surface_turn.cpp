@@ -20,7 +20,7 @@ Vec3 apart(const World& world, const Contact& contact, double tau)
 //! [surface_turn]
 Mat3 surface_turn(const World& world, const Contact& contact)
 {
-    if (contact.kind == ContactKind::vertex_plane)
+    if (contact.on_plane())
         return Mat3::Identity();
     const auto [t0, t1, plane_normal] = pair_step(world, contact);
     const double start = contact.start;

@@ -21,7 +21,7 @@ std::optional<Mat3> grain_of(const World& world, const Contact& contact, const V
 {
     const Body& a = *world.bodies[static_cast<std::size_t>(contact.body_a)];
     const auto number_of_b = static_cast<std::size_t>(contact.body_b);
-    const bool on_plane = contact.kind == ContactKind::vertex_plane;
+    const bool on_plane = contact.on_plane();
     const Grain& of_b = on_plane ? world.planes[number_of_b].grain : world.bodies[number_of_b]->grain();
     if (!a.grain().any() && !of_b.any())
         return std::nullopt;

@@ -19,7 +19,7 @@ struct MovingBodies {
             return;
         if (moves(contact.body_a))
             a = contact.body_a;
-        if (contact.kind != ContactKind::vertex_plane && moves(contact.body_b))
+        if (!contact.on_plane() && moves(contact.body_b))
             b = contact.body_b;
     }
     int any() const { return std::max(a, b); }

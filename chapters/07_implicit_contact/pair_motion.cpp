@@ -24,7 +24,7 @@ Vec3 relative_position(const World& world, const Contact& contact,
         const Body& body = body_of_vertex(world, contact, static_cast<int>(i));
         return (body.*positions)()[static_cast<std::size_t>(contact.vertices[i])];
     };
-    if (contact.kind == ContactKind::vertex_plane)
+    if (contact.on_plane())
         return vertex(0) - world.planes[static_cast<std::size_t>(contact.body_b)].point;
     return contact.weights[0] * vertex(0) + contact.weights[1] * vertex(1) + contact.weights[2] * vertex(2) +
            contact.weights[3] * vertex(3);

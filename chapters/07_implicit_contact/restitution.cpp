@@ -133,7 +133,7 @@ VectorXd impulses_for(const IslandImpact& island, const Bounce& bounce)
 /// The two bodies of a pair, the smaller number first; a plane has one below zero.
 std::pair<int, int> bodies_of(const Contact& contact)
 {
-    const int other = contact.kind == ContactKind::vertex_plane ? -1 - contact.body_b : contact.body_b;
+    const int other = contact.on_plane() ? -1 - contact.body_b : contact.body_b;
     return std::minmax({contact.body_a, other});
 }
 

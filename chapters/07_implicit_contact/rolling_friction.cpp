@@ -42,7 +42,7 @@ TurnRow turns_of(const World& world, const StepProblem& step, const Contact& con
 {
     TurnRow row;
     add_body(world, step, contact.body_a, 1, row);
-    if (contact.kind != ContactKind::vertex_plane)
+    if (!contact.on_plane())
         add_body(world, step, contact.body_b, -1, row);
     return row;
 }

@@ -99,12 +99,12 @@ public:
 private:
     void add(double time, Contact pair)
     {
-        if (pair.kind != ContactKind::vertex_plane) {
+        if (!pair.on_plane()) {
             pair.gap = nearness_.gap(pair.body_a, pair.body_b);
             put_on_own_surfaces(world_, time, pair);
         }
         const auto same = known_.find(key_of(pair));
-        const int body_b = pair.kind == ContactKind::vertex_plane ? -1 - pair.body_b : pair.body_b;
+        const int body_b = pair.on_plane() ? -1 - pair.body_b : pair.body_b;
         of_bodies[std::minmax({pair.body_a, body_b})].push_back(
             {time, pair, same == known_.end() ? nullptr : same->second});
     }
@@ -148,8 +148,7 @@ bool crosses_at_the_end(const World& world, const Contact& pair)
 bool push_alike(const Contact& one, const Contact& other)
 {
     const double order = one.body_a == other.body_a ? 1 : -1;
-    return one.kind == ContactKind::vertex_plane ||
-           order * one.normal_t0.dot(other.normal_t0) >= distance_parts.hand_on;
+    return one.on_plane() || order * one.normal_t0.dot(other.normal_t0) >= distance_parts.hand_on;
 }
 
 /// Of two bodies whose points all follow one answer: the first impact.
@@ -204,7 +203,7 @@ void take_first_of_each(const std::vector<TimedPair>& ascending, Crossings& cros
 /// Whether a pair is on its own side at both ends of the step.
 bool is_on_own_side(const World& world, const Contact& pair)
 {
-    if (pair.kind == ContactKind::vertex_plane)
+    if (pair.on_plane())
         return false;
     for (const double tau : {0.0, 1.0}) {
         Vec3 apart = Vec3::Zero();

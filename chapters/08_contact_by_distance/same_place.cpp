@@ -42,7 +42,7 @@ void keep_one_at_each_place(const World& world, Contacts& contacts, std::size_t 
     std::map<TwoBodies, std::vector<Place>> of_bodies;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Contact& pair = contacts[i];
-        if (pair.kind == ContactKind::vertex_plane)
+        if (pair.on_plane())
             continue;
         const ContactGeometry geometry = contact_geometry(world, pair, 0);
         of_bodies[std::minmax(pair.body_a, pair.body_b)].push_back(

@@ -16,7 +16,7 @@ public:
     Known(const Contacts& contacts, EndsOf wanted) : wanted_(wanted)
     {
         for (const Contact& contact : contacts) {
-            if (contact.kind == ContactKind::vertex_plane)
+            if (contact.on_plane())
                 continue;
             bodies_.insert(std::minmax(contact.body_a, contact.body_b));
             keys_.insert(key_of(contact));

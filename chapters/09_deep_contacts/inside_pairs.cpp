@@ -210,7 +210,7 @@ void InsidePairs::append_pairs(const World& world, Contacts& contacts)
 //! [part_along_direction]
 double InsidePairs::part_along_direction(const World& world, const Contact& contact) const
 {
-    for (int i = 0; contact.kind != ContactKind::vertex_plane && i < contact.vertex_count(); ++i) {
+    for (int i = 0; !contact.on_plane() && i < contact.vertex_count(); ++i) {
         const bool of_a = i < contact.vertices_of_a();
         const auto direction = direction_of_vertex_.find({of_a ? contact.body_a : contact.body_b,
                                                           contact.vertices[static_cast<std::size_t>(i)],

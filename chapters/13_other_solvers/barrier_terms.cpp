@@ -89,7 +89,7 @@ FourPoints corners_of(const ContactPoint& pair, const Places& places)
 Derivatives BarrierTerm::potential(const ContactPoint& pair, double kappa, double distance) const
 {
     Derivatives squared;
-    if (pair.kind() == ContactKind::vertex_plane) {
+    if (pair.on_plane()) {
         squared.gradient.head<3>() = 2 * nearest.difference;
         squared.hessian.topLeftCorner<3, 3>() = 2 * pair.normal * pair.normal.transpose();
     } else
@@ -111,8 +111,7 @@ PairPlaces near_pairs(const MethodStep& step, const Places& places, double dista
     PairPlaces near;
     for (std::size_t n = 0; n < step.points.size(); ++n)
         if (const ContactPoint& pair = step.points[n];
-            pair.kind() == ContactKind::vertex_plane ||
-            boxes_are_near(corners_of(pair, places), pair.corners_of_a(), distance))
+            pair.on_plane() || boxes_are_near(corners_of(pair, places), pair.corners_of_a(), distance))
             near.push_back(n);
     return near;
 }
@@ -127,9 +126,9 @@ std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const PairPlaces&
         const ContactPoint& pair = step.points[n];
         const ContactKind kind = pair.kind();
         BarrierTerm term{n, corners_of(pair, places), {}, {1, Vector12::Zero(), Matrix12::Zero()}, 1, {}};
-        if (kind != ContactKind::vertex_plane && !boxes_are_near(term.x, pair.corners_of_a(), distance))
+        if (!pair.on_plane() && !boxes_are_near(term.x, pair.corners_of_a(), distance))
             continue;
-        if (kind == ContactKind::vertex_plane)
+        if (pair.on_plane())
             term.nearest = {{1, 0, 0, 0}, height(pair, term.x[0], distance) * pair.normal};
         else
             term.nearest = kind == ContactKind::edge_edge ? nearest_of_edges(term.x)
@@ -141,7 +140,7 @@ std::vector<BarrierTerm> barrier_terms(const MethodStep& step, const PairPlaces&
         if (kind == ContactKind::edge_edge)
             term.mollifier = edge_mollifier(term.x, parallel * (term.x[1] - term.x[0]).squaredNorm() *
                                                         (term.x[3] - term.x[2]).squaredNorm());
-        const bool is_own = kind == ContactKind::vertex_plane || term.mollifier.value < 1;
+        const bool is_own = pair.on_plane() || term.mollifier.value < 1;
         const auto [found, is_new] = known.try_emplace(
             key_of(pair, term.nearest, is_own ? static_cast<int>(n) : -1), terms.size());
         if (is_new)
@@ -162,7 +161,7 @@ std::pair<double, bool> first_meeting(const MethodStep& step, const PairPlaces& 
         const ContactPoint& pair = step.points[n];
         const FourPoints p = corners_of(pair, from), q = corners_of(pair, to);
         std::optional<double> time;
-        if (pair.kind() == ContactKind::vertex_plane) {
+        if (pair.on_plane()) {
             const double before = height(pair, p[0], distance), behind = height(pair, q[0], distance);
             if (behind <= 0)
                 time = before / (before - behind);

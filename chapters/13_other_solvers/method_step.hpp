@@ -82,7 +82,8 @@ struct ContactPoint {
 
     ContactKind kind() const { return std::get<0>(key); }
     int corners_of_a() const { return kind() == ContactKind::edge_edge ? 2 : 1; }
-    int corner_count() const { return kind() == ContactKind::vertex_plane ? 1 : 4; }
+    int corner_count() const { return on_plane() ? 1 : 4; }
+    bool on_plane() const { return kind() == ContactKind::vertex_plane; }
 };
 //! [contact_point]
 

@@ -342,7 +342,7 @@ void NearFeatures::append_planes(const World& world, Contacts& contacts) const
 
 double separation_t0(const World& world, const Contact& contact)
 {
-    if (contact.kind == ContactKind::vertex_plane) {
+    if (contact.on_plane()) {
         const Plane& plane = world.planes[static_cast<std::size_t>(contact.body_b)];
         return plane.normal.dot(contact_vertex(world, contact, 0, 0) - plane.point);
     }

@@ -117,7 +117,7 @@ MethodStep step_bodies(const World& world, double dt, SoftBodies soft)
 ContactPoint contact_point(const World& world, const MethodStep& step, const Contact& contact,
                            const FrictionCoefficients& friction)
 {
-    const bool on_plane = contact.kind == ContactKind::vertex_plane;
+    const bool on_plane = contact.on_plane();
     ContactPoint point;
     point.a = contact.body_a;
     point.b = on_plane ? static_cast<int>(world.bodies.size()) : contact.body_b;

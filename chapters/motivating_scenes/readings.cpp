@@ -31,9 +31,8 @@ void below_ground(Value& value, const World& world, const Contacts&, double)
 
 void max_pairs(Value& value, const World&, const Contacts& contacts, double)
 {
-    const auto pairs = std::count_if(contacts.begin(), contacts.end(), [](const Contact& contact) {
-        return contact.kind != ContactKind::vertex_plane;
-    });
+    const auto pairs = std::count_if(contacts.begin(), contacts.end(),
+                                     [](const Contact& contact) { return !contact.on_plane(); });
     value = std::max(value.value_or(0), static_cast<double>(pairs));
 }
 
@@ -59,7 +58,7 @@ Gauge::Reading right_labels()
     return [right = 0L, all = 0L](Value& value, const World& world, const Contacts& contacts,
                                   double) mutable {
         for (const Contact& contact : contacts) {
-            if (contact.kind == ContactKind::vertex_plane || !contact.answered())
+            if (contact.on_plane() || !contact.answered())
                 continue;
             const bool sideways = std::abs(contact_geometry(world, contact, 0).normal.y()) < std::sqrt(0.5);
             right += contact.category == (sideways ? ContactCategory::hooked : ContactCategory::regular);

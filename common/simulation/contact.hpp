@@ -80,7 +80,9 @@ struct Contact {
 
     /// How many of `vertices` belong to A (the others belong to B).
     int vertices_of_a() const { return kind == ContactKind::edge_edge ? 2 : 1; }
-    int vertex_count() const { return kind == ContactKind::vertex_plane ? 1 : 4; }
+    int vertex_count() const { return on_plane() ? 1 : 4; }
+    /// Whether B is a plane, and no body.
+    bool on_plane() const { return kind == ContactKind::vertex_plane; }
 };
 
 using Contacts = std::vector<Contact>;

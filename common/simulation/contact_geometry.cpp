@@ -71,7 +71,7 @@ Vec3 contact_vertex(const World& world, const Contact& contact, int i, double ta
 
 ContactGeometry contact_geometry(const World& world, const Contact& contact, double tau)
 {
-    if (contact.kind == ContactKind::vertex_plane)
+    if (contact.on_plane())
         return plane_geometry(world.planes[contact.body_b], contact_vertex(world, contact, 0, tau),
                               contact.gap);
 
@@ -91,7 +91,7 @@ ContactGeometry contact_geometry(const World& world, const Contact& contact, dou
 
 PairStep pair_step(const World& world, const Contact& contact)
 {
-    if (contact.kind == ContactKind::vertex_plane)
+    if (contact.on_plane())
         return plane_step(body_of_vertex(world, contact, 0), static_cast<std::size_t>(contact.vertices[0]),
                           world.planes[contact.body_b]);
     PairVertices t0, t1;
@@ -109,7 +109,7 @@ PairStep pair_step(const World& world, const Contact& contact)
 
 double pair_stiffness(const World& world, const Contact& contact, double of_all_pairs)
 {
-    if (contact.kind != ContactKind::vertex_plane)
+    if (!contact.on_plane())
         return of_all_pairs;
     return world.planes[contact.body_b].stiffness.value_or(of_all_pairs);
 }
@@ -120,9 +120,8 @@ namespace {
 std::pair<int, int> materials_of(const World& world, const Contact& contact)
 {
     const auto b = static_cast<std::size_t>(contact.body_b);
-    return {
-        world.bodies[static_cast<std::size_t>(contact.body_a)]->material(),
-        contact.kind == ContactKind::vertex_plane ? world.planes[b].material : world.bodies[b]->material()};
+    return {world.bodies[static_cast<std::size_t>(contact.body_a)]->material(),
+            contact.on_plane() ? world.planes[b].material : world.bodies[b]->material()};
 }
 
 }  // namespace
@@ -147,7 +146,7 @@ double pair_restitution(const World& world, const Contact& contact)
 Vec3 running_of_surfaces(const World& world, const Contact& contact)
 {
     const Vec3& of_a = world.bodies[static_cast<std::size_t>(contact.body_a)]->surface_velocity();
-    if (contact.kind == ContactKind::vertex_plane)
+    if (contact.on_plane())
         return of_a;
     return of_a - world.bodies[static_cast<std::size_t>(contact.body_b)]->surface_velocity();
 }
@@ -160,7 +159,7 @@ const std::string& name_of_a(const World& world, const Contact& contact)
 const std::string& name_of_b(const World& world, const Contact& contact)
 {
     const std::size_t b = static_cast<std::size_t>(contact.body_b);
-    return contact.kind == ContactKind::vertex_plane ? world.planes[b].name : world.bodies[b]->name();
+    return contact.on_plane() ? world.planes[b].name : world.bodies[b]->name();
 }
 
 }  // namespace enduring

@@ -16,7 +16,7 @@ NaturalUnits natural_units(double length, double gravity, double dt)
 double natural_length(const World& world, const Contact& contact)
 {
     double length = world.bodies[contact.body_a]->size();
-    if (contact.kind != ContactKind::vertex_plane)
+    if (!contact.on_plane())
         length = std::min(length, world.bodies[contact.body_b]->size());
     return length > 0 ? length : NaturalUnits{}.length;  // points have none
 }

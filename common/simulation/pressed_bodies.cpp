@@ -11,7 +11,7 @@ namespace {
 
 PressedBodies& entry_of(std::vector<PressedBodies>& all, const Contact& contact)
 {
-    const bool with_plane = contact.kind == ContactKind::vertex_plane;
+    const bool with_plane = contact.on_plane();
     int a = contact.body_a, b = contact.body_b;
     if (!with_plane && b < a)
         std::swap(a, b);

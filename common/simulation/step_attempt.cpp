@@ -46,7 +46,7 @@ double turning_work(const World& world, const Contact& contact, double dt)
         const Body& body = *world.bodies[static_cast<std::size_t>(number)];
         return body.is_static() ? mean_turn_rate(body, dt) : Vec3(Vec3::Zero());
     };
-    const bool on_plane = contact.kind == ContactKind::vertex_plane;
+    const bool on_plane = contact.on_plane();
     return contact.turning.dot((on_plane ? Vec3(Vec3::Zero()) : turn(contact.body_b)) - turn(contact.body_a));
 }
 

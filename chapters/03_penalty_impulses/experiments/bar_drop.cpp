@@ -24,7 +24,7 @@ public:
         double force = 0, depth = 0;
         int pairs = 0;
         for (const Contact& contact : contacts) {
-            if (contact.kind == ContactKind::vertex_plane)
+            if (contact.on_plane())
                 continue;
             force += (name_of_a(world, contact) == "bar" ? 1 : -1) * contact.impulse.y() / dt;
             const double pair_depth = contact_geometry(world, contact, 0).depth;

@@ -20,8 +20,7 @@ namespace {
 long count_inside(const World& world, const Contacts& contacts, bool on_plane)
 {
     return std::count_if(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-        return (contact.kind == ContactKind::vertex_plane) == on_plane &&
-               contact_geometry(world, contact, 0).depth < 0;
+        return contact.on_plane() == on_plane && contact_geometry(world, contact, 0).depth < 0;
     });
 }
 
@@ -66,7 +65,7 @@ private:
     void add_levers(const World& world, const Contacts& contacts)
     {
         for (const Contact& contact : contacts)
-            if (contact.kind != ContactKind::vertex_plane) {
+            if (!contact.on_plane()) {
                 const ContactGeometry geometry = contact_geometry(world, contact, 0);
                 turned_ += (geometry.p - geometry.q).cross(contact.impulse).norm();
                 pushed_ += contact.impulse.norm();

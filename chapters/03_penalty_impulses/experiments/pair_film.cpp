@@ -11,7 +11,7 @@ void mark_pairs(Stage& stage, const World& world, const Contacts& contacts)
 {
     Contacts pairs;
     std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pairs),
-                 [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane; });
+                 [](const Contact& contact) { return !contact.on_plane(); });
     mark_contacts(stage, world, pairs);
 }
 

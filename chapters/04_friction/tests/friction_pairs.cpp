@@ -64,7 +64,7 @@ Seen run_heap(const FrictionParameters& model, const std::string& response)
             const double friction = contact.friction.norm(), normal = contact.impulse.norm();
             if (friction == 0)
                 continue;
-            seen.vertex_plane += contact.kind == ContactKind::vertex_plane;
+            seen.vertex_plane += contact.on_plane();
             seen.vertex_face += contact.kind == ContactKind::vertex_face;
             seen.edge_edge += contact.kind == ContactKind::edge_edge;
             seen.slipping += contact.spring.slip > 0;

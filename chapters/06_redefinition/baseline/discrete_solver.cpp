@@ -15,7 +15,7 @@ void push_to_closest_points(const World& world, Contacts& contacts, double stiff
     for (Contact& contact : contacts) {
         if (!contact.waiting())
             continue;
-        if (contact.kind == ContactKind::vertex_plane) {
+        if (contact.on_plane()) {
             contact.impulse = discrete_on_plane(pair_step(world, contact), 0,
                                                 pair_stiffness(world, contact, stiffness), dt);
             continue;

@@ -34,7 +34,7 @@ public:
         in_ground_ = std::get<double>(penetration_.table().rows().back()[8]);
         deepest_in_ground_ = std::max(deepest_in_ground_, in_ground_);
         const Energy energy = total_energy(world);
-        const auto touches = [](const Contact& contact) { return contact.kind != ContactKind::vertex_plane; };
+        const auto touches = [](const Contact& contact) { return !contact.on_plane(); };
         if (impact_ == 0 && std::any_of(contacts.begin(), contacts.end(), touches))
             impact_ = last_kinetic_;
         last_kinetic_ = energy.kinetic;
@@ -80,9 +80,8 @@ private:
 void mark_feature_pairs(Stage& stage, const World& world, const Contacts& contacts)
 {
     Contacts pairs;
-    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pairs), [](const Contact& contact) {
-        return contact.kind != ContactKind::vertex_plane && !contact.held();
-    });
+    std::copy_if(contacts.begin(), contacts.end(), std::back_inserter(pairs),
+                 [](const Contact& contact) { return !contact.on_plane() && !contact.held(); });
     mark_contacts(stage, world, pairs);
 }
 

@@ -33,9 +33,8 @@ TEST_CASE(
     bool touched = false;
     int max_inverted = 0;
     WatchProbe watch([&](const World& world, const Contacts& contacts, double) {
-        touched = touched || std::any_of(contacts.begin(), contacts.end(), [](const Contact& c) {
-                      return c.kind != ContactKind::vertex_plane;
-                  });
+        touched = touched || std::any_of(contacts.begin(), contacts.end(),
+                                         [](const Contact& c) { return !c.on_plane(); });
         if (!touched)
             before_touch = kinetic(world);
         max_inverted = std::max(max_inverted, chapter06::count_inverted(world));

@@ -57,7 +57,7 @@ struct RandomPairs {
             return moved;
         if (moves(contact.body_a))
             moved.push_back(contact.body_a);
-        if (contact.kind != ContactKind::vertex_plane && moves(contact.body_b))
+        if (!contact.on_plane() && moves(contact.body_b))
             moved.push_back(contact.body_b);
         return moved;
     }

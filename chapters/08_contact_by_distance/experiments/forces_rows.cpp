@@ -159,7 +159,7 @@ Vec3 Stepped::between(int body, int other) const
     const double part = last_part(world(), scene_.dt);
     Vec3 sum = Vec3::Zero();
     for (const Contact& contact : contacts_) {
-        const int b = contact.kind == ContactKind::vertex_plane ? planes : contact.body_b;
+        const int b = contact.on_plane() ? planes : contact.body_b;
         const Vec3 on_a = pair_force(contact, part).total();
         if (contact.body_a == body && b == other)
             sum += on_a;

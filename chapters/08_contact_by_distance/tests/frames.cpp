@@ -34,7 +34,7 @@ struct Ran {
         Vec3 push = Vec3::Zero();
         for (const Contact& contact : contacts) {
             const bool is_a = &body_of_vertex(scene.world, contact, 0) == &body(name);
-            const bool is_b = contact.kind != ContactKind::vertex_plane &&
+            const bool is_b = !contact.on_plane() &&
                               scene.world.bodies[static_cast<std::size_t>(contact.body_b)].get() ==
                                   &body(name);
             if (is_a || is_b)

@@ -94,9 +94,8 @@ Sums sums_of(const World& world, double depth)
 
 long own_pairs(const Contacts& contacts)
 {
-    return std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) {
-        return c.kind != ContactKind::vertex_plane && c.body_a == c.body_b;
-    });
+    return std::count_if(contacts.begin(), contacts.end(),
+                         [](const Contact& c) { return !c.on_plane() && c.body_a == c.body_b; });
 }
 
 /// Adds up what the answers take, times the part of a step's pairs that are of a body with itself.

@@ -29,7 +29,7 @@ CraneForces crane_forces(const World& world, const Contacts& contacts, double dt
     const double part = last_part(world, dt);
     for (const Contact& contact : contacts) {
         const double up = pair_force(contact, part).total().y();
-        if (contact.kind == ContactKind::vertex_plane)
+        if (contact.on_plane())
             of.ground += contact.body_a == slab_number ? up : 0;
         else if (std::minmax(contact.body_a, contact.body_b) == std::minmax(slab_number, load_number))
             of.slab += contact.body_a == load_number ? up : -up;

@@ -18,8 +18,7 @@ Vec3 force_on_box(const Scene& scene, const Contacts& contacts, int from)
 {
     Vec3 sum = Vec3::Zero();
     for (const Contact& contact : contacts)
-        if (contact.kind != ContactKind::vertex_plane &&
-            std::minmax(contact.body_a, contact.body_b) == std::minmax(box, from))
+        if (!contact.on_plane() && std::minmax(contact.body_a, contact.body_b) == std::minmax(box, from))
             sum += (contact.body_a == box ? 1 : -1) * (contact.impulse + contact.friction) / scene.dt;
     return sum;
 }

@@ -166,7 +166,7 @@ std::string pairs_vtp(const World& world, const Contacts& contacts, double dt)
         categories.push_back(static_cast<long>(contact.category));
         held.push_back(contact.held() ? 1 : 0);
         a.push_back(contact.body_a);
-        b.push_back(contact.kind == ContactKind::vertex_plane ? -1 - contact.body_b : contact.body_b);
+        b.push_back(contact.on_plane() ? -1 - contact.body_b : contact.body_b);
     }
     VtkDocument document("PolyData", {{"NumberOfPoints", points.size()}, {"NumberOfLines", ends.size()}});
     document.section("Points").add("points", points);

@@ -63,7 +63,7 @@ void PenetrationProbe::observe(const World& world, const Contacts& contacts, dou
             continue;
         sum += depth;
         deepest = std::max(deepest, depth);
-        if (contact.kind == ContactKind::vertex_plane)
+        if (contact.on_plane())
             in_plane = std::max(in_plane, depth);
         ++inside;
     }

@@ -88,7 +88,7 @@ std::string misfit(const Contact& contact, const World& world)
     if (contact.kind > ContactKind::edge_edge || contact.category > ContactCategory::hooked ||
         contact.state > ContactState::held)
         return "is of a kind or in a state that there is not";
-    const bool on_plane = contact.kind == ContactKind::vertex_plane;
+    const bool on_plane = contact.on_plane();
     if (!is_place(contact.body_a, world.bodies.size()) ||
         !is_place(contact.body_b, on_plane ? world.planes.size() : world.bodies.size()))
         return "is of a body or plane that the scene does not have";

@@ -151,10 +151,10 @@ TEST_CASE("paraview: a pair is a line from q to p with its forces, depth and lab
         Vec3 between = Vec3::Zero();  // p - q, from the weights alone
         for (int v = 0; v < contact.vertex_count(); ++v)
             between += contact.weights[v] * contact_vertex(sheets.world, contact, v, 1);
-        if (contact.kind == ContactKind::vertex_plane)
+        if (contact.on_plane())
             between = Vec3(0, 0, 0);  // its vertex lies in the plane
         CHECK((vector_at(points, 2 * i + 1) - vector_at(points, 2 * i) - between).norm() < 1e-14);
-        CHECK(std::abs(depths.at(i) - (contact.kind == ContactKind::vertex_plane ? 0 : 0.25)) < 1e-14);
+        CHECK(std::abs(depths.at(i) - (contact.on_plane() ? 0 : 0.25)) < 1e-14);
         CHECK(vector_at(numbers(cells, "normal_force", 3), i) == contact.impulse / 0.5);
         CHECK(vector_at(numbers(cells, "friction_force", 3), i) == contact.friction / 0.5);
         CHECK(vector_at(numbers(cells, "impulse", 3), i) == contact.impulse + contact.friction);
