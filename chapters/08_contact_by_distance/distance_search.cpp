@@ -102,7 +102,7 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
 void DistanceSearch::hand_over(const World& world, Contacts& let_through, double dt)
 {
     std::erase_if(let_through, [&](const Contact& contact) {
-        const bool taken = contact.kind != ContactKind::vertex_plane && takes_over(world, contact, dt);
+        const bool taken = !contact.on_plane() && takes_over(world, contact, dt);
         if (taken)
             nearness_.left_out.bodies.insert(std::minmax(contact.body_a, contact.body_b));
         return taken;
@@ -180,31 +180,12 @@ void DistanceSearch::stand_still(World& world, const Contacts& contacts, Crossin
         bool any = false;
         for (const Contacts* list : {&crossings.brought, &crossings.let_through})
             for (const Contact& contact : *list)
-                for (const int index :
-                     {contact.body_a,
-                      contact.kind == ContactKind::vertex_plane ? contact.body_a : contact.body_b}) {
-                    Body& body = *world.bodies[static_cast<std::size_t>(index)];
-                    if (body.is_static() || standing_.count(index) > 0)
-                        continue;
-                    standing_[index] = state_of(body);
-                    body.stand_still();
-                    any = true;
-                }
+                any = standing_.add(world, contact) || any;
         if (!any)
             return;
         fit_boxes(world);
         crossings = find_crossings(world, *this, nearness_, contacts);
     }
-}
-
-void DistanceSearch::bring_back(World& world)
-{
-    for (const auto& [index, state] : standing_) {
-        Body& body = *world.bodies[static_cast<std::size_t>(index)];
-        restore_state(body, state);
-        body.stop();
-    }
-    standing_.clear();
 }
 
 //! [may_meet]

@@ -2,9 +2,7 @@
 
 #include "chapters/08_contact_by_distance/crossings.hpp"
 #include "chapters/08_contact_by_distance/skin.hpp"
-
-#include <map>
-#include <set>
+#include "chapters/08_contact_by_distance/standing_bodies.hpp"
 
 namespace enduring {
 
@@ -28,8 +26,8 @@ public:
     virtual Contacts find(World& world, double dt);
     /// After an answer: appends pairs for what it lets cross, or tells trouble, or stops what would cross.
     void check(World& world, Contacts& contacts, double dt);
-    /// When the step is the state: what stood still is where it was, at rest.
-    void bring_back(World& world);
+    /// When the step is the state: what stood still is where it was, and moves on as StandingBodies says.
+    void bring_back(World& world) { standing_.move_on(world); }
     //! [distance_search]
 
     const Skins& skins() const { return skins_; }
@@ -66,7 +64,7 @@ private:
     Ends predicted_t1_;  ///< where they end without an answer
     Grounds grounds_;
     double dt_ = 0;
-    std::map<int, std::vector<double>> standing_;  ///< states of bodies that stand still in this step
+    StandingBodies standing_;  ///< in this step
 };
 
 /// The pairs of vertices that touch a plane or lie behind it when the step begins, or would so at its end

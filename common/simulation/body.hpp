@@ -120,9 +120,6 @@ public:
         positions_t1_ = positions_t0_;
         contact_t1_ = contact_t0_;
     }
-    /// Between steps: a rigid body is at rest from now on. A soft one keeps its velocities, by which its
-    /// elements go on.
-    virtual void stop() {}
 
     /// What its own elements do within the step; a rigid body has none.
     virtual InnerForces& inner_forces();

@@ -253,12 +253,14 @@ void RigidBody::visit_state(StateArchive& archive)
     }
 }
 
-void RigidBody::stop()
+void RigidBody::move_with(const Vec3& velocity, const Vec3& angular_velocity)
 {
     RigidMotion::State state = motion_.state();
-    state.velocity.setZero();
-    state.angular_velocity.setZero();
+    state.velocity = velocity;
+    state.angular_velocity = angular_velocity;
     state.spin_momentum.setZero();
+    if (!angular_velocity.isZero(0))
+        state.spin_momentum = motion_.inverse_inertia().inverse() * angular_velocity;
     motion_.take(state);
 }
 

@@ -50,7 +50,10 @@ public:
     {
         return Body::is_driven() || !loads_.empty() || !motion_.free_directions().hold_none();
     }
-    void stop() override;
+    /// Between steps: it moves so from now on. A body that is held has to rest.
+    /// @param velocity          of the centre of mass [m/s]
+    /// @param angular_velocity  in world axes [rad/s]
+    void move_with(const Vec3& velocity, const Vec3& angular_velocity);
     double pressing_force(double dt) const override;
     double driven_work(double /*dt*/) const override
     {

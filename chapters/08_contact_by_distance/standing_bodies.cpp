@@ -1,0 +1,96 @@
+#include "chapters/08_contact_by_distance/standing_bodies.hpp"
+
+#include "chapters/07_implicit_contact/joined_sets.hpp"
+#include "common/simulation/rigid_body.hpp"
+#include "common/simulation/whole_motion.hpp"
+
+#include <Eigen/Cholesky>
+
+namespace enduring {
+namespace {
+
+/// One of the bodies that move on as one.
+struct Member {
+    Body* body;
+    WholeMotion stood;    ///< when the part began
+    Vec3 momentum, spin;  ///< of the answer [kg m/s]; about its own centre [kg m^2/s]
+};
+
+//! [move_as_one]
+void move_as_one(const std::vector<Member>& members)
+{
+    double mass = 0;
+    Vec3 centre = Vec3::Zero(), momentum = Vec3::Zero();
+    for (const Member& member : members) {
+        mass += member.stood.mass;
+        centre += member.stood.mass * member.stood.centre;
+        momentum += member.momentum;
+    }
+    centre /= mass;
+
+    Vec3 spin = Vec3::Zero();
+    Mat3 inertia = Mat3::Zero();
+    for (const Member& member : members) {
+        const Vec3 lever = member.stood.centre - centre;
+        spin += member.spin + lever.cross(member.momentum);
+        inertia += member.stood.inertia +
+                   member.stood.mass * (lever.squaredNorm() * Mat3::Identity() - lever * lever.transpose());
+    }
+    const Vec3 turn = inertia.llt().solve(spin);
+    for (const Member& member : members)
+        move_as_a_whole(*member.body, momentum / mass + turn.cross(member.stood.centre - centre), turn);
+}
+//! [move_as_one]
+
+}  // namespace
+
+bool StandingBodies::add(World& world, const Contact& contact)
+{
+    const int b = contact.on_plane() ? -1 : contact.body_b;
+    crossing_.emplace_back(contact.body_a, b);
+    bool any = false;
+    for (const int index : {contact.body_a, b}) {
+        if (index < 0 || world.bodies[static_cast<std::size_t>(index)]->is_static() ||
+            states_.count(index) > 0)
+            continue;
+        Body& body = *world.bodies[static_cast<std::size_t>(index)];
+        states_[index] = state_of(body);
+        body.stand_still();
+        any = true;
+    }
+    return any;
+}
+
+void StandingBodies::move_on(World& world)
+{
+    const auto is_free = [&](int body) {
+        return body >= 0 && whole_motion(*world.bodies[static_cast<std::size_t>(body)]).has_value();
+    };
+    const int fixed = static_cast<int>(world.bodies.size());  // all that is held or given counts as one body
+    JoinedSets sets(world.bodies.size() + 1);
+    for (const auto& [a, b] : crossing_)
+        sets.join(is_free(a) ? a : fixed, is_free(b) ? b : fixed);
+
+    std::map<int, std::vector<Member>> groups;
+    for (const auto& [index, state] : states_) {
+        Body& body = *world.bodies[static_cast<std::size_t>(index)];
+        const std::optional<WholeMotion> answer = whole_motion(body);
+        restore_state(body, state);
+        if (answer && sets.least_of(index) != sets.least_of(fixed))
+            groups[sets.least_of(index)].push_back(
+                {&body, whole_motion(body).value(), answer->momentum, answer->spin});
+        else if (auto* const rigid = dynamic_cast<RigidBody*>(&body))
+            rigid->move_with(Vec3::Zero(), Vec3::Zero());
+    }
+    for (const auto& [least, members] : groups)
+        move_as_one(members);
+    clear();
+}
+
+void StandingBodies::clear()
+{
+    states_.clear();
+    crossing_.clear();
+}
+
+}  // namespace enduring
