@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/scenes/scene.hpp"
 #include "common/simulation/contact_geometry.hpp"
@@ -56,13 +57,6 @@ struct RideRecord {
     double turned = 0;                     ///< the load against the ground, after the first turn [rad]
 };
 
-inline SurfaceMesh placed(SurfaceMesh mesh, const Mat3& rotation, const Vec3& shift)
-{
-    for (Vec3& x : mesh.vertices)
-        x = rotation * x + shift;
-    return mesh;
-}
-
 inline SurfaceMesh merged(SurfaceMesh one, const SurfaceMesh& other)
 {
     const int first = static_cast<int>(one.vertices.size());
@@ -81,11 +75,10 @@ inline Mat3 turned_about(const Vec3& axis, double angle)
 inline SurfaceMesh load_mesh(Load load)
 {
     if (load == Load::block)
-        return placed(box({0.24, 0.1, 0.2}), Mat3::Identity(), {0, 0.05, 0});
+        return moved(box({0.24, 0.1, 0.2}), {0, 0.05, 0});
     const Mat3 on_edge = turned_about(Vec3::UnitZ(), std::numbers::pi / 4);
     const SurfaceMesh ridge = placed(box({0.08, 0.08, 0.6}), on_edge, {0, 0.04 * std::numbers::sqrt2, 0});
-    return merged(placed(ridge, Mat3::Identity(), {-0.12, 0, 0}),
-                  placed(ridge, Mat3::Identity(), {0.12, 0, 0}));
+    return merged(moved(ridge, {-0.12, 0, 0}), moved(ridge, {0.12, 0, 0}));
 }
 
 inline SurfaceMesh ground_mesh(const Ride& ride)
@@ -93,7 +86,7 @@ inline SurfaceMesh ground_mesh(const Ride& ride)
     const double width = ride.load == Load::grate && ride.ground != Ground::soft_slab ? 0.3 : 0.7;
     const Vec3 middle = ride.ground == Ground::wheel ? Vec3(0, -1.05, 0) : Vec3(1, -0.05, 0);
     const int cells = ride.ground == Ground::soft_slab ? 1 : 5;
-    return placed(box({0.7, 0.1, width}, {cells, 1, cells}), Mat3::Identity(), middle);
+    return moved(box({0.7, 0.1, width}, {cells, 1, cells}), middle);
 }
 
 inline std::unique_ptr<Body> soft_slab(const Ride& ride, double top)

@@ -1,6 +1,7 @@
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
@@ -25,13 +26,8 @@ void add_static(Scene& scene, const std::string& name, const SurfaceMesh& mesh)
         name, SurfaceTopology(static_cast<int>(mesh.vertices.size()), mesh.faces), mesh.vertices));
 }
 
-SurfaceMesh placed(SurfaceMesh mesh, const Vec3& at, double turn_deg = 0)
-{
-    const Eigen::AngleAxisd turn(turn_deg * pi / 180, Vec3::UnitY());
-    for (Vec3& vertex : mesh.vertices)
-        vertex = at + turn * vertex;
-    return mesh;
-}
+/// About the vertical.
+Eigen::AngleAxisd turn_by(double degrees) { return {degrees * pi / 180, Vec3::UnitY()}; }
 
 double half_width(double angle_deg) { return std::tan(0.5 * angle_deg * pi / 180); }
 
@@ -122,7 +118,7 @@ Scene tip_in_crack(Tip tip, double tip_deg, double crack_deg, double dt)
     const double half = half_width(crack_deg);
     add_static(scene, "crack",
                prism({{0, 0}, {-half, 1}, {-1, 1}, {-1, -0.3}, {1, -0.3}, {1, 1}, {half, 1}}, 2));
-    add_rigid(scene, "tip", placed(tip_mesh(tip, tip_deg), Vec3(0.02, 1, 0.03), 10), 10);
+    add_rigid(scene, "tip", placed(tip_mesh(tip, tip_deg), turn_by(10), {0.02, 1, 0.03}), 10);
     return scene;
 }
 
@@ -130,7 +126,7 @@ Scene wedge_on_edge(double dt)
 {
     Scene scene = scene_of({}, dt);
     add_static(scene, "edge", prism({{0, 1}, {-0.3, 0}, {0.3, 0}}, 1));
-    add_rigid(scene, "wedge", placed(tip_mesh(Tip::wedge, 33), Vec3(0.05, 1.001, 0.03), 80), 10);
+    add_rigid(scene, "wedge", placed(tip_mesh(Tip::wedge, 33), turn_by(80), {0.05, 1.001, 0.03}), 10);
     return scene;
 }
 

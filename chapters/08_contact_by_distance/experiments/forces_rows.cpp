@@ -73,20 +73,6 @@ Vec3 lowest(const SurfaceMesh& mesh)
                              [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
 }
 
-SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
-{
-    for (Vec3& vertex : mesh.vertices)
-        vertex += by;
-    return mesh;
-}
-
-SurfaceMesh turned(SurfaceMesh mesh, const Quaternion& by)
-{
-    for (Vec3& vertex : mesh.vertices)
-        vertex = by * vertex;
-    return mesh;
-}
-
 SurfaceMesh together(SurfaceMesh one, const SurfaceMesh& other)
 {
     const int before = static_cast<int>(one.vertices.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/geometry/meshes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/scenes/scene.hpp"
 #include "common/simulation/rigid_body.hpp"
 
@@ -45,8 +45,6 @@ void add_static(Scene& scene, const std::string& name, const SurfaceMesh& mesh);
 /// Random, and the same on each machine.
 Quaternion random_turn(std::mt19937& random);
 
-SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by);
-SurfaceMesh turned(SurfaceMesh mesh, const Quaternion& by);
 /// The first of its lowest vertices.
 Vec3 lowest(const SurfaceMesh& mesh);
 /// Both as one surface of several parts.

@@ -3,6 +3,7 @@
 #include "chapters/08_contact_by_distance/experiments/gaps.hpp"
 #include "chapters/08_contact_by_distance/experiments/gears.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/polygon_triangles.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
@@ -44,13 +45,6 @@ SurfaceMesh comb(double tooth)
     }
     return surface_from_polygons(vertices, polygons,
                                  [](long, const std::string& reason) { throw std::logic_error(reason); });
-}
-
-SurfaceMesh placed(SurfaceMesh mesh, const Vec3& by, const Quaternion& turn = Quaternion::Identity())
-{
-    for (Vec3& x : mesh.vertices)
-        x = turn * x + by;
-    return mesh;
 }
 
 void add(Scene& scene, const std::string& name, const SurfaceMesh& mesh, bool held,
@@ -114,7 +108,7 @@ Scene scene_of(const Combs& combs)
     const SurfaceMesh lower = comb(0.5 * pitch - combs.play);
     // upside down: its teeth hang between those of the lower one, half a pitch beside them
     const Quaternion turn(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitZ()));
-    const SurfaceMesh upper = placed(lower, Vec3((teeth + 0.5) * pitch, tall + combs.rise, 0), turn);
+    const SurfaceMesh upper = placed(lower, turn, {(teeth + 0.5) * pitch, tall + combs.rise, 0});
     add(scene, "lower", lower, combs.lower_held);
     add(scene, "upper", upper, false, combs.velocity);
     return scene;
@@ -124,8 +118,8 @@ Scene plates_apart(double gap, double dt)
 {
     Scene scene = empty_scene(dt);
     const Quaternion lean(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
-    add(scene, "lower", placed(box({0.1, 0.02, 0.1}), lean * Vec3(0, -0.01, 0), lean), false);
-    add(scene, "upper", placed(box({0.1, 0.02, 0.1}), lean * Vec3(0, 0.01 + gap, 0), lean), false);
+    add(scene, "lower", placed(box({0.1, 0.02, 0.1}), lean, lean * Vec3(0, -0.01, 0)), false);
+    add(scene, "upper", placed(box({0.1, 0.02, 0.1}), lean, lean * Vec3(0, 0.01 + gap, 0)), false);
     return scene;
 }
 
@@ -146,7 +140,7 @@ Scene links_apart(double play, double dt)
     for (int i = 0; i < 5; ++i) {
         const Quaternion turn(Eigen::AngleAxisd(i % 2 * std::numbers::pi / 2, Vec3::UnitX()));
         add(scene, "link " + std::to_string(i + 1),
-            placed(chain_link(hole), Vec3(i * (2 * hole - play), 0, 0), turn), false);
+            placed(chain_link(hole), turn, {i * (2 * hole - play), 0, 0}), false);
     }
     return scene;
 }
@@ -158,7 +152,7 @@ Scene paper_apart(double gap, double dt)
     const Quaternion lean(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
     for (int i = 0; i < 6; ++i)
         add(scene, "sheet " + std::to_string(i + 1),
-            placed(box({0.21, thickness, 0.297}, {2, 1, 3}), lean * Vec3(0, i * (thickness + gap), 0), lean),
+            placed(box({0.21, thickness, 0.297}, {2, 1, 3}), lean, lean * Vec3(0, i * (thickness + gap), 0)),
             false);
     return scene;
 }
@@ -185,8 +179,7 @@ Scene gears_apart(double play, double dt)
         Eigen::AngleAxisd(std::numbers::pi + std::numbers::pi / second.teeth, Vec3::UnitZ()));
     add(scene, "small", flat_ended(gear(first)), false);
     add(scene, "large",
-        placed(flat_ended(gear(second)), Vec3(first.pitch_radius() + second.pitch_radius(), 0, 0), turn),
-        false);
+        placed(flat_ended(gear(second)), turn, {first.pitch_radius() + second.pitch_radius(), 0, 0}), false);
     return scene;
 }
 

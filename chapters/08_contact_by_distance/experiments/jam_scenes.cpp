@@ -4,6 +4,7 @@
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "chapters/08_contact_by_distance/experiments/shapes.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/simulation/rigid_body.hpp"
 
 #include <Eigen/Geometry>
@@ -43,13 +44,6 @@ void add_body(Scene& scene, const SurfaceMesh& mesh, double mass, const Vec3& ve
         std::make_unique<RigidBody>(name, mesh, with_mass(mass_properties(mesh, 1000), mass), velocity));
 }
 
-SurfaceMesh placed(SurfaceMesh mesh, const Eigen::Quaterniond& turn, const Vec3& at)
-{
-    for (Vec3& vertex : mesh.vertices)
-        vertex = at + turn * vertex;
-    return mesh;
-}
-
 Eigen::Quaterniond small_turn(Numbers& numbers, double most_deg)
 {
     const double angle = numbers.within(-most_deg, most_deg) * std::numbers::pi / 180;
@@ -80,7 +74,7 @@ Scene wedge_scene(const JamPlan& plan, Numbers& numbers)
     const Vec3 at(numbers.within(-0.05, 0.05), 0, 0);
     const SurfaceMesh cube = placed(box(Vec3::Ones()), small_turn(numbers, 10), at);
     const double lift = lift_onto(scene.world.planes, cube);
-    add_body(scene, placed(cube, {1, 0, 0, 0}, five_steps_above(plan, lift)), 10, plan.velocity);
+    add_body(scene, moved(cube, five_steps_above(plan, lift)), 10, plan.velocity);
     return scene;
 }
 
@@ -104,7 +98,7 @@ Scene trough_scene(const JamPlan& plan, Numbers& numbers)
     double right = 0;
     for (int i = 0; i < count; ++i) {
         const Vec3 size(numbers.within(0.3, 0.6), numbers.within(0.45, 0.5), numbers.within(0.4, 0.8));
-        add_body(scene, placed(box(size), {1, 0, 0, 0}, Vec3(right + size.x() / 2, size.y() / 2 + gap, 0)),
+        add_body(scene, moved(box(size), Vec3(right + size.x() / 2, size.y() / 2 + gap, 0)),
                  numbers.within(1, 10));
         right += size.x() + gap;
     }
@@ -131,8 +125,7 @@ Scene funnel_scene(const JamPlan& plan, Numbers& numbers)
             [](const Vec3& one, const Vec3& other) { return one.y() < other.y(); });
         const double lift = std::max(lift_onto(scene.world.planes, mesh), above + 0.01 - low->y());
         above = high->y() + lift;
-        add_body(scene, placed(mesh, {1, 0, 0, 0}, five_steps_above(plan, lift)), numbers.within(1, 10),
-                 plan.velocity);
+        add_body(scene, moved(mesh, five_steps_above(plan, lift)), numbers.within(1, 10), plan.velocity);
     }
     return scene;
 }

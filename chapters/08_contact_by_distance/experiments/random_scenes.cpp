@@ -4,6 +4,7 @@
 #include "chapters/08_contact_by_distance/solver.hpp"
 #include "common/geometry/box_shapes.hpp"
 #include "common/geometry/closest_points.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/geometry/winding_number.hpp"
@@ -31,13 +32,6 @@ public:
 private:
     std::mt19937 engine_;
 };
-
-SurfaceMesh placed(SurfaceMesh mesh, const Vec3& at, const Quaternion& turn)
-{
-    for (Vec3& vertex : mesh.vertices)
-        vertex = turn * vertex + at;
-    return mesh;
-}
 
 SurfaceMesh shape_of(unsigned kind, double size)
 {
@@ -76,8 +70,7 @@ Scene random_scene(unsigned seed)
     scene.contact.friction = MassSplitting{.mu_s = 0.5, .mu_d = 0.4};
     scene.world.gravity = seed % 4 == 3 ? Vec3::Zero() : Vec3(0, -9.81 * std::min(1.0, size / scene.dt), 0);
     if (seed % 3 != 2) {
-        const SurfaceMesh floor = placed(box(size * Vec3(6, 1, 6), {3, 1, 3}), {0, -0.5 * size, 0},
-                                         Quaternion::Identity());
+        const SurfaceMesh floor = moved(box(size * Vec3(6, 1, 6), {3, 1, 3}), {0, -0.5 * size, 0});
         scene.world.bodies.push_back(std::make_unique<StaticBody>(
             "floor", SurfaceTopology(static_cast<int>(floor.vertices.size()), floor.faces), floor.vertices));
     }
@@ -95,7 +88,7 @@ Scene random_scene(unsigned seed)
                 name, bar(Vec3::Constant(0.8 * size), {2, 2, 2}), soft_settings(size, speed, at, velocity)));
             continue;
         }
-        const SurfaceMesh mesh = placed(shape_of(kind, size), at, turn);
+        const SurfaceMesh mesh = placed(shape_of(kind, size), turn, at);
         scene.world.bodies.push_back(
             std::make_unique<RigidBody>(name, mesh, mass_properties(mesh, 1000), velocity, spin));
     }

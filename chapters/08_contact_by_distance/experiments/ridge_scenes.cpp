@@ -2,6 +2,7 @@
 
 #include "chapters/07_implicit_contact/experiments/rest_scenes.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 #include "common/simulation/static_body.hpp"
@@ -14,28 +15,18 @@ namespace {
 
 constexpr double drop = 0.01;  ///< [m]
 
-Eigen::AngleAxisd turned(double degrees, const Vec3& axis)
+Eigen::AngleAxisd turn_by(double degrees, const Vec3& axis)
 {
     return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis);
 }
 
-SurfaceMesh moved(SurfaceMesh mesh, const Mat3& turn, const Vec3& by)
-{
-    for (Vec3& vertex : mesh.vertices)
-        vertex = turn * vertex + by;
-    return mesh;
-}
-
 /// A roof 0.2 m high; its ridge lies on the z-axis.
-SurfaceMesh roof()
-{
-    return moved(chapter07::prism({{0, 0.2}, {-0.15, 0}, {0.15, 0}}, 0.6), Mat3::Identity(), {0, -0.2, 0});
-}
+SurfaceMesh roof() { return moved(chapter07::prism({{0, 0.2}, {-0.15, 0}, {0.15, 0}}, 0.6), {0, -0.2, 0}); }
 /// The edge of a cube of 0.4 m on the z-axis, the cube below.
 SurfaceMesh cube_edge_up()
 {
-    return moved(box(Vec3::Constant(0.4)), turned(45, Vec3::UnitZ()).toRotationMatrix(),
-                 {0, -0.2 * std::numbers::sqrt2, 0});
+    return placed(box(Vec3::Constant(0.4)), turn_by(45, Vec3::UnitZ()).toRotationMatrix(),
+                  {0, -0.2 * std::numbers::sqrt2, 0});
 }
 /// A tetrahedron with its corner up in the origin.
 SurfaceMesh corner_up()
@@ -44,14 +35,14 @@ SurfaceMesh corner_up()
     double top = 0;
     for (const Vec3& vertex : mesh.vertices)
         top = std::max(top, vertex.y());
-    return moved(mesh, Mat3::Identity(), {0, -top, 0});
+    return moved(mesh, {0, -top, 0});
 }
 
 /// Upside down, and above by what it falls.
 SurfaceMesh turned_over(const SurfaceMesh& mesh, double turn_deg, double aside)
 {
-    return moved(mesh, (turned(turn_deg, Vec3::UnitY()) * turned(180, Vec3::UnitZ())).toRotationMatrix(),
-                 {aside, drop, 0});
+    return placed(mesh, (turn_by(turn_deg, Vec3::UnitY()) * turn_by(180, Vec3::UnitZ())).toRotationMatrix(),
+                  {aside, drop, 0});
 }
 
 SurfaceMesh held_of(const RidgePlan& plan)
@@ -61,7 +52,7 @@ SurfaceMesh held_of(const RidgePlan& plan)
         case RidgePlan::Kind::box_edges: return cube_edge_up();
         case RidgePlan::Kind::tetrahedron:
             if (plan.which == 0)
-                return moved(box({0.6, 0.2, 0.6}), Mat3::Identity(), {0, -0.1, 0});
+                return moved(box({0.6, 0.2, 0.6}), {0, -0.1, 0});
             return plan.which == 1 ? roof() : corner_up();
         default: return plane_grid(1, 1, {1, 1});
     }
@@ -74,8 +65,8 @@ SurfaceMesh falling_of(const RidgePlan& plan)
         case RidgePlan::Kind::box_edges: return turned_over(cube_edge_up(), plan.which, plan.aside);
         case RidgePlan::Kind::tetrahedron: return turned_over(corner_up(), 10, plan.aside);
         default:
-            return moved(box({0.3, 0.2, 0.25}), turned(7, Vec3::UnitY()).toRotationMatrix(),
-                         {0.5 + plan.aside, 0.1 + drop, 0.05});
+            return placed(box({0.3, 0.2, 0.25}), turn_by(7, Vec3::UnitY()).toRotationMatrix(),
+                          {0.5 + plan.aside, 0.1 + drop, 0.05});
     }
 }
 

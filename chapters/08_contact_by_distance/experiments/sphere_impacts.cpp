@@ -3,6 +3,7 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/08_contact_by_distance/experiments/formula_runs.hpp"
 #include "chapters/08_contact_by_distance/solver.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/rigid_body.hpp"
 
@@ -25,18 +26,11 @@ RoundBall round_ball(double radius)
     return {mass, 0.4 * mass * radius * radius};
 }
 
-void turn_mesh(SurfaceMesh& mesh, const Quaternion& turn)
-{
-    for (Vec3& vertex : mesh.vertices)
-        vertex = turn * vertex;
-}
-
 /// With a vertex at the bottom.
 SurfaceMesh ball_on_vertex(double radius, int subdivisions)
 {
-    SurfaceMesh mesh = sphere(radius, subdivisions);
-    turn_mesh(mesh, Quaternion::FromTwoVectors(mesh.vertices.front(), -Vec3::UnitY()));
-    return mesh;
+    const SurfaceMesh mesh = sphere(radius, subdivisions);
+    return turned(mesh, Quaternion::FromTwoVectors(mesh.vertices.front(), -Vec3::UnitY()));
 }
 
 Vec3 area_vector(const SurfaceMesh& mesh, const Face& face)
@@ -48,13 +42,12 @@ Vec3 area_vector(const SurfaceMesh& mesh, const Face& face)
 /// With the largest face on top: it is equilateral, in the middle of a face of the icosahedron.
 SurfaceMesh ball_under_face(double radius, int subdivisions)
 {
-    SurfaceMesh mesh = sphere(radius, subdivisions);
+    const SurfaceMesh mesh = sphere(radius, subdivisions);
     const Face largest = *std::max_element(
         mesh.faces.begin(), mesh.faces.end(), [&](const Face& a, const Face& b) {
             return area_vector(mesh, a).norm() < area_vector(mesh, b).norm() * (1 - 1e-9);
         });
-    turn_mesh(mesh, Quaternion::FromTwoVectors(area_vector(mesh, largest), Vec3::UnitY()));
-    return mesh;
+    return turned(mesh, Quaternion::FromTwoVectors(area_vector(mesh, largest), Vec3::UnitY()));
 }
 
 /// Moves it so that its lowest or highest point is at a height.
@@ -82,7 +75,7 @@ Scene scene_of(const SphereImpact& impact)
     scene.world.restitution.between = {impact.restitution};
     SurfaceMesh mesh = ball_on_vertex(sphere_radius, impact.subdivisions);
     if (impact.askew)
-        turn_mesh(mesh, Quaternion(Eigen::AngleAxisd(0.3, Vec3(1, 0, 2).normalized())));
+        mesh = turned(mesh, Quaternion(Eigen::AngleAxisd(0.3, Vec3(1, 0, 2).normalized())));
     shift_to(mesh, true, impact.gap);
     add_ball(scene, "ball", mesh, sphere_radius, Vec3(impact.along, -impact.normal_speed, 0), impact.spin);
     if (impact.other_radius > 0) {

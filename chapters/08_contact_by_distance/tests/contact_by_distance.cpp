@@ -1,4 +1,5 @@
 #include "chapters/08_contact_by_distance/tests/small_world.hpp"
+#include "common/geometry/moved_mesh.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,9 +15,9 @@ TEST_CASE("contact by distance: two boxes 0.4 mm apart that fall together feel n
         CAPTURE(dt);
         World world;
         const Quaternion turn(Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()));
-        add_rigid(world, moved(box({0.1, 0.1, 0.1}), turn * Vec3(0, 0, 0), turn));
+        add_rigid(world, placed(box({0.1, 0.1, 0.1}), turn, turn * Vec3(0, 0, 0)));
         const RigidBody& upper = add_rigid(world,
-                                           moved(box({0.1, 0.1, 0.1}), turn * Vec3(0, 0.1004, 0), turn));
+                                           placed(box({0.1, 0.1, 0.1}), turn, turn * Vec3(0, 0.1004, 0)));
         const double start = upper.motion().centre().y();
         const Run run(world, 10, dt);
         CHECK(run.pushed == 0);
@@ -82,8 +83,9 @@ TEST_CASE(
     World world;
     add_static(world, moved(box({4, 1, 4}, {4, 1, 4}), {0, -0.5, 0}));
     for (int i = 0; i < 4; ++i)
-        add_rigid(world, moved(box({0.4, 0.4, 0.4}), {0.1 * (i % 2), 0.4 + 0.7 * i, 0.07 * i},
-                               Quaternion(Eigen::AngleAxisd(0.5 * i, Vec3(1, i, 2).normalized()))));
+        add_rigid(world, placed(box({0.4, 0.4, 0.4}),
+                                Quaternion(Eigen::AngleAxisd(0.5 * i, Vec3(1, i, 2).normalized())),
+                                {0.1 * (i % 2), 0.4 + 0.7 * i, 0.07 * i}));
     const double before = total_energy(world).total();
     const Run run(world, 100, 0.01);
     CHECK(run.crossed == 0);

@@ -2,11 +2,12 @@
 
 #include "chapters/05_categorisation/normal_span.hpp"
 #include "chapters/06_redefinition/pair_projection.hpp"
-#include "common/geometry/meshes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 namespace enduring::chapter08 {
 
@@ -72,8 +73,8 @@ inline SurfaceMesh placed(SurfaceMesh mesh, double scale, const Quaternion& turn
                           const Vec3& place = Vec3::Zero())
 {
     for (Vec3& x : mesh.vertices)
-        x = turn * (scale * x) + place;
-    return mesh;
+        x *= scale;
+    return placed(std::move(mesh), turn, place);
 }
 
 /// A pair of a vertex with a face of another body, at the face's centre.

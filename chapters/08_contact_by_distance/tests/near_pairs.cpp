@@ -1,5 +1,6 @@
 #include "chapters/08_contact_by_distance/near_pairs.hpp"
 #include "chapters/08_contact_by_distance/tests/small_world.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/simulation/contact_geometry.hpp"
 
 #include <doctest/doctest.h>
@@ -62,10 +63,10 @@ TEST_CASE("near pairs: the nearest of all pairs is as far as two surfaces are fr
     for (int i = 0; i < 20; ++i) {
         World world;
         const Vec3 axis(std::sin(i), std::cos(3 * i), 0.3);
-        add_rigid(world, moved(box({1, 1, 1}), {0, 0, 0},
-                               Quaternion(Eigen::AngleAxisd(0.7 * i, axis.normalized()))));
-        add_rigid(world, moved(sphere(0.3, 1), {0.5 + 0.5 * std::cos(i), 0.9 * std::sin(2 * i), 0.9},
-                               Quaternion(Eigen::AngleAxisd(i, Vec3::UnitY()))));
+        add_rigid(world, placed(box({1, 1, 1}), Quaternion(Eigen::AngleAxisd(0.7 * i, axis.normalized())),
+                                {0, 0, 0}));
+        add_rigid(world, placed(sphere(0.3, 1), Quaternion(Eigen::AngleAxisd(i, Vec3::UnitY())),
+                                {0.5 + 0.5 * std::cos(i), 0.9 * std::sin(2 * i), 0.9}));
         if (any_inside(world))
             continue;
         const Contacts pairs = near_pairs(world, 1);
@@ -87,8 +88,9 @@ TEST_CASE("near pairs: what is flat is flat: no vertex and no edge inside a flat
     for (const double shift : {0.0, 0.013}) {
         World world;
         add_static(world, box({2, 1, 2}, {4, 1, 4}));
-        add_rigid(world, moved(sphere(0.3, 2), {shift, 0.805, shift},
-                               Quaternion(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()))));
+        add_rigid(world,
+                  placed(sphere(0.3, 2), Quaternion(Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized())),
+                         {shift, 0.805, shift}));
         const Contacts pairs = near_pairs(world, 0.05);
         CHECK(!pairs.empty());
         for (const Contact& pair : pairs) {

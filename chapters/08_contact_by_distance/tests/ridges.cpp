@@ -3,6 +3,7 @@
 #include "chapters/08_contact_by_distance/solver.hpp"
 #include "chapters/08_contact_by_distance/tests/moving_surface.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/simulation/rigid_body.hpp"
 
 #include <doctest/doctest.h>
@@ -51,7 +52,7 @@ World leaning_cards()
         const Quaternion turn(Eigen::AngleAxisd(side * lean, Vec3::UnitZ()));
         const double half_width = 0.5 * (height * std::sin(lean) + thickness * std::cos(lean)),
                      half_height = 0.5 * (height * std::cos(lean) + thickness * std::sin(lean));
-        const SurfaceMesh card = placed(box({thickness, height, 0.2}), 1, turn,
+        const SurfaceMesh card = placed(box({thickness, height, 0.2}), turn,
                                         Vec3(side * (half_width + 0.5 * gap), half_height + 1e-4, 0));
         world.bodies.push_back(
             std::make_unique<RigidBody>("card", card, mass_properties(card, 700), Vec3::Zero()));

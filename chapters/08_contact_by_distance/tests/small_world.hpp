@@ -12,13 +12,6 @@
 
 namespace enduring::distance_tests {
 
-inline SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by, const Quaternion& turn = Quaternion::Identity())
-{
-    for (Vec3& vertex : mesh.vertices)
-        vertex = turn * vertex + by;
-    return mesh;
-}
-
 inline void add_static(World& world, const SurfaceMesh& mesh)
 {
     world.bodies.push_back(std::make_unique<StaticBody>(

@@ -3,6 +3,7 @@
 #include "chapters/07_implicit_contact/experiments/pile.hpp"
 #include "chapters/08_contact_by_distance/tests/moving_surface.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/energy.hpp"
@@ -49,7 +50,7 @@ World row_of_balls(const std::vector<double>& masses, double size, double gap, d
     const Vec3 normal =
         (ball.vertices[static_cast<std::size_t>(q)] - ball.vertices[static_cast<std::size_t>(p)])
             .cross(ball.vertices[static_cast<std::size_t>(r)] - ball.vertices[static_cast<std::size_t>(p)]);
-    ball = placed(ball, 1, Quaternion::FromTwoVectors(normal, Vec3::UnitX()));
+    ball = turned(ball, Quaternion::FromTwoVectors(normal, Vec3::UnitX()));
     double thick = 0;
     for (const Vec3& x : ball.vertices)
         thick = std::max(thick, 2 * x.x());

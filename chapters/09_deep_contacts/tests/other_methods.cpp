@@ -1,7 +1,7 @@
 #include "chapters/09_deep_contacts/experiments/other_methods.hpp"
 #include "chapters/09_deep_contacts/experiments/random_overlaps.hpp"
-#include "chapters/09_deep_contacts/tests/moved.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 
 #include <doctest/doctest.h>
 

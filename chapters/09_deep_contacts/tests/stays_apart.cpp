@@ -1,6 +1,7 @@
 #include "chapters/08_contact_by_distance/tests/small_world.hpp"
 #include "chapters/09_deep_contacts/inside_pairs.hpp"
 #include "chapters/09_deep_contacts/solver.hpp"
+#include "common/geometry/moved_mesh.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +10,6 @@
 
 using namespace enduring;
 using distance_tests::add_static;
-using distance_tests::moved;
 
 namespace {
 
@@ -72,7 +72,7 @@ TEST_CASE(
         add_static(world, moved(ring(), {0, 2, 0}));
         for (int i = 1; i < 6; ++i)
             add_with_mass(
-                world, moved(ring(), {0.144 * i, 2, 0}, i % 2 > 0 ? upright : Quaternion::Identity()), 0.3);
+                world, placed(ring(), i % 2 > 0 ? upright : Quaternion::Identity(), {0.144 * i, 2, 0}), 0.3);
         CAPTURE(dt);
         CHECK(overlapping_steps(world, solver_with(0.3), static_cast<int>(1 / dt), dt) == 0);
     }
@@ -108,9 +108,9 @@ TEST_CASE(
     // a plank that leans with one end in the ground, and falls onto it with the other one
     World world;
     add_static(world, moved(box({4, 1, 4}), {0, -0.5, 0}));
-    add_with_mass(world,
-                  moved(box({2, 0.1, 0.4}), {0, 0.238, 0}, Quaternion(Eigen::AngleAxisd(0.2, Vec3::UnitZ()))),
-                  20);
+    add_with_mass(
+        world, placed(box({2, 0.1, 0.4}), Quaternion(Eigen::AngleAxisd(0.2, Vec3::UnitZ())), {0, 0.238, 0}),
+        20);
     InsidePairs inside;
     inside.trace(world);
     const LeftOut left_out = inside.left_out([](int, int) { return 1e-4; });

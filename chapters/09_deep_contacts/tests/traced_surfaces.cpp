@@ -1,8 +1,8 @@
 #include "chapters/09_deep_contacts/experiments/overlap_shape.hpp"
 #include "chapters/09_deep_contacts/overlaps.hpp"
 #include "chapters/09_deep_contacts/piercing.hpp"
-#include "chapters/09_deep_contacts/tests/moved.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,13 +14,6 @@
 using namespace enduring;
 
 namespace {
-
-SurfaceMesh turned(SurfaceMesh mesh, const Mat3& turn)
-{
-    for (Vec3& x : mesh.vertices)
-        x = turn * x;
-    return mesh;
-}
 
 /// Two boxes of 1 m, one over the other, with a gap between them, as one surface.
 SurfaceMesh two_floors()

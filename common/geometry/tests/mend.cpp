@@ -1,5 +1,6 @@
 #include "common/geometry/mend.hpp"
 #include "common/geometry/box_shapes.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/round_shapes.hpp"
 #include "common/geometry/tests/complaint.hpp"
 
@@ -10,13 +11,6 @@
 using namespace enduring;
 
 namespace {
-
-SurfaceMesh moved(SurfaceMesh mesh, const Vec3& by)
-{
-    for (Vec3& x : mesh.vertices)
-        x += by;
-    return mesh;
-}
 
 /// Both in one mesh, with one vertex for those at the same place.
 SurfaceMesh together(const SurfaceMesh& one, const SurfaceMesh& other)

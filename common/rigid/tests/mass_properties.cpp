@@ -1,4 +1,5 @@
 #include "common/rigid/mass_properties.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/input/input_error.hpp"
 
 #include <doctest/doctest.h>
@@ -17,13 +18,6 @@ SurfaceMesh box_from(const Vec3& low, const Vec3& high)
                                  corner & 4 ? high.z() : low.z()});
     mesh.faces = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
                   {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
-    return mesh;
-}
-
-SurfaceMesh moved(SurfaceMesh mesh, const Mat3& rotation, const Vec3& offset)
-{
-    for (Vec3& vertex : mesh.vertices)
-        vertex = rotation * vertex + offset;
     return mesh;
 }
 
@@ -64,7 +58,7 @@ TEST_CASE("mass properties: a tetrahedron at the origin has the moments of its o
 TEST_CASE("mass properties: turning and moving a mesh turns the tensor and moves the centre, even far away")
 {
     const Vec3 size(0.4, 0.2, 0.1), far(1e6, -2e6, 3e5);
-    const MassProperties p = mass_properties(moved(box_from(-size / 2, size / 2), skewed, far),
+    const MassProperties p = mass_properties(placed(box_from(-size / 2, size / 2), skewed, far),
                                              1 / size.prod());
     CHECK((p.centre - far).norm() <= 1e-9);
     const Mat3 expected = skewed * box_inertia(size) * skewed.transpose();
