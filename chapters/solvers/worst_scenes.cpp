@@ -54,23 +54,13 @@ void add_spheres(Scene& scene, int count, double height)
     }
 }
 
-/// A ring around x, or around z where it stands upright.
+/// A ring around y, or around z where it stands upright.
 SurfaceMesh ring(double radius, double thickness, bool upright)
 {
-    constexpr int around = 16, along = 8;
-    SurfaceMesh mesh;
-    for (int i = 0; i < around; ++i)
-        for (int j = 0; j < along; ++j) {
-            const double a = 2 * std::numbers::pi * i / around, b = 2 * std::numbers::pi * j / along,
-                         from_axis = radius + thickness / 2 * std::cos(b),
-                         beside = thickness / 2 * std::sin(b);
-            const double first = from_axis * std::cos(a), second = from_axis * std::sin(a);
-            mesh.vertices.push_back(upright ? Vec3(first, second, beside) : Vec3(first, -beside, second));
-            const int next_i = (i + 1) % around, next_j = (j + 1) % along, here = along * i + j,
-                      ahead = along * next_i + j, up = along * i + next_j, both = along * next_i + next_j;
-            mesh.faces.push_back({here, ahead, both});
-            mesh.faces.push_back({here, both, up});
-        }
+    SurfaceMesh mesh = torus(radius, thickness / 2);
+    if (upright)
+        for (Vec3& vertex : mesh.vertices)
+            vertex = Vec3(vertex.x(), vertex.z(), -vertex.y());
     return mesh;
 }
 

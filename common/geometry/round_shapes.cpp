@@ -138,6 +138,29 @@ SurfaceMesh sphere(double radius, int subdivisions)
     return mesh;
 }
 
+SurfaceMesh torus(double radius, double tube_radius, int around, int across)
+{
+    require_length("radius of a torus", radius);
+    require_length("tube_radius of a torus", tube_radius);
+    if (tube_radius >= radius)
+        throw InputError("tube_radius of a torus is " + std::to_string(tube_radius) +
+                         "; it must be below the radius of " + std::to_string(radius));
+    require_count("around of a torus", around, 3, 2000);
+    require_count("across of a torus", across, 3, 2000);
+    SurfaceMesh mesh;
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < across; ++j) {
+            const double a = 2 * std::numbers::pi * i / around, b = 2 * std::numbers::pi * j / across,
+                         from_axis = radius + tube_radius * std::cos(b);
+            mesh.vertices.emplace_back(from_axis * std::cos(a), -tube_radius * std::sin(b),
+                                       from_axis * std::sin(a));
+            const int next_i = (i + 1) % around, next_j = (j + 1) % across, here = across * i + j,
+                      ahead = across * next_i + j, up = across * i + next_j, both = across * next_i + next_j;
+            mesh.faces.insert(mesh.faces.end(), {{here, ahead, both}, {here, both, up}});
+        }
+    return mesh;
+}
+
 SurfaceMesh bowl(const BowlShape& shape)
 {
     require_bowl(shape);

@@ -16,6 +16,13 @@ SurfaceMesh tetrahedron(double edge_length);
 /// @param subdivisions  in [0, 8]
 SurfaceMesh sphere(double radius, int subdivisions = 2);
 
+/// A torus around the origin that lies flat: its axis is y.
+/// @param radius       from the axis to the middle of the tube [m]
+/// @param tube_radius  [m], below `radius`
+/// @param around       segments about the axis, at least 3
+/// @param across       segments of the tube's section, at least 3
+SurfaceMesh torus(double radius, double tube_radius, int around = 16, int across = 8);
+
 /// A thick part of a spherical shell that opens upwards, with a rounded
 /// rim and, if wanted, a flat foot to stand on.
 struct BowlShape {

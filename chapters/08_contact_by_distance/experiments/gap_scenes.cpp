@@ -10,7 +10,6 @@
 #include "common/simulation/static_body.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
@@ -61,19 +60,8 @@ void add(Scene& scene, const std::string& name, const SurfaceMesh& mesh, bool he
 /// A ring around y; its tube is half as thick as its hole is wide.
 SurfaceMesh chain_link(double hole)
 {
-    constexpr int around = 16, along = 8;
     const double tube = 0.25 * hole;
-    SurfaceMesh mesh;
-    for (int i = 0; i < around; ++i)
-        for (int j = 0; j < along; ++j) {
-            const double a = 2 * std::numbers::pi * i / around, b = 2 * std::numbers::pi * j / along,
-                         from_axis = hole + tube + tube * std::cos(b);
-            mesh.vertices.emplace_back(from_axis * std::cos(a), -tube * std::sin(b), from_axis * std::sin(a));
-            const int next_i = (i + 1) % around, next_j = (j + 1) % along, here = along * i + j,
-                      ahead = along * next_i + j, up = along * i + next_j, both = along * next_i + next_j;
-            mesh.faces.insert(mesh.faces.end(), {{here, ahead, both}, {here, both, up}});
-        }
-    return mesh;
+    return torus(hole + tube, tube);
 }
 
 /// A gear with ends of other faces: a fan about the axis has some without an area, where the flanks are

@@ -38,7 +38,7 @@ TEST_CASE("shapes: every closed shape is closed, manifold and faces outwards")
 {
     for (const SurfaceMesh& mesh :
          {box({1, 2, 3}), box({1, 2, 3}, {4, 1, 2}), slope({4, 0.5, 2}, 0.3, {5, 1, 2}), tetrahedron(1),
-          sphere(2, 0), sphere(2, 3), bowl({}),
+          sphere(2, 0), sphere(2, 3), torus(1, 0.3), torus(2, 0.5, 5, 3), bowl({}),
           bowl({.rim_angle = 0.8, .foot_radius = 0.3, .segments_around = 7})})
         CHECK_NOTHROW(check_surface(mesh, "shape"));
 }
@@ -93,6 +93,19 @@ TEST_CASE("shapes: a sphere's vertices lie on it, and its volume converges at se
     };
     CHECK(missing(3) / missing(4) == doctest::Approx(4).epsilon(0.02));
     CHECK(missing(4) < 0.01);
+}
+
+TEST_CASE(
+    "shapes: a torus of flat facets holds the area of its section times what the section's centre sweeps")
+{
+    for (const int around : {3, 16, 41})
+        for (const int across : {3, 8}) {
+            const double section = across * 0.09 / 2 * std::sin(2 * pi / across);
+            CAPTURE(around);
+            CAPTURE(across);
+            CHECK(enclosed_volume(torus(0.7, 0.3, around, across)) ==
+                  doctest::Approx(around * std::sin(2 * pi / around) * 0.7 * section).epsilon(1e-13));
+        }
 }
 
 TEST_CASE("shapes: the wall of a bowl holds the volume between two faceted spheres and half a faceted torus")
@@ -172,6 +185,8 @@ TEST_CASE("shapes: impossible arguments are refused by name")
     CHECK(message([] { box({1, 1, 1}, {1, 0, 1}); }).find("cells is 0") == 0);
     CHECK(message([] { bar({1, 1, 1}, {1000, 1000, 1000}); }).find("cells") == 0);
     CHECK(message([] { sphere(1, 20); }).find("subdivisions of a sphere is 20") == 0);
+    CHECK(message([] { torus(1, 1); }).find("tube_radius of a torus") == 0);
+    CHECK(message([] { torus(1, 0.5, 2); }).find("around of a torus is 2") == 0);
     CHECK(message([] { slope({1, 1, 1}, 2); }).find("angle of a slope") == 0);
     CHECK(message([] { bowl({.rim_angle = 3.1}); }).find("rim_angle of a bowl") == 0);
     CHECK(message([] { bowl({.foot_radius = 0.5}); }).find("foot_radius of a bowl") == 0);
