@@ -4,7 +4,6 @@
 #include "chapters/02_collision_detection/slabs.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 namespace enduring {
@@ -72,9 +71,7 @@ void CandidateSearch::refit_candidates(const World& world, std::span<const doubl
         BodyPair& pair = body_pairs_[count++];  // one of an earlier step: its lists keep their memory
         pair.a = a;
         pair.b = b;
-        while (last != last_pairs_.end() && std::tie(last->a, last->b) < std::tie(a, b))
-            ++last;
-        if (!moved[at(a)] && !moved[at(b)] && last != last_pairs_.end() && last->a == a && last->b == b)
+        if (!moved[at(a)] && !moved[at(b)] && find_onwards(last, last_pairs_.end(), {a, b}))
             std::swap(pair.pairs, last->pairs);
         else
             collect_pairs(trees_[at(a)], trees_[at(b)], pair.pairs);

@@ -150,10 +150,8 @@ void InsidePairs::trace(const World& world)
         if (!bodies_may_meet(world, a, b) ||
             slabs.keep_apart(static_cast<std::size_t>(a), static_cast<std::size_t>(b)))
             continue;
-        while (last != before.end() && std::tie(last->a, last->b) < std::tie(a, b))
-            ++last;
         // a step that is taken in halves begins where the whole one did
-        const bool is_known = !moved[a] && !moved[b] && last != before.end() && last->a == a && last->b == b;
+        const bool is_known = !moved[a] && !moved[b] && find_onwards(last, before.end(), {a, b});
         traced_.push_back({a, b, is_known ? std::move(last->overlaps) : find_overlaps(still(a), still(b))});
     }
 }
