@@ -83,8 +83,12 @@ void solve_contacts(World& world, Contacts& contacts, const ImplicitSettings& se
     if (first)
         world.attempt.added_energy -= world.attempt.springs;
     SolveRecord record{world.step};
-    for (const IslandOutcome& outcome : outcomes) {
+    world.attempt.held_up.clear();
+    for (std::size_t i = 0; i < islands.size(); ++i) {
+        const IslandOutcome& outcome = outcomes[i];
         add(outcome, record, world);
+        if (outcome.is_held_up)
+            world.attempt.held_up.push_back(islands[i].bodies);
         budget.take(outcome.solves, static_cast<double>(outcome.record.pairs) / std::max(1, pairs));
     }
     count(outcomes, record, world.attempt.work);

@@ -199,7 +199,11 @@ IslandOutcome IslandSolve::solve()
     // what rounding leaves of hardly any impulse no shorter step mends
     const bool is_near = record_.converged || record_.residual <= settings_.kept_residual,
                is_lagged = !is_near && has_budget_ && allowed_.is_last && solve_last_problem();
-    if ((is_lagged || !world_.attempt.may_be_halved) && !has_elements_)  // a part of a joint's holds nothing
+    const bool is_last = !world_.attempt.may_be_halved;
+    outcome.is_held_up = has_elements_ && is_last && !is_near;
+    if (outcome.is_held_up)  // a part of what joints push holds nothing
+        apply_impulses(world_, step_, 0 * impulses_acting(step_.problem));
+    else if ((is_lagged || is_last) && !has_elements_)
         if (const double part = part_without_gain(world_, step_); part < 1)
             apply_impulses(world_, step_, part * impulses_acting(step_.problem));
     outcome.is_lagged = is_lagged;

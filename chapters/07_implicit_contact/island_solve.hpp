@@ -8,7 +8,8 @@ namespace enduring {
 struct IslandOutcome {
     SolveRecord record{};
     StepTrouble trouble = StepTrouble::none;
-    bool is_lagged = false;  ///< its friction has the limits of the last round, which were not its own
+    bool is_lagged = false;   ///< its friction has the limits of the last round, which were not its own
+    bool is_held_up = false;  ///< joints hold it, and what they push is not found: nothing pushes it
     double springs = 0;  ///< what they hold at the start of the step, where this is its first response [J]
     int solves = 0;      ///< of Newton's matrix in this response
 };

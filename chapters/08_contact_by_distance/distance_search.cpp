@@ -90,11 +90,11 @@ void DistanceSearch::check(World& world, Contacts& contacts, double dt)
         world.attempt.trouble = StepTrouble::too_deep;
         return;
     }
-    if (!is_last)
-        append(
-            world, contacts,
-            pairs_at_the_end(world, *this, nearness_, contacts,
-                             world.attempt.work.responses == 0 ? EndsOf::new_bodies : EndsOf::new_features));
+    const auto new_ones = world.attempt.work.responses == 0 ? EndsOf::new_bodies : EndsOf::new_features;
+    if (!is_last && append(world, contacts, pairs_at_the_end(world, *this, nearness_, contacts, new_ones)))
+        return;
+    if (!world.attempt.held_up.empty())
+        stand_still(world, contacts, {});
 }
 //! [check]
 
@@ -176,11 +176,18 @@ void DistanceSearch::complete(const World& world, Contacts& contacts) const
 /// In a part of a step that is not halved any more.
 void DistanceSearch::stand_still(World& world, const Contacts& contacts, Crossings crossings)
 {
+    for (const std::vector<int>& bodies : world.attempt.held_up)
+        for (const int body : bodies)
+            standing_.add(world, bodies.front(), body);
+    if (!world.attempt.held_up.empty()) {
+        fit_boxes(world);
+        crossings = find_crossings(world, *this, nearness_, contacts);
+    }
     while (!crossings.none()) {
         bool any = false;
         for (const Contacts* list : {&crossings.brought, &crossings.let_through})
             for (const Contact& contact : *list)
-                any = standing_.add(world, contact) || any;
+                any = standing_.add(world, contact.body_a, contact.on_plane() ? -1 : contact.body_b) || any;
         if (!any)
             return;
         fit_boxes(world);

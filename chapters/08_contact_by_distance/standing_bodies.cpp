@@ -44,21 +44,26 @@ void move_as_one(const std::vector<Member>& members)
 
 }  // namespace
 
-bool StandingBodies::add(World& world, const Contact& contact)
+bool StandingBodies::add(World& world, int a, int b)
 {
-    const int b = contact.on_plane() ? -1 : contact.body_b;
-    crossing_.emplace_back(contact.body_a, b);
-    bool any = false;
-    for (const int index : {contact.body_a, b}) {
-        if (index < 0 || world.bodies[static_cast<std::size_t>(index)]->is_static() ||
-            states_.count(index) > 0)
-            continue;
-        Body& body = *world.bodies[static_cast<std::size_t>(index)];
-        states_[index] = state_of(body);
-        body.stand_still();
-        any = true;
-    }
-    return any;
+    belong_together_.emplace_back(a, b);
+    const bool a_is_new = stand(world, a);
+    return stand(world, b) || a_is_new;
+}
+
+bool StandingBodies::stand(World& world, int index)
+{
+    if (index < 0 || world.bodies[static_cast<std::size_t>(index)]->is_static() || states_.count(index) > 0)
+        return false;
+    Body& body = *world.bodies[static_cast<std::size_t>(index)];
+    states_[index] = state_of(body);
+    body.stand_still();
+    for (const Joint& joint : world.joints)
+        if (!joint.broken && (joint.a.body == index || joint.b.body == index)) {
+            belong_together_.emplace_back(joint.a.body, joint.b.body);
+            stand(world, joint.a.body == index ? joint.b.body : joint.a.body);
+        }
+    return true;
 }
 
 void StandingBodies::move_on(World& world)
@@ -68,7 +73,7 @@ void StandingBodies::move_on(World& world)
     };
     const int fixed = static_cast<int>(world.bodies.size());  // all that is held or given counts as one body
     JoinedSets sets(world.bodies.size() + 1);
-    for (const auto& [a, b] : crossing_)
+    for (const auto& [a, b] : belong_together_)
         sets.join(is_free(a) ? a : fixed, is_free(b) ? b : fixed);
 
     std::map<int, std::vector<Member>> groups;
@@ -90,7 +95,7 @@ void StandingBodies::move_on(World& world)
 void StandingBodies::clear()
 {
     states_.clear();
-    crossing_.clear();
+    belong_together_.clear();
 }
 
 }  // namespace enduring

@@ -113,13 +113,26 @@ void aim_at_limit(LineLaw& line, const JointDrive& drive, double coordinate, dou
 
 //! [rebound]
 /// What has struck a limit leaves it in the next step with this velocity: the limit pushes until then, and no
-/// further.
-void send_back(LineLaw& line, double rebound)
+/// further, to the other limit at most.
+void send_back(LineLaw& line, double rebound, double to_other_limit, double dt)
 {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     line.low = rebound > 0 ? 0 : -infinite;
     line.high = rebound > 0 ? infinite : 0;
-    line.bias = -line.slope * rebound;
+    line.bias = -line.slope * std::copysign(std::clamp(to_other_limit / dt, 0.0, std::abs(rebound)), rebound);
+}
+
+/// How far the other limit is, as the step begins, from what leaves a limit.
+double way_to_other_limit(const JointDrive& drive, double rebound, double coordinate_t0)
+{
+    return rebound > 0 ? drive.high - coordinate_t0 : coordinate_t0 - drive.low;
+}
+
+/// Whether others push it on to the other limit within the same step.
+bool meets_other_limit(const JointDrive& drive, double rebound, double coordinate, double acting)
+{
+    const double beyond = rebound > 0 ? coordinate - drive.high : drive.low - coordinate;
+    return acting * rebound < 0 || (acting == 0 && beyond > 0);
 }
 
 }  // namespace
@@ -142,10 +155,12 @@ void follow_lock(const Joint& joint, const Vec3& numbers, const Vec3& acting, co
             const bool is_rod = joint.kind == JointKind::distance;
             aim(line, numbers[i] - (is_rod ? joint.way.low : 0), along_acting, along_velocity, dt);
         } else if (is_limited(joint, law.part, i)) {
-            if (rebound != 0)
-                send_back(line, rebound);
+            const JointDrive& drive = drive_of(joint, law.part);
+            if (rebound != 0 && !meets_other_limit(drive, rebound, numbers[i], along_acting))
+                send_back(line, rebound, way_to_other_limit(drive, rebound, numbers[i] - dt * along_velocity),
+                          dt);
             else
-                aim_at_limit(line, drive_of(joint, law.part), numbers[i], along_acting, along_velocity, dt);
+                aim_at_limit(line, drive, numbers[i], along_acting, along_velocity, dt);
         }
     }
 }

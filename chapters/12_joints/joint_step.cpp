@@ -4,6 +4,8 @@
 #include "common/simulation/contact_geometry.hpp"
 #include "common/simulation/joint_body.hpp"
 
+#include <algorithm>
+
 namespace enduring {
 namespace {
 
@@ -155,6 +157,7 @@ std::vector<JointRates> joint_rates(const World& world, double dt)
 void book_joints(World& world, const Contacts& contacts, const std::vector<JointRates>& before, double dt)
 {
     world.attempt.added_energy += weight_carried(world, contacts, dt);
+    double held_all = 0;
     for (std::size_t i = 0; i < world.joints.size(); ++i) {
         Joint& joint = world.joints[i];
         if (!joint.acts)
@@ -171,12 +174,18 @@ void book_joints(World& world, const Contacts& contacts, const std::vector<Joint
             given -= work_on(joint, of_a, dt);
         if (const Body* const body = body_at(world, joint.b); body && body->is_static())
             given += work_on(joint, of_b, dt);
-        const DriveWork drives = work_of_drives(world, joint, working(0, 0.5) - working(1, 0.5),
-                                                after[0] - after[1], dt);
+        const EndRates without_fall = working(0, 0.5) - working(1, 0.5);
+        const DriveWork drives = work_of_drives(world, joint, without_fall, after[0] - after[1], dt);
+        const double by_fall = work_on(joint, of_a - of_b, dt) - work_on(joint, without_fall, dt),
+                     held = work_on(joint, without_fall, dt) - drives.springs - drives.motors;
         world.driven += drives.motors + given;
-        world.attempt.added_energy += work_on(joint, of_a - of_b, dt) + given - drives.springs;
+        world.attempt.added_energy += by_fall + drives.motors + given;
+        // what leaves a limit has lost at it what it gets back
+        const bool sends_back = joint.way_rebound != 0 || joint.turn_rebound != 0;
+        (sends_back ? world.attempt.added_energy : held_all) += held;
         note_rebounds(world, joint, before[i][0] - before[i][1], dt);
     }
+    world.attempt.added_energy += std::min(0.0, held_all);
 }
 //! [book]
 

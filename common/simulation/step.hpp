@@ -57,7 +57,10 @@ struct StepAttempt {
     double behind = 0;                           ///< what of the whole step comes behind this part [s]
     int responses_left = 0;                      ///< that may still answer what passes of detection find
     std::vector<OutsideImpulse> from_outside{};  ///< in this step: their work counts as added_energy
-    StepWork work{};                             ///< what it has cost so far
+    /// groups of bodies that joints hold together, in a part that is not halved any more: what pushes them is
+    /// not found, so they do not move in it
+    std::vector<std::vector<int>> held_up{};
+    StepWork work{};  ///< what it has cost so far
 };
 
 /// The bodies and planes of a scene, and where time stands.

@@ -46,12 +46,13 @@ TEST_CASE(
 {
     World world;
     world.gravity.setZero();
-    add_rigid(world, box({0.5, 0.002, 0.5}, {4, 1, 4}));
-    add_rigid(world, moved(sphere(0.02, 1), {0.03, 0.3, 0.01}), {0, -200, 0});
+    const RigidBody& plate = add_rigid(world, box({0.5, 0.002, 0.5}, {4, 1, 4}));
+    const RigidBody& bullet = add_rigid(world, moved(sphere(0.02, 1), {0.03, 0.3, 0.01}), {0, -200, 0});
+    const Vec3 momentum = bullet.linear_momentum();
     const Run run(world, 20, 0.01);
     CHECK(run.crossed == 0);
-    const double plate = world.bodies[0]->centre().y(), bullet = world.bodies[1]->centre().y();
-    CHECK(bullet > plate);
+    CHECK(plate.motion().pose().to_body(bullet.centre()).y() > 0.02);
+    CHECK((plate.linear_momentum() + bullet.linear_momentum() - momentum).norm() < 1e-9 * momentum.norm());
 }
 
 TEST_CASE(

@@ -1,6 +1,7 @@
 #include "chapters/08_contact_by_distance/standing_bodies.hpp"
 
 #include "chapters/08_contact_by_distance/tests/small_world.hpp"
+#include "common/geometry/moved_mesh.hpp"
 #include "common/geometry/tetrahedral_shapes.hpp"
 #include "common/simulation/deformable_body.hpp"
 #include "common/simulation/whole_motion.hpp"
@@ -51,8 +52,6 @@ World three_bodies()
     return world;
 }
 
-Contact pair_of(int body_a, int body_b) { return {ContactKind::vertex_face, body_a, body_b, 0, 0}; }
-
 void move(World& world, double dt)
 {
     for (const auto& body : world.bodies) {
@@ -63,8 +62,7 @@ void move(World& world, double dt)
 
 }  // namespace
 
-TEST_CASE(
-    "standing bodies: those that would cross stay where they are, and move on as one, with their momentum")
+TEST_CASE("standing bodies: what would cross stays where it is, and moves on as one with its momentum")
 {
     World world = three_bodies();
     const Vec3 momentum = momentum_of(world), spin = spin_of(world);
@@ -74,9 +72,9 @@ TEST_CASE(
         places.push_back(body->positions_t0()[0]);
 
     StandingBodies standing;
-    CHECK(standing.add(world, pair_of(0, 1)));
-    CHECK(standing.add(world, pair_of(2, 1)));
-    CHECK(!standing.add(world, pair_of(2, 0)));
+    CHECK(standing.add(world, 0, 1));
+    CHECK(standing.add(world, 2, 1));
+    CHECK(!standing.add(world, 2, 0));
     move(world, 1e-3);
     standing.move_on(world);
 
@@ -99,8 +97,8 @@ TEST_CASE("standing bodies: a rigid body that would cross a fixed one is at rest
     World world = three_bodies();
     add_static(world, box({1, 1, 1}));
     StandingBodies standing;
-    standing.add(world, pair_of(0, 3));
-    standing.add(world, pair_of(1, 0));
+    standing.add(world, 0, 3);
+    standing.add(world, 1, 0);
     const Vec3 of_soft = world.bodies[2]->linear_momentum();
     move(world, 1e-3);
     standing.move_on(world);
@@ -114,8 +112,8 @@ TEST_CASE("standing bodies: of two groups each keeps its own momentum")
     World world = three_bodies();
     add_rigid(world, moved(sphere(0.1, 1), {9, 1.2, 0.1}), {0, 5, 0}, {3, 0, 5});
     StandingBodies standing;
-    standing.add(world, pair_of(0, 1));
-    standing.add(world, pair_of(2, 3));
+    standing.add(world, 0, 1);
+    standing.add(world, 2, 3);
     const Vec3 before = world.bodies[0]->linear_momentum() + world.bodies[1]->linear_momentum();
     move(world, 1e-3);
     standing.move_on(world);
